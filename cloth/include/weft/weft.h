@@ -1,0 +1,23 @@
+#pragma once
+// Weft: real-time cloth for games. This header is all that an embedder includes; it needs the standard library only.
+//
+//   auto world = weft::World::create();
+//   auto mesh  = weft::make_sheet();
+//   auto cloth = world->add_cloth(*mesh);
+//   world->pin(*cloth, 0);
+//   for (;;) {
+//       world->step(1.0f / 60.0f);
+//       upload(world->cloth(*cloth)->positions);   // x y z w, sixteen bytes a particle, no copy on the way
+//   }
+
+#include "weft/collider.h"
+#include "weft/error.h"
+#include "weft/executor.h"
+#include "weft/fixed_step.h"
+#include "weft/mesh.h"
+#include "weft/profile.h"
+#include "weft/report.h"
+#include "weft/self_collision.h"
+#include "weft/settings.h"
+#include "weft/types.h"
+#include "weft/world.h"

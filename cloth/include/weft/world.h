@@ -1,0 +1,105 @@
+#pragma once
+// The World: cloths, colliders and wind, stepped together.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "weft/collider.h"
+#include "weft/error.h"
+#include "weft/mesh.h"
+#include "weft/profile.h"
+#include "weft/report.h"
+#include "weft/settings.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Generation-checked; all-zero is null.
+struct ClothId {
+    std::uint32_t index = 0, generation = 0;
+    friend bool operator==(ClothId, ClothId) = default;
+};
+
+/// What cooking a mesh made of it.
+struct ClothInfo {
+    std::uint32_t vertices = 0;             ///< of the mesh that was given
+    std::uint32_t particles = 0;            ///< after welding
+    std::uint32_t triangles = 0;
+    std::uint32_t components = 0;
+    std::uint32_t structural_springs = 0, shear_springs = 0, bend_springs = 0;
+    std::uint32_t border_edges = 0;         ///< edges of one triangle
+    std::uint32_t dropped_triangles = 0;    ///< warning: faces of no area, which were left out
+    std::uint32_t misoriented_edges = 0;    ///< warning: shared edges whose two triangles are wound against each other
+    std::uint32_t loose_particles = 0;      ///< warning: particles of no triangle; they have no mass and stay where they are
+    float mean_edge = 0;                    ///< mean rest length of structural springs [m]
+    float mass = 0;                         ///< [kg]
+    std::uint64_t bytes = 0;                ///< memory of this cloth, solver included
+};
+
+/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or change of this
+/// cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own vertices.
+struct ClothView {
+    std::span<const Vec4> positions;            ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
+    std::span<const Vec4> previous_positions;   ///< at the start of the last step; blend by FixedStepFrame::alpha
+    std::span<const Vec4> velocities;           ///< x y z [m/s]
+    std::span<const Vec4> normals;              ///< x y z, unit length, out of the front of the triangles
+    std::span<const Triangle> triangles;        ///< particle indices
+    std::span<const std::uint32_t> vertex_to_particle;
+    Bounds bounds;                              ///< of the positions
+};
+
+/// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each other.
+class World {
+  public:
+    /// Error: a setting out of range.
+    [[nodiscard]] static Result<World> create(const WorldSettings& settings = {});
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    [[nodiscard]] const WorldSettings& settings() const noexcept;
+    Result<void> set_settings(const WorldSettings& settings);
+
+    /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex or triangle.
+    Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
+    Result<void> remove_cloth(ClothId id);
+    [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
+    Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
+    [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
+    [[nodiscard]] Result<ClothView> cloth(ClothId id) const;
+
+    /// Holds a particle where it is, until move_pin or unpin. Vertices are those of the mesh that was given.
+    Result<void> pin(ClothId id, std::uint32_t vertex);
+    /// The pinned vertex moves to `target` [m] along a straight line over the next step.
+    Result<void> move_pin(ClothId id, std::uint32_t vertex, const Vec3& target);
+    Result<void> unpin(ClothId id, std::uint32_t vertex);
+
+    Result<ColliderId> add_collider(const Collider& collider);
+    /// The collider moves there over the next step, and pushes and drags what it meets. The same kind of shape.
+    Result<void> move_collider(ColliderId id, const Collider& target);
+    Result<void> remove_collider(ColliderId id);
+    [[nodiscard]] Result<Collider> collider(ColliderId id) const;
+
+    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. Does not allocate after warm-up.
+    const StepReport& step(float dt) noexcept;
+    [[nodiscard]] const StepReport& report() const noexcept;
+
+    /// Times of the stages of the step, the whole last; the percentiles are computed by this call.
+    [[nodiscard]] std::span<const StageTime> profile() const;
+    /// Keeps up to `max_events` stage timings from here on, for write_trace.
+    void start_trace(std::size_t max_events = 1u << 20);
+    /// Chrome's trace event format: opens in Perfetto and chrome://tracing.
+    Result<void> write_trace(const std::filesystem::path& file) const;
+
+    /// Of all positions and velocities: the same for any number of threads, with the same binary.
+    [[nodiscard]] std::uint64_t state_hash() const;
+
+  private:
+    struct Impl;
+    explicit World(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace weft

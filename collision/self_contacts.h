@@ -1,0 +1,50 @@
+#pragma once
+// Self-collision avoidance on a hashed grid (Kang, section IV): find the pairs that are too close, push them apart.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/hash_grid.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+#include "weft/self_collision.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Which close pairs are meant to be close. Per particle i: `neighbours[offsets[i] .. offsets[i + 1])` are its spring
+/// neighbours, and pairs closer than the distance in `rest_positions` are left alone.
+struct RestFilter {
+    std::span<const Vec4> rest_positions;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> neighbours;
+};
+
+struct SelfContactCounts {
+    std::uint32_t pairs = 0;        ///< contacts that were resolved
+    std::uint32_t dropped = 0;      ///< particles whose list was full; some of their contacts were left for the next step
+    std::uint32_t peak = 0;         ///< most contacts of one particle
+};
+
+/// Buffers for the contacts of one cloth. Made when self-collision is switched on, and for no cloth else.
+class SelfContacts {
+  public:
+    static constexpr std::uint32_t capacity = 16;  ///< contacts kept per particle
+
+    explicit SelfContacts(std::uint32_t particle_count, int width);
+
+    /// Finds all pairs closer than `distance`. Each is in both particles' lists, in a fixed order.
+    void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds, const RestFilter& filter,
+              float distance, SelfCollisionSearch search);
+
+    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching, Coulomb
+    /// friction. positions.w is the inverse mass. Linear and angular momentum of the pair responses are kept.
+    SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h, std::span<Vec4> positions,
+                              std::span<Vec4> velocities);
+
+    /// The contacts of particle i that find() found, for tests and for drawing.
+    [[nodiscard]] std::span<const std::uint32_t> contacts(std::uint32_t particle) const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+}  // namespace weft

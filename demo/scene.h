@@ -1,0 +1,67 @@
+#pragma once
+// A scene: what stands in the world, what moves it, how to look at it, and how to tell that it went right.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "weft/render/camera.h"
+#include "weft/render/scene_renderer.h"
+#include "weft/weft.h"
+
+namespace weft::demo {
+
+struct SceneOptions {
+    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
+    std::filesystem::path garment;    ///< for the garment scene
+};
+
+/// A cloth of the scene with what drawing it needs.
+struct SceneCloth {
+    ClothId id;
+    Mesh mesh;
+    render::FabricLook look;
+};
+
+/// What build() leaves behind for the program that shows the scene.
+struct SceneContent {
+    std::vector<SceneCloth> cloths;
+    std::vector<ColliderId> drawn_colliders;  ///< spheres and capsules to draw; planes are the ground
+    render::OrbitCamera camera;
+};
+
+class Scene {
+  public:
+    virtual ~Scene() = default;
+
+    /// Wind, substeps and gravity that the scene starts with; threads and executor are the program's.
+    [[nodiscard]] virtual WorldSettings world_settings() const { return {}; }
+    /// Adds cloths, pins and colliders to an empty world. Error: what could not be built, and why.
+    [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
+    /// Moves pins and colliders before the step from `time` to `time + dt` [s].
+    virtual void before_step(World& world, double time, float dt);
+
+    /// The scene's own test: after this many steps of 1/60 s ...
+    [[nodiscard]] virtual int check_steps() const { return 300; }
+    /// ... this must hold. Error: what does not, with its value.
+    [[nodiscard]] virtual Result<void> check(const World& world) const = 0;
+};
+
+/// One line of the registry.
+struct SceneEntry {
+    const char* name;
+    const char* description;
+    std::unique_ptr<Scene> (*make)();
+    bool needs_garment = false;  ///< cannot be built without SceneOptions::garment
+};
+
+/// All scenes, in the order in which they are listed. scenes/registry.cpp holds one line for each.
+[[nodiscard]] std::span<const SceneEntry> all_scenes();
+/// Null if there is none of that name.
+[[nodiscard]] const SceneEntry* find_scene(std::string_view name);
+
+}  // namespace weft::demo

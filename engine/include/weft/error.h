@@ -1,0 +1,71 @@
+#pragma once
+// Errors as values. Nothing in Weft's interface throws.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace weft {
+
+enum class ErrorCode : std::uint8_t {
+    invalid_argument,  ///< a setting or value outside its documented range
+    stale_id,          ///< an id that is null, or whose object has been removed
+    invalid_mesh,      ///< a mesh from which no cloth can be made
+    file_not_found,    ///< a file that does not exist or cannot be read
+    malformed_file,    ///< a file whose content breaks its format
+    out_of_memory,     ///< the system refused memory
+};
+
+/// What went wrong. The message names the offending value and what would be right.
+struct Error {
+    ErrorCode code = ErrorCode::invalid_argument;
+    std::string message;
+};
+
+/// A T or an Error. Test it before use: `if (!result) report(result.error().message);`
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
+
+    [[nodiscard]] bool ok() const noexcept { return content_.index() == 0; }
+    explicit operator bool() const noexcept { return ok(); }
+
+    /// Precondition: ok().
+    [[nodiscard]] T& value() & noexcept { return *std::get_if<0>(&content_); }
+    [[nodiscard]] const T& value() const& noexcept { return *std::get_if<0>(&content_); }
+    [[nodiscard]] T&& value() && noexcept { return std::move(*std::get_if<0>(&content_)); }
+    T& operator*() & noexcept { return value(); }
+    const T& operator*() const& noexcept { return value(); }
+    T&& operator*() && noexcept { return std::move(*this).value(); }
+    T* operator->() noexcept { return &value(); }
+    const T* operator->() const noexcept { return &value(); }
+
+    /// Precondition: !ok().
+    [[nodiscard]] const Error& error() const noexcept { return *std::get_if<1>(&content_); }
+
+  private:
+    std::variant<T, Error> content_;
+};
+
+/// Success or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+  public:
+    Result() = default;
+    Result(Error error) : error_(std::move(error)), ok_(false) {}
+
+    [[nodiscard]] bool ok() const noexcept { return ok_; }
+    explicit operator bool() const noexcept { return ok_; }
+
+    /// Precondition: !ok().
+    [[nodiscard]] const Error& error() const noexcept { return error_; }
+
+  private:
+    Error error_;
+    bool ok_ = true;
+};
+
+}  // namespace weft

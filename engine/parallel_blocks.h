@@ -1,0 +1,78 @@
+#pragma once
+// The one parallel primitive: a loop over fixed blocks.
+//
+// Invariant that buys determinism: how [0, n) is cut into blocks depends on n alone, a body knows its block and never
+// its thread, no two bodies write the same element, and reductions add one partial per block in block order. So the
+// bytes of every result are the same for any number of threads, and for the serial executor.
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "weft/executor.h"
+
+namespace weft {
+
+/// Elements per block. 256 particles of 16 bytes are 4 KiB of each buffer: small enough to balance 4 000 particles
+/// over 8 threads, large enough to hide the cost of handing a block out.
+inline constexpr std::uint32_t block_size = 256;
+
+constexpr std::uint32_t block_count(std::uint32_t n) { return (n + block_size - 1) / block_size; }
+
+/// A half-open range of elements and the index of the block that it is.
+struct BlockRange {
+    std::uint32_t begin, end, block;
+};
+
+class Parallel {
+  public:
+    /// A oneTBB arena of `threads` threads, the caller's among them; 1 runs everything on the caller's thread.
+    /// Precondition: 1 <= threads <= 256.
+    explicit Parallel(int threads);
+    /// The host's threads. Precondition: executor.run is set, 1 <= executor.width <= 256.
+    explicit Parallel(const Executor& executor);
+    ~Parallel();
+    Parallel(Parallel&&) noexcept;
+    Parallel& operator=(Parallel&&) noexcept;
+
+    /// Threads that work is spread over: for sizing partitions whose cut cannot show in a result.
+    [[nodiscard]] int width() const noexcept { return executor_.width; }
+
+    /// body(block) for every block in [0, count). Bodies must not throw.
+    template <class Body>
+    void blocks(std::uint32_t count, const Body& body) {
+        if (count <= 1 || executor_.width == 1) {
+            for (std::uint32_t block = 0; block < count; ++block) body(block);
+            return;
+        }
+        executor_.run(
+            executor_.user, count,
+            [](void* context, std::uint32_t block) noexcept { (*static_cast<const Body*>(context))(block); },
+            const_cast<Body*>(&body));
+    }
+
+    /// body(BlockRange) for the blocks of [0, n).
+    template <class Body>
+    void ranges(std::uint32_t n, const Body& body) {
+        blocks(block_count(n), [&](std::uint32_t block) {
+            body(BlockRange{block * block_size, std::min(n, (block + 1) * block_size), block});
+        });
+    }
+
+    /// Ordered reduction over [0, n): partials[block] = map(BlockRange), then combined from the left in block order.
+    /// Precondition: partials.size() >= block_count(n).
+    template <class T, class Map, class Combine>
+    T reduce(std::uint32_t n, std::span<T> partials, T initial, const Map& map, const Combine& combine) {
+        ranges(n, [&](const BlockRange& range) { partials[range.block] = map(range); });
+        for (const T& partial : partials.first(block_count(n))) initial = combine(initial, partial);
+        return initial;
+    }
+
+  private:
+    class Arena;
+    std::unique_ptr<Arena> arena_;  // null when the host brought its own threads, or for one thread
+    Executor executor_;
+};
+
+}  // namespace weft

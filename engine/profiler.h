@@ -1,0 +1,57 @@
+#pragma once
+// Times the stages of a step, where they stand. Stages are named once; timing one costs two clock reads.
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "weft/error.h"
+#include "weft/profile.h"
+
+namespace weft {
+
+/// Owned and driven by one thread. Does not allocate after construction, save for start_trace() and stages().
+class Profiler {
+  public:
+    static constexpr std::uint32_t window = 256;  ///< steps that the rolling percentiles cover
+
+    /// `names`: string literals, in the order in which the stages run. At most 32.
+    explicit Profiler(std::span<const char* const> names);
+
+    void begin_step() noexcept;
+    void end_step() noexcept;
+
+    /// Adds the time from construction to destruction to a stage of the current step. A stage may run several times
+    /// in a step (once per substep, once per cloth); its time is the sum.
+    class Scope {
+      public:
+        Scope(Profiler& profiler, std::uint32_t stage) noexcept;
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        Profiler& profiler_;
+        std::uint32_t stage_;
+        std::chrono::steady_clock::time_point start_;
+    };
+    [[nodiscard]] Scope time(std::uint32_t stage) noexcept { return {*this, stage}; }
+
+    /// The stages' last times and rolling percentiles, then one row named "step" for the whole.
+    /// Valid until the next call; percentiles are computed by this call, not by the step.
+    [[nodiscard]] std::span<const StageTime> stages() const;
+    /// Milliseconds of one stage in the last step.
+    [[nodiscard]] float last_ms(std::uint32_t stage) const noexcept;
+
+    /// Keeps every scope from here on, up to `max_events`, for write_trace.
+    void start_trace(std::size_t max_events);
+    /// Writes the kept scopes in Chrome's trace event format, which Perfetto and chrome://tracing open.
+    /// Error: the file cannot be written, or start_trace was not called.
+    [[nodiscard]] Result<void> write_trace(const std::filesystem::path& file) const;
+};
+
+}  // namespace weft

@@ -1,0 +1,40 @@
+#pragma once
+// An OpenGL 3.3 core context: a window where there is a display, or none at all.
+
+#include <memory>
+#include <string>
+
+#include "weft/error.h"
+
+struct GLFWwindow;
+
+namespace weft::render {
+
+struct WindowSettings {
+    int width = 1280, height = 800;
+    std::string title = "Weft";
+    bool vsync = true;
+};
+
+/// A current context on the calling thread, functions loaded. One at a time per thread.
+class Context {
+  public:
+    /// Error: no display, or no OpenGL 3.3 core.
+    [[nodiscard]] static Result<Context> window(const WindowSettings& settings);
+    /// Without display or GPU: EGL on Mesa's surfaceless platform, rendering into framebuffer objects.
+    /// Error: says what EGL lacks.
+    [[nodiscard]] static Result<Context> offscreen();
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+    ~Context();
+
+    [[nodiscard]] GLFWwindow* window_handle() const noexcept;  ///< null offscreen
+    [[nodiscard]] std::string renderer() const;                ///< GL_RENDERER and GL_VERSION
+
+  private:
+    struct Impl;
+    explicit Context(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace weft::render

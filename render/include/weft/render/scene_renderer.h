@@ -1,0 +1,101 @@
+#pragma once
+// Draws cloth and the shapes it meets: sky, ground, soft shadow, two-sided fabric, 4x multisampling.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "weft/error.h"
+#include "weft/render/camera.h"
+#include "weft/types.h"
+
+namespace weft::render {
+
+/// A fabric's look. Colours are linear RGB in [0, 1].
+struct FabricLook {
+    Vec3 front{0.55f, 0.08f, 0.10f};
+    Vec3 back{0.45f, 0.09f, 0.11f};
+    float roughness = 0.75f;       ///< 0 silk, 1 felt
+    float sheen = 0.5f;            ///< strength of the light fibre edge
+    float weave_per_metre = 220;   ///< threads per metre of texture coordinate; 0 draws none
+    float stripe_width = 0;        ///< [m] of texture coordinate u; 0 draws none
+    Vec3 stripe{0.9f, 0.88f, 0.82f};
+};
+
+/// The parts of a cloth's mesh that do not move: uploaded once.
+struct ClothSurface {
+    std::span<const std::array<std::uint32_t, 3>> triangles;  ///< vertex indices
+    std::span<const std::uint32_t> vertex_to_particle;        ///< one per vertex
+    std::span<const Vec2> texcoords;                          ///< one per vertex [m], or empty
+    FabricLook look;
+};
+
+/// The parts that move: streamed from the simulation's own buffers, one element of sixteen bytes a particle.
+struct ClothFrame {
+    std::span<const Vec4> positions;
+    std::span<const Vec4> previous_positions;
+    std::span<const Vec4> normals;
+};
+
+/// A handle of a cloth in a SceneRenderer; 0 is null.
+using ClothHandle = std::uint32_t;
+
+struct DrawnSphere {
+    Vec3 center;
+    float radius;
+    Vec3 color{0.75f, 0.72f, 0.68f};
+};
+struct DrawnCapsule {
+    Vec3 a, b;
+    float radius;
+    Vec3 color{0.75f, 0.72f, 0.68f};
+};
+
+/// One image.
+struct View {
+    OrbitCamera camera;
+    float alpha = 1;                 ///< blend of previous and current positions, in [0, 1]
+    bool ground = true;
+    float ground_height = 0;         ///< [m]
+    Vec3 sun_direction{0.45f, 0.8f, 0.4f};  ///< towards the sun, need not be unit
+    bool wireframe = false;
+    std::span<const DrawnSphere> spheres;
+    std::span<const DrawnCapsule> capsules;
+    Vec3 wind{0, 0, 0};              ///< drawn as an arrow on the ground where not zero [m/s]
+};
+
+/// An 8-bit RGB picture, rows from the top.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+class SceneRenderer {
+  public:
+    /// Precondition: a Context is current, here and at every call. Error: a shader that does not compile (the log).
+    [[nodiscard]] static Result<SceneRenderer> create();
+    SceneRenderer(SceneRenderer&&) noexcept;
+    SceneRenderer& operator=(SceneRenderer&&) noexcept;
+    ~SceneRenderer();
+
+    ClothHandle add_cloth(const ClothSurface& surface);
+    void remove_cloth(ClothHandle cloth);
+    void update_cloth(ClothHandle cloth, const ClothFrame& frame);
+    void set_look(ClothHandle cloth, const FabricLook& look);
+
+    /// Draws into framebuffer `target` (0: the window) of the given size in pixels.
+    void draw(const View& view, int width, int height, unsigned target = 0);
+    /// Draws into an image of its own and reads it back.
+    [[nodiscard]] Image capture(const View& view, int width, int height);
+
+  private:
+    struct Impl;
+    explicit SceneRenderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Error: the file cannot be written.
+[[nodiscard]] Result<void> save_png(const Image& image, const char* file);
+
+}  // namespace weft::render
