@@ -15,6 +15,7 @@ enum class ErrorCode : std::uint8_t {
     file_not_found,    ///< a file that does not exist or cannot be read
     malformed_file,    ///< a file whose content breaks its format
     out_of_memory,     ///< the system refused memory
+    unsupported,       ///< the system lacks what is needed: a display, OpenGL 3.3
 };
 
 /// What went wrong. The message names the offending value and what would be right.
