@@ -20,7 +20,8 @@ class AlignedBuffer {
     AlignedBuffer() = default;
     /// `size` elements, all of value T{}.
     explicit AlignedBuffer(std::size_t size)
-        : data_(size == 0 ? nullptr : static_cast<T*>(::operator new[](size * sizeof(T), std::align_val_t{alignment}))),
+        : data_(size == 0 ? nullptr
+                          : static_cast<T*>(::operator new[](size * sizeof(T), std::align_val_t{alignment}))),
           size_(size) {
         std::uninitialized_fill_n(data_.get(), size, T{});
     }

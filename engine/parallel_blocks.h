@@ -1,9 +1,10 @@
 #pragma once
 // The one parallel primitive: a loop over fixed blocks.
 //
-// Invariant that buys determinism: how [0, n) is cut into blocks depends on n alone, a body knows its block and never
-// its thread, no two bodies write the same element, and reductions add one partial per block in block order. So the
-// bytes of every result are the same for any number of threads, and for the serial executor.
+// Invariant that buys determinism: how [0, n) is cut into blocks depends on n alone, a body knows its block
+// and never its thread, no two bodies write the same element, and reductions add one partial per block in
+// block order. So the bytes of every result are the same for any number of threads, and for the serial
+// executor.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,11 +15,13 @@
 
 namespace weft {
 
-/// Elements per block. 256 particles of 16 bytes are 4 KiB of each buffer: small enough to balance 4 000 particles
-/// over 8 threads, large enough to hide the cost of handing a block out.
+/// Elements per block. 256 particles of 16 bytes are 4 KiB of each buffer: small enough to balance 4 000
+/// particles over 8 threads, large enough to hide the cost of handing a block out.
 inline constexpr std::uint32_t block_size = 256;
 
-constexpr std::uint32_t block_count(std::uint32_t n) { return (n + block_size - 1) / block_size; }
+constexpr std::uint32_t block_count(std::uint32_t n) {
+    return (n + block_size - 1) / block_size;
+}
 
 /// A half-open range of elements and the index of the block that it is.
 struct BlockRange {
@@ -27,8 +30,8 @@ struct BlockRange {
 
 class Parallel {
   public:
-    /// A oneTBB arena of `threads` threads, the caller's among them; 1 runs everything on the caller's thread.
-    /// Precondition: 1 <= threads <= 256.
+    /// A oneTBB arena of `threads` threads, the caller's among them; 1 runs everything on the caller's
+    /// thread. Precondition: 1 <= threads <= 256.
     explicit Parallel(int threads);
     /// The host's threads. Precondition: executor.run is set, 1 <= executor.width <= 256.
     explicit Parallel(const Executor& executor);
@@ -60,8 +63,8 @@ class Parallel {
         });
     }
 
-    /// Ordered reduction over [0, n): partials[block] = map(BlockRange), then combined from the left in block order.
-    /// Precondition: partials.size() >= block_count(n).
+    /// Ordered reduction over [0, n): partials[block] = map(BlockRange), then combined from the left in block
+    /// order. Precondition: partials.size() >= block_count(n).
     template <class T, class Map, class Combine>
     T reduce(std::uint32_t n, std::span<T> partials, T initial, const Map& map, const Combine& combine) {
         ranges(n, [&](const BlockRange& range) { partials[range.block] = map(range); });

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "engine/chrome_trace.h"
 #include "weft/error.h"
 #include "weft/profile.h"
 
@@ -25,8 +25,8 @@ class Profiler {
     void begin_step() noexcept;
     void end_step() noexcept;
 
-    /// Adds the time from construction to destruction to a stage of the current step. A stage may run several times
-    /// in a step (once per substep, once per cloth); its time is the sum.
+    /// Adds the time from construction to destruction to a stage of the current step. A stage may run several
+    /// times in a step (once per substep, once per cloth); its time is the sum.
     class Scope {
       public:
         Scope(Profiler& profiler, std::uint32_t stage) noexcept;
@@ -45,13 +45,38 @@ class Profiler {
     /// Valid until the next call; percentiles are computed by this call, not by the step.
     [[nodiscard]] std::span<const StageTime> stages() const;
     /// Milliseconds of one stage in the last step.
-    [[nodiscard]] float last_ms(std::uint32_t stage) const noexcept;
+    [[nodiscard]] float last_ms(std::uint32_t stage) const noexcept { return rows_[stage].last; }
+    /// Milliseconds of the whole last step.
+    [[nodiscard]] float last_step_ms() const noexcept { return rows_[stage_count_].last; }
 
     /// Keeps every scope from here on, up to `max_events`, for write_trace.
     void start_trace(std::size_t max_events);
     /// Writes the kept scopes in Chrome's trace event format, which Perfetto and chrome://tracing open.
     /// Error: the file cannot be written, or start_trace was not called.
     [[nodiscard]] Result<void> write_trace(const std::filesystem::path& file) const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::uint32_t max_stages = 32;
+
+    // One stage, or the whole step.
+    struct Row {
+        const char* name = "";
+        float current = 0;                    // so far in the present step [ms]
+        float last = 0;                       // in the last whole step [ms]
+        std::array<float, window> history{};  // ring: step s stands at s % window
+    };
+
+    void add(Row& row, Clock::time_point begin, Clock::time_point end) noexcept;
+    [[nodiscard]] StageTime summary(const Row& row) const;
+
+    std::uint32_t stage_count_;
+    std::array<Row, max_stages + 1> rows_;  // the stages, then the step
+    std::uint64_t steps_ = 0;
+    Clock::time_point step_begin_;
+    mutable std::array<StageTime, max_stages + 1> summaries_;  // what stages() shows
+    std::vector<TraceEvent> trace_;
+    std::size_t max_events_ = 0;
 };
 
 }  // namespace weft

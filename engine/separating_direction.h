@@ -8,13 +8,14 @@
 
 namespace weft {
 
-/// A unit vector that depends on the two indices alone and changes sign when they are swapped: both particles of a pair
-/// then move apart, the same way at every run. Evenly spread over the sphere, so that a cloth collapsed to one point
-/// opens in all directions and not along a line.
+/// A unit vector that depends on the two indices alone and changes sign when they are swapped: both particles
+/// of a pair then move apart, the same way at every run. Evenly spread over the sphere, so that a cloth
+/// collapsed to one point opens in all directions and not along a line.
 inline Vector3 separating_direction(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t low = i < j ? i : j;
     const std::uint32_t high = i < j ? j : i;
-    std::uint32_t bits = low * 0x9E3779B1u ^ high * 0x85EBCA77u;  // odd multipliers, then a finaliser: mixed bits
+    std::uint32_t bits =
+        low * 0x9E3779B1u ^ high * 0x85EBCA77u;  // odd multipliers, then a finaliser: mixed bits
     bits = (bits ^ (bits >> 15)) * 0x2C1B3C6Du;
     bits = (bits ^ (bits >> 12)) * 0x297A2D39u;
     bits ^= bits >> 15;

@@ -17,10 +17,8 @@ class StateHash {
     StateHash& operator=(const StateHash&) = delete;
 
     template <class T>
-        requires std::is_trivially_copyable_v<T>
-    void add(std::span<const T> values) {
-        add_bytes(std::as_bytes(values));
-    }
+    requires std::is_trivially_copyable_v<T>
+    void add(std::span<const T> values) { add_bytes(std::as_bytes(values)); }
     [[nodiscard]] std::uint64_t value() const noexcept;
 
   private:

@@ -10,10 +10,18 @@ namespace weft {
 using Vector3 = Eigen::Vector3f;
 using Matrix3 = Eigen::Matrix3f;
 
-inline Vector3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
-inline Vector3 to_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
-inline Vec3 to_vec3(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-inline Vec4 to_vec4(const Vector3& v, float w) { return {v.x(), v.y(), v.z(), w}; }
+inline Vector3 xyz(const Vec4& v) {
+    return {v.x, v.y, v.z};
+}
+inline Vector3 to_vector(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline Vec3 to_vec3(const Vector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Vec4 to_vec4(const Vector3& v, float w) {
+    return {v.x(), v.y(), v.z(), w};
+}
 
 /// Replaces x, y, z and keeps w.
 inline void set_xyz(Vec4& target, const Vector3& v) {

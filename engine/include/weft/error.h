@@ -12,7 +12,7 @@ enum class ErrorCode : std::uint8_t {
     invalid_argument,  ///< a setting or value outside its documented range
     stale_id,          ///< an id that is null, or whose object has been removed
     invalid_mesh,      ///< a mesh from which no cloth can be made
-    file_not_found,    ///< a file that does not exist or cannot be read
+    file_not_found,    ///< a file that does not exist, or cannot be read or written
     malformed_file,    ///< a file whose content breaks its format
     out_of_memory,     ///< the system refused memory
     unsupported,       ///< the system lacks what is needed: a display, OpenGL 3.3

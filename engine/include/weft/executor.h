@@ -5,8 +5,9 @@
 
 namespace weft {
 
-/// Runs `body(context, block)` once for every block in [0, block_count), on whatever threads it likes, and returns
-/// when all are done. Weft's results do not depend on the order or on the threads: a body knows its block only.
+/// Runs `body(context, block)` once for every block in [0, block_count), on whatever threads it likes, and
+/// returns when all are done. Weft's results do not depend on the order or on the threads: a body knows its
+/// block only.
 ///
 /// With `run` null (the default) Weft uses a oneTBB arena of its own.
 struct Executor {
@@ -14,7 +15,7 @@ struct Executor {
 
     void (*run)(void* user, std::uint32_t block_count, Body body, void* context) = nullptr;
     void* user = nullptr;  ///< passed back to `run`
-    int width = 1;         ///< threads that `run` uses, 1 to 256; a hint for splitting work, never seen in a result
+    int width = 1;  ///< threads that `run` uses, 1 to 256; a hint for splitting work, never seen in a result
 };
 
 }  // namespace weft

@@ -6,19 +6,20 @@
 namespace weft {
 
 struct FixedStepSettings {
-    double step = 1.0 / 60.0;       ///< length of one simulation step [s], > 0
-    int max_steps_per_frame = 4;    ///< >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one
+    double step = 1.0 / 60.0;  ///< length of one simulation step [s], > 0
+    int max_steps_per_frame =
+        4;  ///< >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one
 };
 
 /// What one rendered frame has to do.
 struct FixedStepFrame {
-    int steps = 0;              ///< call World::step(step) this many times
-    float alpha = 0;            ///< then draw previous + alpha (current - previous), alpha in [0, 1)
-    double dropped_seconds = 0; ///< > 0 when the cap cut time off: the simulation runs slower than real time
+    int steps = 0;               ///< call World::step(step) this many times
+    float alpha = 0;             ///< then draw previous + alpha (current - previous), alpha in [0, 1)
+    double dropped_seconds = 0;  ///< > 0 when the cap cut time off: the simulation runs slower than real time
 };
 
-/// Accumulates rendered time and pays it out in steps (Fiedler 2004, "Fix your timestep!"). It reads no clock: the
-/// host passes the time that its last frame took.
+/// Accumulates rendered time and pays it out in steps (Fiedler 2004, "Fix your timestep!"). It reads no
+/// clock: the host passes the time that its last frame took.
 class FixedStep {
   public:
     FixedStep() = default;

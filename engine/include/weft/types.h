@@ -15,8 +15,8 @@ struct Vec3 {
     float x = 0, y = 0, z = 0;
 };
 
-/// One element of a per-particle buffer: sixteen bytes, aligned, so that it is loaded as one 128-bit word by the
-/// solver and uploaded as it is by a renderer. What `w` holds is said by each buffer.
+/// One element of a per-particle buffer: sixteen bytes, aligned, so that it is loaded as one 128-bit word by
+/// the solver and uploaded as it is by a renderer. What `w` holds is said by each buffer.
 struct alignas(16) Vec4 {
     float x = 0, y = 0, z = 0, w = 0;
 };

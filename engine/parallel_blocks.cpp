@@ -1,0 +1,61 @@
+#include "engine/parallel_blocks.h"
+
+#ifdef WEFT_STD_THREADS
+#include "engine/thread_pool.h"
+#else
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace weft {
+
+#ifdef WEFT_STD_THREADS
+
+class Parallel::Arena : public ThreadPool {
+  public:
+    using ThreadPool::ThreadPool;
+};
+
+#else
+
+class Parallel::Arena {
+  public:
+    explicit Arena(int threads) : arena_(threads) { arena_.initialize(); }
+
+    void run(std::uint32_t block_count, Executor::Body body, void* context) {
+        arena_.execute([=] {
+            tbb::parallel_for(
+                tbb::blocked_range<std::uint32_t>(0, block_count),
+                [=](const tbb::blocked_range<std::uint32_t>& blocks) {
+                    for (std::uint32_t block = blocks.begin(); block < blocks.end(); ++block)
+                        body(context, block);
+                },
+                tbb::static_partitioner());
+        });
+    }
+
+  private:
+    tbb::task_arena arena_;
+};
+
+#endif
+
+Parallel::Parallel(int threads) {
+    executor_.width = threads;
+    if (threads == 1) return;
+    arena_ = std::make_unique<Arena>(threads);
+    executor_.user = arena_.get();
+    executor_.run = [](void* arena, std::uint32_t block_count, Executor::Body body, void* context) {
+        static_cast<Arena*>(arena)->run(block_count, body, context);
+    };
+}
+
+Parallel::Parallel(const Executor& executor) : executor_(executor) {}
+
+Parallel::~Parallel() = default;
+Parallel::Parallel(Parallel&&) noexcept = default;
+Parallel& Parallel::operator=(Parallel&&) noexcept = default;
+
+}  // namespace weft
