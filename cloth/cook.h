@@ -13,32 +13,35 @@ namespace weft {
 
 enum class SpringKind : std::uint8_t { structural, shear, bend };
 
-/// The rest model of a cloth; never changes after cooking. Lists are in compressed rows: those of particle i are
-/// [offsets[i], offsets[i + 1]), in ascending order of what they name, which is the order in which they are summed.
+/// The rest model of a cloth; never changes after cooking. Lists are in compressed rows: those of particle i
+/// are [offsets[i], offsets[i + 1]), in ascending order of what they name, which is the order in which they
+/// are summed.
 struct CookedCloth {
     std::uint32_t particle_count = 0;
-    AlignedBuffer<Vec4> positions;       ///< where the cloth starts [m]; w unused
-    AlignedBuffer<float> rest_area;      ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
+    AlignedBuffer<Vec4> positions;  ///< where the cloth starts [m]; w unused
+    AlignedBuffer<float>
+        rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
 
     /// Springs, each stored at both its ends (half-edges), so that a particle gathers all that acts on it.
     AlignedBuffer<std::uint32_t> spring_offsets;
     AlignedBuffer<std::uint32_t> neighbours;
-    AlignedBuffer<float> rest_lengths;   ///< [m]; the same float at both ends
+    AlignedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
     AlignedBuffer<SpringKind> kinds;
 
-    std::vector<Triangle> triangles;     ///< particle indices
-    AlignedBuffer<std::uint32_t> corner_offsets;    ///< triangles of each particle
+    std::vector<Triangle> triangles;              ///< particle indices
+    AlignedBuffer<std::uint32_t> corner_offsets;  ///< triangles of each particle
     AlignedBuffer<std::uint32_t> corner_triangles;
 
     /// Connected components, particles of each in ascending order.
     std::vector<std::uint32_t> component_offsets, component_particles;
 
     std::vector<std::uint32_t> vertex_to_particle;
-    ClothInfo info;                      ///< mass and bytes are filled in by the cloth
+    ClothInfo info;  ///< mass and bytes are filled in by the cloth
 };
 
-/// Error: a position that is not finite, an index out of range, an edge of more than two triangles, no triangles left,
-/// a pattern, texcoords or grid whose size does not fit. Faces of no area are dropped and counted.
+/// Error: a position that is not finite, an index out of range, an edge of more than two triangles, no
+/// triangles left, a pattern, texcoords or grid whose size does not fit. Faces of no area are dropped and
+/// counted.
 [[nodiscard]] Result<CookedCloth> cook(const Mesh& mesh);
 
 }  // namespace weft

@@ -13,21 +13,24 @@ namespace weft {
 
 using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clockwise seen from the front
 
-/// Any triangle mesh: several components and borders are fine, edges shared by more than two triangles are not.
-/// Vertices at the same position (split for a renderer at texture seams, say) are welded into one particle.
+/// Any triangle mesh: several components and borders are fine, edges shared by more than two triangles are
+/// not. Vertices at the same position (split for a renderer at texture seams, say) are welded into one
+/// particle.
 struct Mesh {
-    std::vector<Vec3> positions;     ///< where the cloth starts [m], one per vertex
+    std::vector<Vec3> positions;  ///< where the cloth starts [m], one per vertex
     std::vector<Triangle> triangles;
 
-    /// Optional: the flat pattern that is the rest shape, one point per vertex [m] (at a seam the two panels' vertices
-    /// lie at one position in space and at two places of the pattern). Empty: the mesh itself is the rest shape.
+    /// Optional: the flat pattern that is the rest shape, one point per vertex [m] (at a seam the two panels'
+    /// vertices lie at one position in space and at two places of the pattern). Empty: the mesh itself is the
+    /// rest shape.
     std::vector<Vec2> pattern;
 
     /// Optional: texture coordinates, one per vertex, for renderers. Weft only carries them.
     std::vector<Vec2> texcoords;
 
-    /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], and springs run along the threads
-    /// (structural, shear, bend). 0: a general mesh, with springs on edges and across shared edges.
+    /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], and springs run along
+    /// the threads (structural, shear, bend). 0: a general mesh, with springs on edges and across shared
+    /// edges.
     std::uint32_t rows = 0, columns = 0;
 };
 
@@ -39,13 +42,15 @@ struct SheetSettings {
     Vec3 v{0, 0, 1};                        ///< from that corner along a column, the whole length [m]
 };
 
-/// Its front is the side from which u to v turns clockwise, that is, the side of v x u: up for the default sheet.
+/// Its front is the side from which u to v turns clockwise, that is, the side of v x u: up for the default
+/// sheet.
 [[nodiscard]] Result<Mesh> make_sheet(const SheetSettings& settings = {});
 
 /// What load_obj noticed and went on from.
 struct ObjReport {
-    std::uint32_t ignored_lines = 0;        ///< lines of kinds that a mesh does not need (normals, groups, `vv`, `t`)
-    std::uint32_t triangulated_faces = 0;   ///< faces of more than three corners, cut into fans
+    std::uint32_t ignored_lines =
+        0;  ///< lines of kinds that a mesh does not need (normals, groups, `vv`, `t`)
+    std::uint32_t triangulated_faces = 0;  ///< faces of more than three corners, cut into fans
 };
 
 struct ObjOptions {
@@ -53,13 +58,13 @@ struct ObjOptions {
     bool texcoords_are_pattern = false;
 };
 
-/// Reads a Wavefront OBJ file. Errors name the file and the line: a missing or unreadable file, a line cut short, a
-/// coordinate that is not a finite number, an index out of range, no faces. `report` may be null.
+/// Reads a Wavefront OBJ file. Errors name the file and the line: a missing or unreadable file, a line cut
+/// short, a coordinate that is not a finite number, an index out of range, no faces. `report` may be null.
 [[nodiscard]] Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
                                     ObjReport* report = nullptr);
 
-/// Writes positions, texture coordinates (the pattern, where there are none) and triangles, with nine digits, so that
-/// floats read back the same.
+/// Writes positions, texture coordinates (the pattern, where there are none) and triangles, with nine digits,
+/// so that floats read back the same.
 [[nodiscard]] Result<void> save_obj(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace weft

@@ -13,8 +13,8 @@ enum class StepFlags : std::uint32_t {
     none = 0,
     /// dt was zero, negative, not finite or above 1 s: nothing was done. Pass a step in (0, 1] s.
     invalid_dt = 1u << 0,
-    /// A cloth's state stopped being finite, or ran faster than 1000 m/s. It is back at the start of the step, at rest.
-    /// Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.
+    /// A cloth's state stopped being finite, or ran faster than 1000 m/s. It is back at the start of the
+    /// step, at rest. Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.
     state_restored = 1u << 1,
     /// Particles had more close neighbours than a contact list holds (16); the rest wait for the next step.
     /// Lower SelfCollision::distance.
@@ -29,19 +29,19 @@ constexpr bool has(StepFlags flags, StepFlags flag) {
 
 struct StepReport {
     StepFlags flags = StepFlags::none;
-    std::uint64_t step = 0;              ///< steps taken since the World was made, this one included
+    std::uint64_t step = 0;  ///< steps taken since the World was made, this one included
     int substeps = 0;
     std::uint32_t cloths = 0;
     std::uint32_t particles = 0;
-    std::uint32_t collider_contacts = 0; ///< particles that met a collider, in the last substep
-    std::uint32_t self_contacts = 0;     ///< pairs pushed apart, in the last substep
-    std::uint32_t peak_self_contacts = 0;///< most of one particle, in the last substep
+    std::uint32_t collider_contacts = 0;   ///< particles that met a collider, in the last substep
+    std::uint32_t self_contacts = 0;       ///< pairs pushed apart, in the last substep
+    std::uint32_t peak_self_contacts = 0;  ///< most of one particle, in the last substep
     std::uint32_t restored_cloths = 0;
-    float peak_speed = 0;                ///< fastest particle [m/s]
-    /// Largest of the cloths': preconditioned residual of the last substep's linear system after its last iteration but
-    /// one, |D^-1 (b - W dv)| / |D^-1 b|; 1 says that the iterations have done nothing.
+    float peak_speed = 0;  ///< fastest particle [m/s]
+    /// Largest of the cloths': preconditioned residual of the last substep's linear system after its last
+    /// iteration but one, |D^-1 (b - W dv)| / |D^-1 b|; 1 says that the iterations have done nothing.
     float residual = 0;
-    float milliseconds = 0;              ///< the whole step
+    float milliseconds = 0;  ///< the whole step
 };
 
 }  // namespace weft

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// The material. Spring stiffnesses are forces per length of one spring, which along the threads of a square grid is the
-/// membrane's tension per width and strain: it does not depend on the resolution.
+/// The material. Spring stiffnesses are forces per length of one spring, which along the threads of a square
+/// grid is the membrane's tension per width and strain: it does not depend on the resolution.
 struct Fabric {
     float areal_density = 0.2f;  ///< [kg/m^2], > 0
     float stretch = 400.0f;      ///< structural springs, along edges [N/m], >= 0
@@ -21,11 +21,12 @@ struct Fabric {
 
 /// Kang's approximate implicit solver: Jacobi iterations on the linearised backward Euler step.
 struct JacobiSettings {
-    /// >= 0. More carry forces further in a step; odd counts leave less error than the next even one, since the
-    /// iteration matrix has eigenvalues near -1.
+    /// >= 0. More carry forces further in a step; odd counts leave less error than the next even one, since
+    /// the iteration matrix has eigenvalues near -1.
     int iterations = 15;
-    /// Moves a component that has no pin and touches no collider by its exact mean acceleration, so that it falls
-    /// freely however few iterations run. False: the paper's iteration alone, whose first guess makes stiff cloth hover.
+    /// Moves a component that has no pin and touches no collider by its exact mean acceleration, so that it
+    /// falls freely however few iterations run. False: the paper's iteration alone, whose first guess makes
+    /// stiff cloth hover.
     bool exact_mean_motion = true;
 };
 
@@ -34,28 +35,28 @@ struct ClothSettings {
     Fabric fabric;
     JacobiSettings solver;
     SelfCollision self_collision;
-    float air_damping = 0.2f;   ///< rate at which velocity decays [1/s], >= 0
-    float thickness = 0.005f;   ///< distance kept from colliders [m], >= 0
-    float friction = 1.0f;      ///< multiplies the colliders' friction, >= 0
+    float air_damping = 0.2f;  ///< rate at which velocity decays [1/s], >= 0
+    float thickness = 0.005f;  ///< distance kept from colliders [m], >= 0
+    float friction = 1.0f;     ///< multiplies the colliders' friction, >= 0
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.
 struct Wind {
-    Vec3 velocity;               ///< mean velocity [m/s]
-    float gust = 0;              ///< strength of the gusts relative to the mean speed, >= 0; 0.3 is a gusty day
-    float gust_length = 0.8f;    ///< size of an eddy [m], > 0
-    float air_density = 1.2f;    ///< [kg/m^3], >= 0; 0 switches all air forces on triangles off, at no cost
-    float drag = 1.0f;           ///< drag coefficient of a triangle facing the wind, >= 0
-    float lift = 0.4f;           ///< lift coefficient, >= 0
-    std::uint32_t seed = 1;      ///< another seed, other gusts
+    Vec3 velocity;             ///< mean velocity [m/s]
+    float gust = 0;            ///< strength of the gusts relative to the mean speed, >= 0; 0.3 is a gusty day
+    float gust_length = 0.8f;  ///< size of an eddy [m], > 0
+    float air_density = 1.2f;  ///< [kg/m^3], >= 0; 0 switches all air forces on triangles off, at no cost
+    float drag = 1.0f;         ///< drag coefficient of a triangle facing the wind, >= 0
+    float lift = 0.4f;         ///< lift coefficient, >= 0
+    std::uint32_t seed = 1;    ///< another seed, other gusts
 };
 
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2]
     Wind wind;
-    int substeps = 1;            ///< steps of the solver per World::step, 1 to 256
-    int threads = 0;             ///< threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it
-    Executor executor;           ///< the host's own threads instead, where `run` is set
+    int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
+    int threads = 0;  ///< threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it
+    Executor executor;  ///< the host's own threads instead, where `run` is set
 };
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #pragma once
-// Weft: real-time cloth for games. This header is all that an embedder includes; it needs the standard library only.
+// Weft: real-time cloth for games. This header is all that an embedder includes; it needs the standard
+// library only.
 //
 //   auto world = weft::World::create();
 //   auto mesh  = weft::make_sheet();

@@ -24,33 +24,38 @@ struct ClothId {
 
 /// What cooking a mesh made of it.
 struct ClothInfo {
-    std::uint32_t vertices = 0;             ///< of the mesh that was given
-    std::uint32_t particles = 0;            ///< after welding
+    std::uint32_t vertices = 0;   ///< of the mesh that was given
+    std::uint32_t particles = 0;  ///< after welding
     std::uint32_t triangles = 0;
     std::uint32_t components = 0;
     std::uint32_t structural_springs = 0, shear_springs = 0, bend_springs = 0;
-    std::uint32_t border_edges = 0;         ///< edges of one triangle
-    std::uint32_t dropped_triangles = 0;    ///< warning: faces of no area, which were left out
-    std::uint32_t misoriented_edges = 0;    ///< warning: shared edges whose two triangles are wound against each other
-    std::uint32_t loose_particles = 0;      ///< warning: particles of no triangle; they have no mass and stay where they are
-    float mean_edge = 0;                    ///< mean rest length of structural springs [m]
-    float mass = 0;                         ///< [kg]
-    std::uint64_t bytes = 0;                ///< memory of this cloth, solver included
+    std::uint32_t border_edges = 0;       ///< edges of one triangle
+    std::uint32_t dropped_triangles = 0;  ///< warning: faces of no area, which were left out
+    std::uint32_t misoriented_edges =
+        0;  ///< warning: shared edges whose two triangles are wound against each other
+    std::uint32_t loose_particles =
+        0;                ///< warning: particles of no triangle; they have no mass and stay where they are
+    float mean_edge = 0;  ///< mean rest length of structural springs [m]
+    float mass = 0;       ///< [kg]
+    std::uint64_t bytes = 0;  ///< memory of this cloth, solver included
 };
 
-/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or change of this
-/// cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own vertices.
+/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
+/// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
+/// vertices.
 struct ClothView {
-    std::span<const Vec4> positions;            ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
-    std::span<const Vec4> previous_positions;   ///< at the start of the last step; blend by FixedStepFrame::alpha
-    std::span<const Vec4> velocities;           ///< x y z [m/s]
-    std::span<const Vec4> normals;              ///< x y z, unit length, out of the front of the triangles
-    std::span<const Triangle> triangles;        ///< particle indices
+    std::span<const Vec4> positions;  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
+    std::span<const Vec4>
+        previous_positions;               ///< at the start of the last step; blend by FixedStepFrame::alpha
+    std::span<const Vec4> velocities;     ///< x y z [m/s]
+    std::span<const Vec4> normals;        ///< x y z, unit length, out of the front of the triangles
+    std::span<const Triangle> triangles;  ///< particle indices
     std::span<const std::uint32_t> vertex_to_particle;
-    Bounds bounds;                              ///< of the positions
+    Bounds bounds;  ///< of the positions
 };
 
-/// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each other.
+/// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each
+/// other.
 class World {
   public:
     /// Error: a setting out of range.
@@ -62,7 +67,8 @@ class World {
     [[nodiscard]] const WorldSettings& settings() const noexcept;
     Result<void> set_settings(const WorldSettings& settings);
 
-    /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex or triangle.
+    /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex
+    /// or triangle.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
     Result<void> remove_cloth(ClothId id);
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
@@ -77,12 +83,14 @@ class World {
     Result<void> unpin(ClothId id, std::uint32_t vertex);
 
     Result<ColliderId> add_collider(const Collider& collider);
-    /// The collider moves there over the next step, and pushes and drags what it meets. The same kind of shape.
+    /// The collider moves there over the next step, and pushes and drags what it meets. The same kind of
+    /// shape.
     Result<void> move_collider(ColliderId id, const Collider& target);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
-    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. Does not allocate after warm-up.
+    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. Does not allocate after
+    /// warm-up.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
 

@@ -1,0 +1,99 @@
+#include "cloth/cloth.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace weft {
+
+namespace {
+
+std::size_t bytes_of(const CookedCloth& model) {
+    return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
+           model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
+           model.corner_offsets.bytes() + model.corner_triangles.bytes() +
+           model.triangles.size() * sizeof(Triangle) +
+           (model.component_offsets.size() + model.component_particles.size() +
+            model.vertex_to_particle.size()) *
+               sizeof(std::uint32_t);
+}
+
+}  // namespace
+
+Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
+    : model(std::move(cooked)),
+      state(model.particle_count),
+      system(model.particle_count, model.neighbours.size()),
+      mean_motion(model),
+      triangle_scratch(model.triangles.size()),
+      partial_sums(block_count(model.particle_count)),
+      partial_counts(block_count(model.particle_count)),
+      partial_surveys(block_count(model.particle_count)) {
+    std::ranges::copy(model.positions.span(), state.positions.data());
+    std::ranges::copy(model.positions.span(), state.previous_positions.data());
+    apply(initial);
+}
+
+void Cloth::apply(const ClothSettings& changed) {
+    settings = changed;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        set_inverse_mass(i, find_pin(i) == nullptr ? inverse_mass_when_free(i) : 0.0f);
+    }
+    if (!settings.self_collision.enabled) {
+        self_contacts.reset();
+        self_counts = {};
+    } else if (!self_contacts) {
+        self_contacts.emplace(model.particle_count);
+    }
+}
+
+float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
+    const float m = mass(particle);
+    return m > 0 ? 1.0f / m : 0.0f;
+}
+
+void Cloth::set_inverse_mass(std::uint32_t particle, float inverse_mass) {
+    state.positions[particle].w = inverse_mass;
+    state.previous_positions[particle].w = inverse_mass;
+}
+
+Pin* Cloth::find_pin(std::uint32_t particle) {
+    const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
+    return at != pins.end() && at->particle == particle ? &*at : nullptr;
+}
+
+void Cloth::pin(std::uint32_t particle) {
+    if (find_pin(particle) != nullptr) return;
+    const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
+    pins.insert(at, {particle, xyz(state.positions[particle])});
+    state.velocities[particle] = {};
+    set_inverse_mass(particle, 0);
+}
+
+void Cloth::unpin(std::uint32_t particle) {
+    std::erase_if(pins, [&](const Pin& pin) { return pin.particle == particle; });
+    set_inverse_mass(particle, inverse_mass_when_free(particle));
+}
+
+void Cloth::restore_start_of_step() {
+    std::ranges::copy(state.previous_positions.span(), state.positions.data());
+    std::ranges::fill(state.velocities.span(), Vec4{});
+    for (const Pin& pin : pins) set_xyz(state.positions[pin.particle], pin.target);
+}
+
+float Cloth::self_collision_distance() const {
+    const float set = settings.self_collision.distance;
+    return set > 0 ? set : 0.75f * model.info.mean_edge;
+}
+
+ClothInfo Cloth::info() const {
+    ClothInfo info = model.info;
+    double mass_sum = 0;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += double{mass(i)};
+    info.mass = static_cast<float>(mass_sum);
+    info.bytes = bytes_of(model) + state.bytes() + system.bytes() + mean_motion.bytes() +
+                 (self_contacts ? self_contacts->bytes() : 0) + triangle_scratch.bytes() +
+                 partial_sums.bytes() + partial_counts.bytes() + partial_surveys.bytes();
+    return info;
+}
+
+}  // namespace weft

@@ -1,0 +1,68 @@
+#pragma once
+// A cloth in a World: its rest model, its state, and the memory that its solver needs. Nothing in it grows in
+// a step.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cloth/cook.h"
+#include "cloth/implicit/mean_motion.h"
+#include "cloth/implicit/system.h"
+#include "cloth/state.h"
+#include "cloth/survey.h"
+#include "collision/self_contacts.h"
+#include "engine/aligned_buffer.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// A pinned particle and where it shall be at the end of the next step [m].
+struct Pin {
+    std::uint32_t particle;
+    Vector3 target;
+};
+
+struct Cloth {
+    Cloth(CookedCloth cooked, const ClothSettings& settings);
+
+    /// Takes validated settings over; makes or frees what self-collision needs.
+    void apply(const ClothSettings& settings);
+    /// Mass of a free particle [kg]; 0 for loose ones.
+    [[nodiscard]] float mass(std::uint32_t particle) const {
+        return settings.fabric.areal_density * model.rest_area[particle];
+    }
+    /// Null if the particle is not pinned.
+    [[nodiscard]] Pin* find_pin(std::uint32_t particle);
+    void pin(std::uint32_t particle);
+    void unpin(std::uint32_t particle);
+    /// Puts the cloth back to where the step began, at rest, pins at their targets.
+    void restore_start_of_step();
+    /// Least distance between particles that self-collision keeps [m].
+    [[nodiscard]] float self_collision_distance() const;
+    /// Counts of the mesh, mass and memory.
+    [[nodiscard]] ClothInfo info() const;
+
+    CookedCloth model;
+    ClothSettings settings;
+    ClothState state;
+    ImplicitSystem system;
+    MeanMotion mean_motion;
+    std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
+    std::vector<Pin> pins;                      ///< in ascending order of particles
+
+    AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
+    AlignedBuffer<double> partial_sums;
+    AlignedBuffer<std::uint32_t> partial_counts;
+    AlignedBuffer<Survey> partial_surveys;
+
+    Survey extent{};                      ///< of the state, as last surveyed
+    SelfContactCounts self_counts;        ///< of the last substep
+    std::uint32_t collider_contacts = 0;  ///< particles that met a collider in the last substep
+
+  private:
+    void set_inverse_mass(std::uint32_t particle, float inverse_mass);
+    [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
+};
+
+}  // namespace weft

@@ -1,0 +1,42 @@
+#pragma once
+// Springs: their forces, the derivatives of these, and the system that backward Euler makes of them.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cloth/cook.h"
+#include "cloth/implicit/system.h"
+#include "cloth/state.h"
+#include "engine/parallel_blocks.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// A spring's force on its first particle and the stiffness blocks K = a I + b n n^T = -dforce_i/dx_i =
+/// dforce_i/dx_j.
+struct SpringTerms {
+    Vector3 force;      ///< [N], on particle i
+    Vector3 direction;  ///< n, from i to j
+    float isotropic;    ///< a [N/m]
+    float axial;        ///< b [N/m]
+};
+
+/// The spring from particle i at the origin to particle j at `separation`. Both ends compute the same floats
+/// with opposite signs, so that momentum is kept to the last bit.
+[[nodiscard]] SpringTerms spring_terms(const Vector3& separation, float rest_length, float stiffness,
+                                       std::uint32_t i, std::uint32_t j);
+
+/// What acts on the particles besides springs.
+struct ExternalForces {
+    Vector3 gravity;    ///< [m/s^2]
+    float air_damping;  ///< [1/s]
+    std::span<const Vec4>
+        triangle_air_forces;  ///< per triangle and corner: force [N], w slope of drag [N s/m]; empty: no air
+};
+
+/// Fills the system of the step of length h from the present positions and velocities.
+void assemble(Parallel& parallel, const CookedCloth& model, const ClothState& state, const Fabric& fabric,
+              const ExternalForces& external, float h, ImplicitSystem& system);
+
+}  // namespace weft

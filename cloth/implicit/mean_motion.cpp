@@ -1,0 +1,86 @@
+#include "cloth/implicit/mean_motion.h"
+
+#include <algorithm>
+
+namespace weft {
+
+namespace {
+
+std::span<const std::uint32_t> particles_of(const CookedCloth& model, std::uint32_t component) {
+    const std::uint32_t begin = model.component_offsets[component];
+    return std::span(model.component_particles)
+        .subspan(begin, model.component_offsets[component + 1] - begin);
+}
+
+}  // namespace
+
+MeanMotion::MeanMotion(const CookedCloth& model)
+    : component_of_(model.particle_count),
+      component_change_(model.component_offsets.size() - 1),
+      partials_(block_count(model.particle_count)) {
+    for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
+        for (const std::uint32_t i : particles_of(model, c)) component_of_[i] = c;
+    }
+}
+
+template <class Term>
+MeanMotion::Sum MeanMotion::sum_over(Parallel& parallel, std::span<const std::uint32_t> particles,
+                                     const ImplicitSystem& system, const Term& term) {
+    return parallel.reduce(
+        static_cast<std::uint32_t>(particles.size()), partials_.span(), Sum{},
+        [&](const BlockRange& range) {
+            Sum sum;
+            for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
+                const Vector3 value = term(i);
+                const float row_sum = system.right_side[i].w;
+                sum.x += double{value.x()};
+                sum.y += double{value.y()};
+                sum.z += double{value.z()};
+                sum.row_sum += double{row_sum};
+                sum.pinned |= row_sum == 0;
+            }
+            return sum;
+        },
+        [](const Sum& l, const Sum& r) {
+            return Sum{l.x + r.x, l.y + r.y, l.z + r.z, l.row_sum + r.row_sum, l.pinned || r.pinned};
+        });
+}
+
+void MeanMotion::take_out(Parallel& parallel, const CookedCloth& model, ImplicitSystem& system) {
+    for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
+        const auto particles = particles_of(model, c);
+        const Sum sum =
+            sum_over(parallel, particles, system, [&](std::uint32_t i) { return xyz(system.right_side[i]); });
+        component_change_[c] = {};
+        if (sum.pinned) continue;
+
+        const Vector3 u = sum.mean();
+        component_change_[c] = to_vec4(u, 1);
+        parallel.ranges(static_cast<std::uint32_t>(particles.size()), [&](const BlockRange& range) {
+            for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
+                Vec4& b = system.right_side[i];
+                set_xyz(b, xyz(b) - b.w * u);
+            }
+        });
+    }
+}
+
+void MeanMotion::put_back(Parallel& parallel, const CookedCloth& model, const ImplicitSystem& system) {
+    for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
+        if (component_change_[c].w == 0) continue;
+        const Sum sum = sum_over(parallel, particles_of(model, c), system, [&](std::uint32_t i) {
+            return Vector3(system.right_side[i].w * xyz(system.velocity_change[i]));
+        });
+        set_xyz(component_change_[c], xyz(component_change_[c]) - sum.mean());
+    }
+}
+
+void MeanMotion::clear() {
+    std::ranges::fill(component_change_.span(), Vec4{});
+}
+
+std::size_t MeanMotion::bytes() const noexcept {
+    return component_of_.bytes() + component_change_.bytes() + partials_.bytes();
+}
+
+}  // namespace weft

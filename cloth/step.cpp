@@ -1,0 +1,181 @@
+// The frame: one function that reads as the method, and the stages that it names.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloth/forces/springs.h"
+#include "cloth/forces/wind.h"
+#include "cloth/implicit/jacobi.h"
+#include "cloth/normals.h"
+#include "cloth/simulation.h"
+
+namespace weft {
+
+void Simulation::step(float dt) {
+    begin(dt);
+    const float h = dt / static_cast<float>(settings.substeps);
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        move_colliders(substep);
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+            forces(*cloth, h);
+            solve(*cloth);
+            advance(*cloth, h, substep == 0);
+            collide_with_colliders(*cloth, h);
+            avoid_self_collision(*cloth, h);
+        });
+        blow(h);
+    }
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        guard(*cloth);
+        finish(*cloth);
+    });
+    end();
+}
+
+void Simulation::prepare(Cloth& cloth) {
+    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+    compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+}
+
+void Simulation::begin(float dt) {
+    profiler.begin_step();
+    report = {.step = report.step + 1, .substeps = settings.substeps};
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        for (const Pin& pin : cloth->pins) {
+            const Vector3 velocity = (pin.target - xyz(cloth->state.positions[pin.particle])) / dt;
+            set_xyz(cloth->state.velocities[pin.particle], velocity);
+        }
+    });
+}
+
+void Simulation::move_colliders(int substep) {
+    const auto fraction = [&](int done) {
+        return static_cast<float>(done) / static_cast<float>(settings.substeps);
+    };
+    motions.clear();
+    colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        motions.push_back({blend(slot.current, slot.target, fraction(substep)),
+                           blend(slot.current, slot.target, fraction(substep + 1))});
+    });
+}
+
+void Simulation::blow(float h) {
+    const Vec3& wind = settings.wind.velocity;
+    wind_path[0] += double{wind.x} * double{h};
+    wind_path[1] += double{wind.y} * double{h};
+    wind_path[2] += double{wind.z} * double{h};
+    time += double{h};
+}
+
+void Simulation::forces(Cloth& cloth, float h) {
+    if (air_is_on()) {
+        const auto timer = timed(Stage::wind);
+        compute_air_forces(parallel, cloth.model, cloth.state, settings.wind,
+                           WindField(settings.wind, wind_path, time), cloth.triangle_scratch.span());
+    }
+    const auto timer = timed(Stage::assemble);
+    const ExternalForces external{.gravity = to_vector(settings.gravity),
+                                  .air_damping = cloth.settings.air_damping,
+                                  .triangle_air_forces = air_is_on()
+                                                             ? std::as_const(cloth.triangle_scratch).span()
+                                                             : std::span<const Vec4>{}};
+    assemble(parallel, cloth.model, cloth.state, cloth.settings.fabric, external, h, cloth.system);
+}
+
+void Simulation::solve(Cloth& cloth) {
+    const auto timer = timed(Stage::solve);
+    // Cloth that lies on something is held by it: its mean motion is not free.
+    const bool free_to_fall = cloth.settings.solver.exact_mean_motion && cloth.collider_contacts == 0;
+    if (free_to_fall) {
+        cloth.mean_motion.take_out(parallel, cloth.model, cloth.system);
+    } else {
+        cloth.mean_motion.clear();
+    }
+    const float residual = solve_jacobi(parallel, cloth.model, cloth.settings.solver.iterations, cloth.system,
+                                        cloth.partial_sums.span());
+    if (free_to_fall) cloth.mean_motion.put_back(parallel, cloth.model, cloth.system);
+    report.residual = std::max(report.residual, residual);
+}
+
+// Kang, eq. 1: v += dv, then x += h v. The first substep writes the new positions over the previous ones and
+// swaps the two, so that the start of the step stays behind for the renderer's blend and for guard().
+void Simulation::advance(Cloth& cloth, float h, bool first_substep) {
+    const auto timer = timed(Stage::advance);
+    ClothState& state = cloth.state;
+    AlignedBuffer<Vec4>& target = first_substep ? state.previous_positions : state.positions;
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vec4 x = state.positions[i];
+            const Vector3 v = xyz(state.velocities[i]) + xyz(cloth.system.velocity_change[i]) +
+                              cloth.mean_motion.velocity_change(i);
+            set_xyz(state.velocities[i], v);
+            target[i] = to_vec4(xyz(x) + h * v, x.w);
+        }
+    });
+    if (first_substep) std::swap(state.positions, state.previous_positions);
+}
+
+void Simulation::collide_with_colliders(Cloth& cloth, float h) {
+    cloth.collider_contacts = 0;
+    if (motions.empty()) return;
+    const auto timer = timed(Stage::colliders);
+    cloth.collider_contacts =
+        collide(parallel, motions, cloth.settings.thickness, cloth.settings.friction, h,
+                cloth.state.positions.span(), cloth.state.velocities.span(), cloth.partial_counts.span());
+}
+
+void Simulation::avoid_self_collision(Cloth& cloth, float h) {
+    if (!cloth.self_contacts) return;
+    const float distance = cloth.self_collision_distance();
+    {
+        const auto timer = timed(Stage::self_search);
+        cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+        if (!cloth.extent.sound) return;  // guard() will see it too, and restore the cloth
+        const RestFilter filter{.rest_positions = cloth.model.positions.span(),
+                                .offsets = cloth.model.spring_offsets.span(),
+                                .neighbours = cloth.model.neighbours.span()};
+        cloth.self_contacts->find(parallel, cloth.state.positions.span(),
+                                  {cloth.extent.lower, cloth.extent.upper}, filter, distance,
+                                  cloth.settings.self_collision.search);
+    }
+    const auto timer = timed(Stage::self_response);
+    cloth.self_counts =
+        cloth.self_contacts->respond(parallel, distance, cloth.settings.self_collision.friction, h,
+                                     cloth.state.positions.span(), cloth.state.velocities.span());
+}
+
+void Simulation::guard(Cloth& cloth) {
+    const auto timer = timed(Stage::guard);
+    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+    if (!cloth.extent.sound) {
+        cloth.restore_start_of_step();
+        cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+        report.flags = report.flags | StepFlags::state_restored;
+        ++report.restored_cloths;
+    }
+    // Rounding on the way must not make a pin drift.
+    for (const Pin& pin : cloth.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
+}
+
+void Simulation::finish(Cloth& cloth) {
+    {
+        const auto timer = timed(Stage::normals);
+        compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    }
+    ++report.cloths;
+    report.particles += cloth.model.particle_count;
+    report.collider_contacts += cloth.collider_contacts;
+    report.self_contacts += cloth.self_counts.pairs;
+    report.peak_self_contacts = std::max(report.peak_self_contacts, cloth.self_counts.peak);
+    report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
+    if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
+}
+
+void Simulation::end() {
+    colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
+    profiler.end_step();
+    report.milliseconds = profiler.last_ms(static_cast<std::uint32_t>(stage_names.size()));
+}
+
+}  // namespace weft

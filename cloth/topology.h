@@ -1,0 +1,69 @@
+#pragma once
+// From a mesh's vertices and faces to particles, triangles, edges and components. Nothing here is measured
+// but the faces' rest area, which decides whether they count.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "weft/error.h"
+#include "weft/mesh.h"
+
+namespace weft {
+
+/// An edge of one triangle (a border) or of two.
+struct Edge {
+    static constexpr std::uint32_t none = ~0u;
+
+    std::array<std::uint32_t, 2> particles{};            ///< ascending
+    std::array<std::uint32_t, 2> triangles{none, none};  ///< ascending; the second is `none` on a border
+    std::array<std::uint32_t, 2> opposites{none, none};  ///< the third particle of each of these triangles
+
+    [[nodiscard]] bool is_border() const noexcept { return triangles[1] == none; }
+};
+
+/// Particles are numbered by their first vertex, ascending, so that a mesh without seams keeps its numbers.
+struct Topology {
+    std::vector<std::uint32_t> vertex_to_particle;
+    std::vector<std::uint32_t> first_vertices;  ///< of each particle
+    std::vector<Triangle> triangles;            ///< particle indices, in the mesh's order
+    std::vector<Triangle> corners;  ///< the same triangles in vertex indices, for what differs at seams
+    std::vector<Edge> edges;        ///< ascending by particles, each once
+
+    /// Particles that are joined by edges, those of each component in ascending order; components ascend by
+    /// their first particle. A loose particle is a component of its own.
+    std::vector<std::uint32_t> component_offsets, component_particles;
+
+    std::uint32_t dropped_triangles = 0;
+    std::uint32_t misoriented_edges = 0;
+    std::uint32_t border_edges = 0;
+    std::uint32_t loose_particles = 0;
+
+    [[nodiscard]] std::uint32_t particle_count() const noexcept {
+        return static_cast<std::uint32_t>(first_vertices.size());
+    }
+};
+
+/// Error: see check_mesh; or an edge of more than two triangles, two triangles of the same three particles,
+/// or no triangle that has an area.
+[[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
+
+/// Error, which names the element and its value: coordinates that are not finite or too large, an index out
+/// of range, no triangles, arrays whose sizes do not fit each other.
+[[nodiscard]] Result<void> check_mesh(const Mesh& mesh);
+
+/// Where a vertex lies in the rest shape [m]: in the pattern's plane, or in space for a mesh without a
+/// pattern.
+[[nodiscard]] Eigen::Vector3d rest_point(const Mesh& mesh, std::uint32_t vertex);
+
+/// Area in the rest shape [m^2] of a triangle of vertices.
+[[nodiscard]] double rest_area(const Mesh& mesh, const Triangle& vertices);
+
+/// One number per vertex: vertices at equal positions (-0 equals 0) share it, and numbers ascend by first
+/// vertex.
+[[nodiscard]] std::vector<std::uint32_t> weld(std::span<const Vec3> positions);
+
+}  // namespace weft
