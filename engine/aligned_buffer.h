@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace weft {
 
@@ -24,6 +25,14 @@ class AlignedBuffer {
                           : static_cast<T*>(::operator new[](size * sizeof(T), std::align_val_t{alignment}))),
           size_(size) {
         std::uninitialized_fill_n(data_.get(), size, T{});
+    }
+
+    AlignedBuffer(AlignedBuffer&& other) noexcept
+        : data_(std::move(other.data_)), size_(std::exchange(other.size_, 0)) {}
+    AlignedBuffer& operator=(AlignedBuffer&& other) noexcept {
+        data_ = std::move(other.data_);
+        size_ = std::exchange(other.size_, 0);
+        return *this;
     }
 
     [[nodiscard]] T* data() noexcept { return data_.get(); }

@@ -1,0 +1,198 @@
+#include "engine/profiler.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <thread>
+
+namespace weft {
+namespace {
+
+constexpr const char* two_stages[] = {"forces", "solve"};
+enum : std::uint32_t { forces, solve };
+
+void spin(std::chrono::nanoseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (std::chrono::steady_clock::now() < end) {
+    }
+}
+
+void run_step(Profiler& profiler, std::chrono::nanoseconds time = {}) {
+    profiler.begin_step();
+    {
+        const auto scope = profiler.time(forces);
+        spin(time);
+    }
+    profiler.end_step();
+}
+
+TEST(Profiler, ListsTheStagesInOrderAndThenTheStep) {
+    const Profiler profiler(two_stages);
+    const auto stages = profiler.stages();
+    ASSERT_EQ(stages.size(), 3u);
+    EXPECT_STREQ(stages[0].name, "forces");
+    EXPECT_STREQ(stages[1].name, "solve");
+    EXPECT_STREQ(stages[2].name, "step");
+    for (const StageTime& stage : stages)
+        EXPECT_TRUE(stage.samples == 0 && stage.last == 0 && stage.max == 0);
+}
+
+TEST(Profiler, AddsUpTheRunsOfAStageAndStaysBelowTheStep) {
+    using namespace std::chrono_literals;
+    Profiler profiler(two_stages);
+    profiler.begin_step();
+    for (int run = 0; run < 3; ++run) {
+        const auto scope = profiler.time(forces);
+        spin(100us);
+    }
+    profiler.end_step();
+    EXPECT_GE(profiler.last_ms(forces), 0.3f);
+    EXPECT_EQ(profiler.last_ms(solve), 0);
+    EXPECT_GE(profiler.last_step_ms(), profiler.last_ms(forces) * 0.999f);
+}
+
+TEST(Profiler, KeepsTheLastStepUntilTheNextIsWhole) {
+    using namespace std::chrono_literals;
+    Profiler profiler(two_stages);
+    run_step(profiler, 50us);
+    const float last = profiler.last_ms(forces);
+    profiler.begin_step();
+    EXPECT_EQ(profiler.last_ms(forces), last);
+    profiler.end_step();
+    EXPECT_EQ(profiler.last_ms(forces), 0);
+}
+
+// The percentiles by their definition: nearest rank in the sorted times of the last `samples` steps.
+void expect_percentiles(const StageTime& stage, std::span<const float> times) {
+    std::vector<float> sorted(times.begin(), times.end());
+    std::ranges::sort(sorted);
+    const auto rank = [&](std::size_t percent) { return sorted[(percent * sorted.size() + 99) / 100 - 1]; };
+    EXPECT_EQ(stage.samples, sorted.size());
+    EXPECT_EQ(stage.last, times.back());
+    EXPECT_EQ(stage.p50, rank(50));
+    EXPECT_EQ(stage.p95, rank(95));
+    EXPECT_EQ(stage.p99, rank(99));
+    EXPECT_EQ(stage.max, sorted.back());
+}
+
+TEST(Profiler, RollsItsPercentilesOverTheWindow) {
+    Profiler profiler(two_stages);
+    std::vector<float> stage_times, step_times;
+    for (std::uint32_t step = 1; step <= 3 * Profiler::window; ++step) {
+        run_step(profiler, std::chrono::nanoseconds(step * 7919 % 20000));
+        stage_times.push_back(profiler.last_ms(forces));
+        step_times.push_back(profiler.last_step_ms());
+        if (step > 3 && step % 100 != 0) continue;
+        const std::size_t kept = std::min(step, Profiler::window);
+        const auto stages = profiler.stages();
+        expect_percentiles(stages[forces], std::span(stage_times).last(kept));
+        expect_percentiles(stages[2], std::span(step_times).last(kept));
+    }
+}
+
+TEST(Profiler, ForgetsAPeakThatHasLeftTheWindow) {
+    Profiler profiler(two_stages);
+    run_step(profiler, std::chrono::milliseconds(2));
+    for (std::uint32_t step = 1; step < Profiler::window; ++step) run_step(profiler);
+    EXPECT_GE(profiler.stages()[forces].max, 2.0f);
+    run_step(profiler);
+    EXPECT_LT(profiler.stages()[forces].max, 2.0f);
+}
+
+class Trace : public testing::Test {
+  protected:
+    ~Trace() override { std::filesystem::remove(file_); }
+
+    nlohmann::json written(const Profiler& profiler) {
+        const auto result = profiler.write_trace(file_);
+        EXPECT_TRUE(result.ok()) << result.error().message;
+        return nlohmann::json::parse(std::ifstream(file_))["traceEvents"];
+    }
+
+    static std::vector<nlohmann::json> complete_events(const nlohmann::json& events) {
+        std::vector<nlohmann::json> complete;
+        std::ranges::copy_if(events, std::back_inserter(complete),
+                             [](const auto& e) { return e["ph"] == "X"; });
+        return complete;
+    }
+
+    std::filesystem::path file_ =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".json");
+};
+
+TEST_F(Trace, HoldsEveryScopeInsideItsStep) {
+    Profiler profiler(two_stages);
+    profiler.start_trace(100);
+    for (int step = 0; step < 5; ++step) {
+        profiler.begin_step();
+        { const auto scope = profiler.time(forces); }
+        { const auto scope = profiler.time(solve); }
+        profiler.end_step();
+    }
+    const auto events = complete_events(written(profiler));
+    ASSERT_EQ(events.size(), 15u);
+    constexpr double rounding = 1e-3;  // [us]
+    for (int step = 0; step < 5; ++step) {
+        const nlohmann::json* const row =
+            &events[static_cast<std::size_t>(step) * 3];  // a scope is kept when it ends
+        EXPECT_EQ(row[0]["name"], "forces");
+        EXPECT_EQ(row[1]["name"], "solve");
+        EXPECT_EQ(row[2]["name"], "step");
+        const auto begin = [](const nlohmann::json& e) { return e["ts"].get<double>(); };
+        const auto end = [](const nlohmann::json& e) {
+            return e["ts"].get<double>() + e["dur"].get<double>();
+        };
+        EXPECT_GE(begin(row[0]), begin(row[2]));
+        EXPECT_GE(begin(row[1]), end(row[0]) - rounding);
+        EXPECT_LE(end(row[1]), end(row[2]) + rounding);
+    }
+}
+
+TEST_F(Trace, NamesItsProcessAndThread) {
+    Profiler profiler(two_stages);
+    profiler.start_trace(1);
+    const auto events = written(profiler);
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0]["name"], "process_name");
+    EXPECT_EQ(events[0]["args"]["name"], "weft");
+    EXPECT_EQ(events[1]["name"], "thread_name");
+}
+
+TEST_F(Trace, StopsWhenItIsFull) {
+    Profiler profiler(two_stages);
+    profiler.start_trace(7);
+    for (int step = 0; step < 10; ++step) run_step(profiler);
+    EXPECT_EQ(complete_events(written(profiler)).size(), 7u);
+}
+
+TEST_F(Trace, StartsAfreshWhenStartedAgain) {
+    Profiler profiler(two_stages);
+    profiler.start_trace(100);
+    run_step(profiler);
+    profiler.start_trace(100);
+    run_step(profiler);
+    EXPECT_EQ(complete_events(written(profiler)).size(), 2u);
+}
+
+TEST_F(Trace, SaysThatItWasNotStarted) {
+    const auto result = Profiler(two_stages).write_trace(file_);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
+    EXPECT_NE(result.error().message.find("start_trace"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(Trace, NamesTheFileThatCannotBeWritten) {
+    Profiler profiler(two_stages);
+    profiler.start_trace(1);
+    const auto result = profiler.write_trace("/no/such/folder/trace.json");
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.error().message.find("/no/such/folder/trace.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft
