@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <concepts>
 #include <numeric>
 #include <string>
 #include <tuple>
 
 #include <Eigen/Geometry>
 
+#include "cloth/survey.h"
 #include "engine/error_text.h"
+#include "engine/vector.h"
 
 namespace weft {
 
@@ -20,24 +22,27 @@ namespace {
 constexpr std::size_t most_vertices = std::size_t{1} << 26;
 constexpr std::size_t most_triangles = std::size_t{1} << 27;
 
-/// [m]. From here on a float steps by almost a centimetre, too coarse for any cloth; below it, areas cannot
-/// overflow.
-constexpr float largest_coordinate = 1e5f;
-
 /// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
 constexpr double least_relative_height = 1e-6;
 
-std::string text(std::uint64_t value) {
+/// [m^2]. The square of a tenth of a nanometre; much below it, inverse masses would overflow.
+constexpr double least_area = 1e-20;
+
+template <std::integral Integer>
+std::string text(Integer value) {
     return std::to_string(value);
 }
 
+std::string text(float value) {
+    return number_text(static_cast<double>(value));
+}
+
 std::string text(const Vec2& p) {
-    return "(" + number_text(double{p.x}) + ", " + number_text(double{p.y}) + ")";
+    return "(" + text(p.x) + ", " + text(p.y) + ")";
 }
 
 std::string text(const Vec3& p) {
-    return "(" + number_text(double{p.x}) + ", " + number_text(double{p.y}) + ", " +
-           number_text(double{p.z}) + ")";
+    return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")";
 }
 
 Error invalid_mesh(std::string message) {
@@ -45,14 +50,13 @@ Error invalid_mesh(std::string message) {
 }
 
 bool usable(float coordinate) {
-    return std::abs(coordinate) <= largest_coordinate;
+    return std::abs(coordinate) <= runaway_distance;
 }  // false for NaN, too
 
 template <class Point>
 Error unusable_point(const char* array, std::size_t vertex, const Point& value) {
     return invalid_mesh("Mesh::" + std::string(array) + "[" + text(vertex) + "] is " + text(value) +
-                        "; every coordinate must be finite and within " +
-                        number_text(double{largest_coordinate}) + " m of 0");
+                        "; every coordinate must be finite and within " + text(runaway_distance) + " m of 0");
 }
 
 Error wrong_size(const char* array, std::size_t size, std::size_t vertices) {
@@ -115,8 +119,7 @@ bool has_area(const Mesh& mesh, const Triangle& vertices) {
     const double longest_squared =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     const double area = rest_area(mesh, vertices);
-    return 2 * area > least_relative_height * longest_squared &&
-           area >= double{std::numeric_limits<float>::min()};
+    return 2 * area > least_relative_height * longest_squared && area >= least_area;
 }
 
 /// One side of a triangle, as found there.
@@ -258,9 +261,9 @@ Result<void> check_mesh(const Mesh& mesh) {
 }
 
 Eigen::Vector3d rest_point(const Mesh& mesh, std::uint32_t vertex) {
-    if (!mesh.pattern.empty()) return {double{mesh.pattern[vertex].x}, double{mesh.pattern[vertex].y}, 0.0};
-    const Vec3& p = mesh.positions[vertex];
-    return {double{p.x}, double{p.y}, double{p.z}};
+    if (!mesh.pattern.empty())
+        return Eigen::Vector3f(mesh.pattern[vertex].x, mesh.pattern[vertex].y, 0).cast<double>();
+    return to_vector(mesh.positions[vertex]).cast<double>();
 }
 
 double rest_area(const Mesh& mesh, const Triangle& vertices) {

@@ -54,7 +54,8 @@ struct ObjReport {
 };
 
 struct ObjOptions {
-    /// Take the texture coordinates as the flat pattern in metres. Otherwise they are texcoords only.
+    /// Take the texture coordinates as the flat pattern in metres, too; every corner then needs one. Otherwise they
+    /// are texcoords only.
     bool texcoords_are_pattern = false;
 };
 
