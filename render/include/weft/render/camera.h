@@ -16,11 +16,11 @@ struct Ray {
 
 /// Looks at `target` from `distance` away. Yaw turns about +Y, pitch lifts the eye above the horizon.
 struct OrbitCamera {
-    Vec3 target{0, 0.5f, 0};      ///< [m]
-    float distance = 3.0f;        ///< [m], > 0
-    float yaw = 0.6f;             ///< [rad]; 0 looks along -Z
-    float pitch = 0.25f;          ///< [rad], within +-1.5
-    float vertical_fov = 0.7f;    ///< [rad]
+    Vec3 target{0, 0.5f, 0};    ///< [m]
+    float distance = 3.0f;      ///< [m], > 0
+    float yaw = 0.6f;           ///< [rad]; 0 looks along -Z
+    float pitch = 0.25f;        ///< [rad], within +-1.5
+    float vertical_fov = 0.7f;  ///< [rad]
 
     [[nodiscard]] Vec3 eye() const;
     [[nodiscard]] Matrix4 view() const;

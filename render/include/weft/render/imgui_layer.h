@@ -10,6 +10,8 @@ namespace weft::render {
 /// Between begin() and end() the host calls ImGui:: as it likes. One at a time.
 class ImGuiLayer {
   public:
+    /// Precondition: the Context outlives the layer. A host that has GLFW callbacks of its own sets them
+    /// before; they go on being called.
     explicit ImGuiLayer(Context& context);
     ImGuiLayer(ImGuiLayer&&) noexcept;
     ImGuiLayer& operator=(ImGuiLayer&&) noexcept;
@@ -20,7 +22,7 @@ class ImGuiLayer {
     /// Draws what was built into the framebuffer that is bound.
     void end();
 
-    [[nodiscard]] bool wants_mouse() const;     ///< the pointer is over a panel
+    [[nodiscard]] bool wants_mouse() const;  ///< the pointer is over a panel
     [[nodiscard]] bool wants_keyboard() const;
 
   private:

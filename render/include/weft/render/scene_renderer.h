@@ -1,7 +1,9 @@
 #pragma once
 // Draws cloth and the shapes it meets: sky, ground, soft shadow, two-sided fabric, 4x multisampling.
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,11 +18,12 @@ namespace weft::render {
 struct FabricLook {
     Vec3 front{0.55f, 0.08f, 0.10f};
     Vec3 back{0.45f, 0.09f, 0.11f};
-    float roughness = 0.75f;       ///< 0 silk, 1 felt
-    float sheen = 0.5f;            ///< strength of the light fibre edge
-    float weave_per_metre = 220;   ///< threads per metre of texture coordinate; 0 draws none
-    float stripe_width = 0;        ///< [m] of texture coordinate u; 0 draws none
+    float roughness = 0.75f;      ///< 0 silk, 1 felt
+    float sheen = 0.5f;           ///< strength of the light fibre edge
+    float weave_per_metre = 220;  ///< threads per metre of texture coordinate; 0 draws none
+    float stripe_width = 0;       ///< [m] of texture coordinate u; 0 draws none
     Vec3 stripe{0.9f, 0.88f, 0.82f};
+    float translucency = 0.25f;  ///< share of the sun's light that shines through; 0 leather, 0.5 chiffon
 };
 
 /// The parts of a cloth's mesh that do not move: uploaded once.
@@ -32,6 +35,7 @@ struct ClothSurface {
 };
 
 /// The parts that move: streamed from the simulation's own buffers, one element of sixteen bytes a particle.
+/// All three have one element per particle.
 struct ClothFrame {
     std::span<const Vec4> positions;
     std::span<const Vec4> previous_positions;
@@ -55,14 +59,14 @@ struct DrawnCapsule {
 /// One image.
 struct View {
     OrbitCamera camera;
-    float alpha = 1;                 ///< blend of previous and current positions, in [0, 1]
+    float alpha = 1;  ///< blend of previous and current positions, in [0, 1]
     bool ground = true;
-    float ground_height = 0;         ///< [m]
+    float ground_height = 0;                ///< [m]
     Vec3 sun_direction{0.45f, 0.8f, 0.4f};  ///< towards the sun, need not be unit
     bool wireframe = false;
     std::span<const DrawnSphere> spheres;
     std::span<const DrawnCapsule> capsules;
-    Vec3 wind{0, 0, 0};              ///< drawn as an arrow on the ground where not zero [m/s]
+    Vec3 wind{0, 0, 0};  ///< drawn as an arrow on the ground where not zero [m/s]
 };
 
 /// An 8-bit RGB picture, rows from the top.
@@ -73,21 +77,27 @@ struct Image {
 
 class SceneRenderer {
   public:
-    /// Precondition: a Context is current, here and at every call. Error: a shader that does not compile (the log).
+    /// Precondition: a Context is current, here and at every call. Error: a shader that does not compile (the
+    /// log).
     [[nodiscard]] static Result<SceneRenderer> create();
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
     ~SceneRenderer();
 
+    /// The surface's spans need not outlive the call. A cloth is drawn from its first update_cloth() on.
     ClothHandle add_cloth(const ClothSurface& surface);
+    // A handle that is null or removed is ignored by these three.
     void remove_cloth(ClothHandle cloth);
     void update_cloth(ClothHandle cloth, const ClothFrame& frame);
     void set_look(ClothHandle cloth, const FabricLook& look);
 
-    /// Draws into framebuffer `target` (0: the window) of the given size in pixels.
+    /// Draws into framebuffer `target` (0: the window) of the given size in pixels, and leaves it bound with
+    /// its viewport set, so that panels can be drawn on top. A size of 0 (an iconified window) draws nothing.
     void draw(const View& view, int width, int height, unsigned target = 0);
-    /// Draws into an image of its own and reads it back.
-    [[nodiscard]] Image capture(const View& view, int width, int height);
+    /// Draws into an image of its own and reads it back. `overlay` draws on top of the scene before that.
+    /// Precondition: width and height are from 1 to 16384.
+    [[nodiscard]] Image capture(const View& view, int width, int height,
+                                const std::function<void()>& overlay = nullptr);
 
   private:
     struct Impl;
@@ -95,7 +105,7 @@ class SceneRenderer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Error: the file cannot be written.
+/// Error: the file cannot be written; the message names it.
 [[nodiscard]] Result<void> save_png(const Image& image, const char* file);
 
 }  // namespace weft::render

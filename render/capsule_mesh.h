@@ -1,0 +1,27 @@
+#pragma once
+// One mesh that solid.vert bends into every sphere and capsule.
+
+#include "render/gl.h"
+#include "render/light_frame.h"
+#include "weft/render/scene_renderer.h"
+
+namespace weft::render {
+
+/// A unit sphere, cut at its equator: each vertex belongs to one end of the capsule. A sphere is a capsule
+/// whose ends coincide.
+class CapsuleMesh {
+  public:
+    CapsuleMesh();
+    /// With a program made of solid.vert in use.
+    void draw(const Program& program, const DrawnCapsule& capsule) const;
+
+  private:
+    VertexArray vertex_array_;
+    Buffer vertices_, indices_;
+    GLsizei index_count_ = 0;
+};
+
+[[nodiscard]] DrawnCapsule as_capsule(const DrawnSphere& sphere);
+[[nodiscard]] Box bounds_of(const DrawnCapsule& capsule);
+
+}  // namespace weft::render

@@ -1,0 +1,139 @@
+#include "weft/render/imgui_layer.h"
+
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace weft::render {
+
+namespace {
+
+// Where Debian and others keep a font that reads better than Dear ImGui's built-in bitmap.
+constexpr const char* fonts[] = {
+    "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
+    "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
+    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf",
+};
+
+void load_font(float scale) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    std::error_code missing;
+    for (const char* font : fonts) {
+        if (!std::filesystem::exists(font, missing)) continue;
+        if (atlas.AddFontFromFileTTF(font, 15.0f * scale) != nullptr) return;
+    }
+    ImFontConfig config;
+    config.SizePixels = 13.0f * scale;
+    atlas.AddFontDefault(&config);
+}
+
+ImVec4 gray(float light, float opacity) {
+    return {light * 0.94f, light * 0.97f, light * 1.05f, opacity};
+}
+ImVec4 accent(float opacity) {
+    return {0.30f, 0.62f, 0.86f, opacity};
+}
+
+/// Dark, slightly transparent panels, one blue for whatever is held or chosen.
+void set_style(float scale) {
+    ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::StyleColorsDark(&style);
+    style.WindowRounding = 8;
+    style.ChildRounding = style.FrameRounding = style.PopupRounding = 5;
+    style.GrabRounding = style.ScrollbarRounding = style.TabRounding = 5;
+    style.WindowBorderSize = style.FrameBorderSize = 0;
+    style.WindowPadding = {12, 10};
+    style.FramePadding = {8, 4};
+    style.ItemSpacing = {8, 6};
+    style.GrabMinSize = 12;
+    style.WindowTitleAlign = {0.5f, 0.5f};
+
+    ImVec4* colors = style.Colors;
+    colors[ImGuiCol_Text] = gray(0.93f, 1);
+    colors[ImGuiCol_TextDisabled] = gray(0.55f, 1);
+    colors[ImGuiCol_WindowBg] = gray(0.085f, 0.86f);
+    colors[ImGuiCol_PopupBg] = gray(0.10f, 0.96f);
+    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgCollapsed] = gray(0.06f, 0.90f);
+    colors[ImGuiCol_TitleBgActive] = gray(0.12f, 0.94f);
+    colors[ImGuiCol_FrameBg] = gray(0.20f, 0.75f);
+    colors[ImGuiCol_FrameBgHovered] = gray(0.28f, 0.85f);
+    colors[ImGuiCol_FrameBgActive] = gray(0.32f, 0.95f);
+    colors[ImGuiCol_Button] = gray(0.24f, 0.85f);
+    colors[ImGuiCol_ButtonHovered] = accent(0.55f);
+    colors[ImGuiCol_ButtonActive] = accent(0.85f);
+    colors[ImGuiCol_Header] = accent(0.22f);
+    colors[ImGuiCol_HeaderHovered] = accent(0.40f);
+    colors[ImGuiCol_HeaderActive] = accent(0.60f);
+    colors[ImGuiCol_SliderGrab] = accent(0.80f);
+    colors[ImGuiCol_SliderGrabActive] = colors[ImGuiCol_CheckMark] = accent(1);
+    colors[ImGuiCol_Separator] = gray(0.45f, 0.25f);
+    colors[ImGuiCol_PlotLines] = colors[ImGuiCol_PlotHistogram] = accent(0.90f);
+    style.ScaleAllSizes(scale);
+}
+
+float content_scale(GLFWwindow* window) {
+    float across = 1, along = 1;
+    if (window != nullptr) glfwGetWindowContentScale(window, &across, &along);
+    return std::clamp(across, 1.0f, 4.0f);
+}
+
+}  // namespace
+
+struct ImGuiLayer::Impl {
+    explicit Impl(GLFWwindow* context_window) : window(context_window) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
+        set_style(content_scale(window));
+        load_font(content_scale(window));
+        if (window != nullptr) ImGui_ImplGlfw_InitForOpenGL(window, true);
+        ImGui_ImplOpenGL3_Init("#version 330 core");
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() {
+        ImGui_ImplOpenGL3_Shutdown();
+        if (window != nullptr) ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+
+    GLFWwindow* window;  // null offscreen
+};
+
+ImGuiLayer::ImGuiLayer(Context& context) : impl_(std::make_unique<Impl>(context.window_handle())) {}
+ImGuiLayer::ImGuiLayer(ImGuiLayer&&) noexcept = default;
+ImGuiLayer& ImGuiLayer::operator=(ImGuiLayer&&) noexcept = default;
+ImGuiLayer::~ImGuiLayer() = default;
+
+void ImGuiLayer::begin(int width, int height, float seconds_since_last) {
+    ImGui_ImplOpenGL3_NewFrame();
+    if (impl_->window != nullptr) {
+        ImGui_ImplGlfw_NewFrame();
+    } else {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        io.DeltaTime = std::max(seconds_since_last, 1e-4f);
+    }
+    ImGui::NewFrame();
+}
+
+void ImGuiLayer::end() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool ImGuiLayer::wants_mouse() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+bool ImGuiLayer::wants_keyboard() const {
+    return ImGui::GetIO().WantCaptureKeyboard;
+}
+
+}  // namespace weft::render

@@ -1,0 +1,283 @@
+#include "weft/render/scene_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/LU>
+#include <map>
+
+#include "render/capsule_mesh.h"
+#include "render/cloth_mesh.h"
+#include "render/light_frame.h"
+#include "render/programs.h"
+#include "render/render_targets.h"
+
+namespace weft::render {
+
+namespace {
+
+constexpr int sun_map_texels = 2048;
+constexpr int sky_map_texels = 512;
+
+Vector3 unit_or_up(const Vec3& direction) {
+    const Vector3 v = to_vector(direction);
+    return v.norm() > 1e-6f ? Vector3(v.normalized()) : Vector3(Vector3::UnitY());
+}
+
+/// Clip coordinates to texture coordinates and depth, all in [0, 1].
+Matrix4f map_from_clip() {
+    Matrix4f m = Matrix4f::Identity();
+    m.diagonal() << 0.5f, 0.5f, 0.5f, 1.0f;
+    m.col(3) << 0.5f, 0.5f, 0.5f, 1.0f;
+    return m;
+}
+
+Vec4 extent_of(const LightFrame& light, int texels) {
+    return {light.side, light.depth, light.side / static_cast<float>(texels), 0};
+}
+
+/// The foot lies upwind of what the scene holds; the length grows with the speed, ever less.
+Vec4 wind_arrow(const Vec3& wind, const Box& bounds) {
+    const Vector3 along(wind.x, 0, wind.z);
+    const float speed = along.norm();
+    if (speed < 1e-3f) return {};
+    const float length = 0.25f + 0.75f * speed / (speed + 6.0f);
+    const Vector3 center = bounds.center();
+    const float clear_of_scene = 0.5f * std::hypot(bounds.sizes().x(), bounds.sizes().z()) + 0.25f;
+    const Vector3 foot = center - along / speed * (clear_of_scene + length);
+    return {foot.x(), foot.z(), along.x() / speed * length, along.z() / speed * length};
+}
+
+Matrix4f clip_from_world(const OrbitCamera& camera, float aspect) {
+    const Matrix4 view = camera.view(), projection = camera.projection(aspect);
+    return Matrix4f(projection.data()) * Matrix4f(view.data());
+}
+
+/// A host or its panels may have left anything set.
+void set_known_state() {
+    for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
+        glDisable(off);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glClearDepth(1.0);
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+}
+
+void set_look_uniforms(const Program& program, const FabricLook& look) {
+    program.set("front", look.front);
+    program.set("back", look.back);
+    program.set("stripe", look.stripe);
+    program.set("roughness", look.roughness);
+    program.set("sheen", look.sheen);
+    program.set("translucency", look.translucency);
+    program.set("threads_per_metre", look.weave_per_metre);
+    program.set("stripe_width", look.stripe_width);
+}
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+    explicit Impl(Programs built)
+        : programs(std::move(built)), sun_map(sun_map_texels), sky_map(sky_map_texels) {}
+
+    Programs programs;
+    DepthMap sun_map, sky_map;
+    ScenePicture picture;
+    CaptureTarget capture_target;
+    Buffer frame_uniforms = Buffer::make();
+    VertexArray no_attributes = VertexArray::make();  // for vertices made from gl_VertexID
+    CapsuleMesh capsule_mesh;
+    std::vector<DrawnCapsule> solids;  // of the picture being drawn
+
+    std::map<ClothHandle, ClothMesh> cloths;
+    ClothHandle last_handle = 0;
+
+    void draw(const View& view, int width, int height, unsigned target);
+
+  private:
+    void gather_solids(const View& view);
+    [[nodiscard]] Box scene_bounds() const;
+    void upload_frame(const View& view, const Matrix4f& clip, const LightFrame& sun, const LightFrame& sky,
+                      const Box& bounds) const;
+    void draw_depth(const DepthMap& map, const LightFrame& light, float alpha) const;
+    void draw_sky() const;
+    void draw_ground() const;
+    void draw_solids(const Program& program, const Matrix4f& clip) const;
+    void draw_cloths(const Matrix4f& clip, float alpha) const;
+    void draw_cloth_lines(const Matrix4f& clip, float alpha) const;
+    void display(unsigned target, int width, int height) const;
+};
+
+void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned target) {
+    gather_solids(view);
+    const Box bounds = scene_bounds();
+    const LightFrame sun = fit_light(unit_or_up(view.sun_direction), bounds, sun_map_texels);
+    const LightFrame sky = fit_light(Vector3::UnitY(), bounds, sky_map_texels);
+    const Matrix4f clip =
+        clip_from_world(view.camera, static_cast<float>(width) / static_cast<float>(height));
+    upload_frame(view, clip, sun, sky, bounds);
+    set_known_state();
+
+    draw_depth(sun_map, sun, view.alpha);
+    draw_depth(sky_map, sky, view.alpha);
+    sun_map.bind(unit::sun_depth, unit::sun_compare);
+    sky_map.bind(unit::sky_depth);
+
+    picture.resize(width, height);
+    picture.begin();
+    draw_sky();
+    if (view.ground) draw_ground();
+    draw_solids(programs.solid, clip);
+    draw_cloths(clip, view.alpha);
+    if (view.wireframe) draw_cloth_lines(clip, view.alpha);
+
+    picture.resolve(unit::picture);
+    display(target, width, height);
+}
+
+void SceneRenderer::Impl::gather_solids(const View& view) {
+    solids.assign(view.capsules.begin(), view.capsules.end());
+    for (const DrawnSphere& sphere : view.spheres) solids.push_back(as_capsule(sphere));
+}
+
+Box SceneRenderer::Impl::scene_bounds() const {
+    Box box;
+    for (const auto& [handle, cloth] : cloths) box.extend(cloth.bounds());
+    for (const DrawnCapsule& solid : solids) box.extend(bounds_of(solid));
+    if (box.isEmpty()) box.extend(Vector3(0, 0, 0));
+    return box;
+}
+
+void SceneRenderer::Impl::upload_frame(const View& view, const Matrix4f& clip, const LightFrame& sun,
+                                       const LightFrame& sky, const Box& bounds) const {
+    const Vec3& target = view.camera.target;
+    const FrameUniforms frame{
+        .clip_from_world = to_matrix4(clip),
+        .world_from_clip = to_matrix4(clip.inverse()),
+        .sun_from_world = to_matrix4(map_from_clip() * sun.clip_from_world),
+        .sky_from_world = to_matrix4(map_from_clip() * sky.clip_from_world),
+        .eye = to_vec4(to_vector(view.camera.eye()), 0),
+        .sun_direction = to_vec4(unit_or_up(view.sun_direction), 0),
+        .sun_extent = extent_of(sun, sun_map_texels),
+        .sky_extent = extent_of(sky, sky_map_texels),
+        .ground = {target.x, view.ground_height, target.z, std::max(14.0f, 2.0f * view.camera.distance)},
+        .arrow = wind_arrow(view.wind, bounds),
+    };
+    glBindBuffer(GL_UNIFORM_BUFFER, frame_uniforms.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_uniforms.id());
+}
+
+void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& light, float alpha) const {
+    map.begin();
+    // Slopes are pushed away from the light, against stripes of shadow on lit surfaces.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5f, 2.0f);
+    draw_solids(programs.solid_depth, light.clip_from_world);
+    programs.cloth_depth.use();
+    programs.cloth_depth.set("clip", to_matrix4(light.clip_from_world));
+    for (const auto& [handle, cloth] : cloths) cloth.draw(programs.cloth_depth, alpha);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SceneRenderer::Impl::draw_sky() const {
+    glDisable(GL_DEPTH_TEST);
+    programs.sky.use();
+    glBindVertexArray(no_attributes.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+}
+
+/// From below the ground is not there, so that it never hides the scene.
+void SceneRenderer::Impl::draw_ground() const {
+    glEnable(GL_CULL_FACE);
+    programs.ground.use();
+    glBindVertexArray(no_attributes.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_CULL_FACE);
+}
+
+void SceneRenderer::Impl::draw_solids(const Program& program, const Matrix4f& clip) const {
+    program.use();
+    program.set("clip", to_matrix4(clip));
+    for (const DrawnCapsule& solid : solids) capsule_mesh.draw(program, solid);
+}
+
+void SceneRenderer::Impl::draw_cloths(const Matrix4f& clip, float alpha) const {
+    programs.cloth.use();
+    programs.cloth.set("clip", to_matrix4(clip));
+    for (const auto& [handle, cloth] : cloths) {
+        set_look_uniforms(programs.cloth, cloth.look);
+        cloth.draw(programs.cloth, alpha);
+    }
+}
+
+void SceneRenderer::Impl::draw_cloth_lines(const Matrix4f& clip, float alpha) const {
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glEnable(GL_POLYGON_OFFSET_LINE);
+    glPolygonOffset(-1.0f, -4.0f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    programs.cloth_lines.use();
+    programs.cloth_lines.set("clip", to_matrix4(clip));
+    for (const auto& [handle, cloth] : cloths) cloth.draw(programs.cloth_lines, alpha);
+    glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_LINE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void SceneRenderer::Impl::display(unsigned target, int width, int height) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    programs.display.use();
+    glBindVertexArray(no_attributes.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+SceneRenderer::SceneRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+Result<SceneRenderer> SceneRenderer::create() {
+    auto programs = Programs::build();
+    if (!programs) return programs.error();
+    return SceneRenderer(std::make_unique<Impl>(std::move(*programs)));
+}
+
+ClothHandle SceneRenderer::add_cloth(const ClothSurface& surface) {
+    impl_->cloths.try_emplace(++impl_->last_handle, surface);
+    return impl_->last_handle;
+}
+
+void SceneRenderer::remove_cloth(ClothHandle cloth) {
+    impl_->cloths.erase(cloth);
+}
+
+void SceneRenderer::update_cloth(ClothHandle cloth, const ClothFrame& frame) {
+    if (const auto found = impl_->cloths.find(cloth); found != impl_->cloths.end())
+        found->second.stream(frame);
+}
+
+void SceneRenderer::set_look(ClothHandle cloth, const FabricLook& look) {
+    if (const auto found = impl_->cloths.find(cloth); found != impl_->cloths.end()) found->second.look = look;
+}
+
+void SceneRenderer::draw(const View& view, int width, int height, unsigned target) {
+    if (width > 0 && height > 0) impl_->draw(view, width, height, target);
+}
+
+Image SceneRenderer::capture(const View& view, int width, int height, const std::function<void()>& overlay) {
+    impl_->capture_target.resize(width, height);
+    draw(view, width, height, impl_->capture_target.framebuffer());
+    if (overlay) overlay();
+    return impl_->capture_target.read();
+}
+
+}  // namespace weft::render

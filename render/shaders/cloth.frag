@@ -1,0 +1,76 @@
+// Thin woven cloth: two sides, soft terminator, light fibre edge, and the sun shining through.
+in vec3 point;
+in vec3 normal;
+in vec2 texcoord;
+out vec4 pixel;
+
+uniform vec3 front, back, stripe;
+uniform float roughness, sheen, translucency;
+uniform float threads_per_metre, stripe_width;
+uniform int textured;
+
+// Tilts `n` by a slope along u and v, without stored tangents (Mikkelsen 2010).
+vec3 tilted(vec3 n, vec2 slope) {
+    vec3 px = dFdx(point), py = dFdy(point);
+    vec2 ux = dFdx(texcoord), uy = dFdy(texcoord);
+    vec3 u = cross(py, n) * ux.x + cross(n, px) * uy.x;
+    vec3 v = cross(py, n) * ux.y + cross(n, px) * uy.y;
+    float scale = inversesqrt(max(max(dot(u, u), dot(v, v)), 1e-20));
+    return normalize(n + (slope.x * u + slope.y * v) * scale);
+}
+
+vec3 striped(vec3 base) {
+    float wave = texcoord.x / (2.0 * stripe_width);
+    float edge = max(fwidth(wave), 1e-4);
+    float from_edge = abs(fract(wave) - 0.5) - 0.25;
+    float cover = smoothstep(-0.5 * edge, 0.5 * edge, from_edge);
+    return mix(base, stripe, mix(cover, 0.5, smoothstep(0.25, 0.5, edge)));
+}
+
+// Light that fibres standing out of the surface catch at grazing angles (Estevez and Kulla 2017; visibility
+// after Neubelt and Pettineo 2013).
+float fibre_edge(vec3 n, vec3 to_eye, vec3 to_light) {
+    vec3 half_way = normalize(to_eye + to_light);
+    float sine = sqrt(max(1.0 - pow(dot(n, half_way), 2.0), 0.0));
+    float inverse = 1.0 / max(roughness, 0.15);
+    float spread = (2.0 + inverse) * pow(sine, inverse) / (2.0 * pi);
+    float n_l = max(dot(n, to_light), 0.0), n_v = max(dot(n, to_eye), 0.0);
+    return spread * n_l / (4.0 * (n_l + n_v - n_l * n_v) + 1e-3);
+}
+
+void main() {
+    vec3 to_eye = normalize(frame.eye.xyz - point);
+    vec3 to_sun = frame.sun_direction.xyz;
+    vec3 smooth_normal = normalize(normal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 n = smooth_normal;
+
+    vec3 albedo = gl_FrontFacing ? front : back;
+    vec3 through = sqrt(front * back);
+    if (textured != 0 && stripe_width > 0.0) {
+        albedo = striped(albedo);
+        through = striped(through);
+    }
+    if (textured != 0 && threads_per_metre > 0.0) {
+        Weave threads = weave(texcoord * threads_per_metre);
+        n = tilted(n, threads.slope);
+        albedo *= threads.light;
+    }
+
+    float sun_seen = sun_visibility(point, smooth_normal);
+    float sky_seen = sky_visibility(point);
+    const float wrap = 0.2;
+    float n_l = dot(n, to_sun);
+    float facing = max(n_l + wrap, 0.0) / (1.0 + wrap);
+    float behind = max(-dot(smooth_normal, to_sun), 0.0);
+
+    vec3 light = sun_light * facing * sun_seen + ambient_light(n, sky_seen);
+    vec3 lit = albedo * light;
+    lit += through * translucency * sun_light * behind * sun_seen;
+    lit += sun_light * sun_seen * (1.0 - roughness) * specular(n, to_eye, to_sun, roughness);
+
+    vec3 fibre_color = mix(vec3(1.0), albedo, 0.6);
+    float grazing = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
+    lit += sheen * fibre_color * (sun_light * sun_seen * fibre_edge(n, to_eye, to_sun) +
+                                  0.35 * grazing * ambient_light(n, sky_seen));
+    pixel = vec4(tone(lit), 1.0);
+}
