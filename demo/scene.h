@@ -16,8 +16,8 @@
 namespace weft::demo {
 
 struct SceneOptions {
-    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
-    std::filesystem::path garment;    ///< for the garment scene
+    std::uint32_t particles = 0;    ///< about this many; 0: the scene's own number
+    std::filesystem::path garment;  ///< for the garment scene
 };
 
 /// A cloth of the scene with what drawing it needs.

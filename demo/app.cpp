@@ -1,0 +1,196 @@
+#include "demo/app.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "demo/interaction.h"
+#include "demo/panels/panels.h"
+#include "demo/picture.h"
+#include "weft/render/context.h"
+#include "weft/render/imgui_layer.h"
+
+namespace weft::demo {
+namespace {
+
+struct PictureSize {
+    int width = 0, height = 0;
+    [[nodiscard]] float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
+    [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+};
+
+PictureSize framebuffer_size(GLFWwindow* window) {
+    PictureSize size;
+    glfwGetFramebufferSize(window, &size.width, &size.height);
+    return size;
+}
+
+Pointer read_pointer(const render::ImGuiLayer& layer) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {.x = io.MousePos.x / io.DisplaySize.x,
+            .y = io.MousePos.y / io.DisplaySize.y,
+            .right = io.MouseDelta.x / io.DisplaySize.y,
+            .down = io.MouseDelta.y / io.DisplaySize.y,
+            .left_button = io.MouseDown[ImGuiMouseButton_Left],
+            .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
+            .wheel = io.MouseWheel,
+            .over_panel = layer.wants_mouse()};
+}
+
+/// 1, 0 or -1: which of two opposite keys is held.
+float held(int positive, int negative) {
+    return static_cast<float>(ImGui::IsKeyDown(positive)) - static_cast<float>(ImGui::IsKeyDown(negative));
+}
+
+class App {
+  public:
+    App(const Options& options, Simulation simulation, render::Context context, Picture picture)
+        : options_(options),
+          simulation_(std::move(simulation)),
+          context_(std::move(context)),
+          picture_(std::move(picture)),
+          layer_(context_),
+          last_(glfwGetTime()) {
+        arrive();
+    }
+
+    [[nodiscard]] int run() {
+        if (!options_.trace.empty()) simulation_.world().start_trace();
+        GLFWwindow* const window = context_.window_handle();
+        for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
+            if (options_.frames && frame == *options_.frames) break;
+            glfwPollEvents();
+            draw_frame(framebuffer_size(window));
+            glfwSwapBuffers(window);
+        }
+        return write_trace();
+    }
+
+  private:
+    void draw_frame(PictureSize size) {
+        const double now = glfwGetTime();
+        const double seconds = now - std::exchange(last_, now);
+        layer_.begin(size.width, size.height, static_cast<float>(seconds));
+        if (!size.empty()) interaction_.update(read_pointer(layer_), size.aspect(), simulation_, camera_);
+        if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
+        advance(seconds);
+
+        picture_.update(simulation_);
+        picture_.renderer().draw(picture_.view(simulation_, camera_, alpha_), size.width, size.height);
+        const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        layer_.end();
+        if (requests.restart) restart();
+        if (requests.scene != nullptr) change_scene(*requests.scene);
+    }
+
+    /// As many whole steps as the real time asks for.
+    void advance(double seconds) {
+        const FixedStepFrame frame = clock_.advance(playback_.paused ? 0 : seconds);
+        playback_.behind_real_time = frame.dropped_seconds > 0;
+        for (int i = 0; i < frame.steps; ++i) step();
+        alpha_ = frame.alpha;
+        for (; playback_.single_steps > 0; --playback_.single_steps) step();
+    }
+
+    void step() {
+        const auto dt = static_cast<float>(clock_.settings().step);
+        interaction_.before_step(simulation_, dt);
+        simulation_.step(dt);
+        panels_.record(simulation_.world());
+    }
+
+    void read_keys(float seconds) {
+        const float turn = held(GLFW_KEY_LEFT, GLFW_KEY_RIGHT), faster = held(GLFW_KEY_UP, GLFW_KEY_DOWN);
+        if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
+        if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback_.paused = !playback_.paused;
+        if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) panels_.visible = !panels_.visible;
+        if (ImGui::IsKeyPressed(GLFW_KEY_R, false)) restart();
+        if (ImGui::IsKeyPressed(GLFW_KEY_N)) {
+            playback_.paused = true;
+            ++playback_.single_steps;
+        }
+        int key = GLFW_KEY_1;
+        for (const SceneEntry& scene : all_scenes()) {
+            if (ImGui::IsKeyPressed(key++, false)) change_scene(scene);
+        }
+    }
+
+    void steer_wind(float turn, float faster, float seconds) {
+        wind_.steer(turn, faster, seconds);
+        WorldSettings settings = simulation_.world().settings();
+        settings.wind.velocity = wind_.velocity();
+        (void)simulation_.world().set_settings(settings);  // a WindControl's wind is always in range
+    }
+
+    void restart() {
+        if (auto restarted = simulation_.restart(); !restarted) return complain(restarted.error());
+        begin_anew();
+    }
+
+    void change_scene(const SceneEntry& entry) {
+        Overrides overrides;
+        overrides.threads = simulation_.world().settings().threads;
+        auto next = Simulation::create(entry, options_.scene_options, overrides);
+        if (!next) return complain(next.error());
+        simulation_ = std::move(*next);
+        arrive();
+    }
+
+    /// What was about the world before is of no use any more.
+    void begin_anew() {
+        picture_.show(simulation_);
+        interaction_.forget();
+        panels_.forget();
+        clock_.reset();
+    }
+
+    void arrive() {
+        begin_anew();
+        camera_ = simulation_.content().camera;
+        wind_ = WindControl(simulation_.world().settings().wind.velocity);
+    }
+
+    void complain(const Error& error) { panels_.message = error.message; }
+
+    [[nodiscard]] int write_trace() const {
+        if (options_.trace.empty()) return 0;
+        const auto written = simulation_.world().write_trace(options_.trace);
+        if (!written) std::fprintf(stderr, "weft_demo: %s\n", written.error().message.c_str());
+        return written ? 0 : 1;
+    }
+
+    Options options_;
+    Simulation simulation_;
+    // Destroyed from the last to the first: OpenGL's objects before its context.
+    render::Context context_;
+    Picture picture_;
+    render::ImGuiLayer layer_;
+
+    FixedStep clock_;
+    double last_;      // time of the last picture [s]
+    float alpha_ = 1;  // between the last two steps
+    Interaction interaction_;
+    Panels panels_;
+    Playback playback_;
+    WindControl wind_;
+    render::OrbitCamera camera_;
+};
+
+}  // namespace
+
+int run_app(const Options& options, Simulation simulation) {
+    const auto fail = [](const Error& error) {
+        std::fprintf(stderr, "weft_demo: %s; --headless needs no display\n", error.message.c_str());
+        return 1;
+    };
+    auto context = render::Context::window({.width = options.width, .height = options.height});
+    if (!context) return fail(context.error());
+    auto picture = Picture::create();
+    if (!picture) return fail(picture.error());
+    return App(options, std::move(simulation), std::move(*context), std::move(*picture)).run();
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,42 @@
+#pragma once
+// A hand on the cloth: it holds one particle and carries it with the pointer.
+
+#include <cstdint>
+#include <span>
+
+#include "demo/scene.h"
+#include "weft/render/camera.h"
+#include "weft/world.h"
+
+namespace weft::demo {
+
+class Grab {
+  public:
+    /// The fastest that the hand moves [m/s]: a jump of the pointer must not tear at the cloth.
+    static constexpr float max_speed = 8.0f;
+
+    /// Takes hold of the particle under the ray. False if the ray meets no cloth. The hand moves in the plane
+    /// through that particle across `forward`, the direction in which the camera looks.
+    bool begin(World& world, std::span<const SceneCloth> cloths, const render::Ray& ray, const Vec3& forward);
+    /// Points the hand elsewhere.
+    void aim(const render::Ray& ray);
+    /// Carries the particle towards where the hand is pointed, over the step of dt [s] that follows.
+    void before_step(World& world, float dt);
+    /// Lets go. A particle that the scene had pinned stays pinned.
+    void end(World& world);
+    /// Forgets the particle: its world is gone.
+    void forget() { active_ = false; }
+
+    [[nodiscard]] bool active() const { return active_; }
+    [[nodiscard]] std::uint32_t vertex() const { return vertex_; }
+    [[nodiscard]] Vec3 hand() const { return hand_; }  ///< where the particle is at the end of the step [m]
+
+  private:
+    bool active_ = false;
+    bool was_pinned_ = false;
+    ClothId cloth_;
+    std::uint32_t vertex_ = 0;
+    Vec3 forward_, hand_, target_;
+};
+
+}  // namespace weft::demo

@@ -1,0 +1,107 @@
+#include "demo/headless.h"
+
+#include <cinttypes>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "demo/frame_table.h"
+#include "demo/photographer.h"
+#include "demo/progress.h"
+#include "demo/report_text.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float frame_seconds = 1.0f / 60.0f;
+
+/// Prints the error, if any, and remembers that there was one.
+class Failures {
+  public:
+    void note(const Result<void>& result) {
+        if (!result) note(result.error());
+    }
+    void note(const Error& error) {
+        std::fprintf(stderr, "weft_demo: %s\n", error.message.c_str());
+        any_ = true;
+    }
+    [[nodiscard]] bool any() const { return any_; }
+
+  private:
+    bool any_ = false;
+};
+
+std::filesystem::path picture_file(const Options& options, int frame) {
+    if (options.every == 0) return options.out / "final.png";
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%06d.png", frame);
+    return options.out / name;
+}
+
+/// What the run met on its way, from all its reports.
+struct Troubles {
+    StepFlags flags = StepFlags::none;
+    int frames = 0;
+
+    void add(const StepReport& report) {
+        flags = flags | report.flags;
+        if (report.flags != StepFlags::none) ++frames;
+    }
+};
+
+void print_summary(const Simulation& simulation, const FrameTable& table, const Troubles& troubles) {
+    const StepReport& report = simulation.world().report();
+    std::printf("scene %s, %u particles, %d substeps, %" PRIu64 " frames of 1/60 s\n",
+                simulation.entry().name, report.particles, report.substeps, report.step);
+    std::fputs(table.summary().c_str(), stdout);
+    if (troubles.frames > 0)
+        std::printf("in %d frames: %s", troubles.frames, flags_text(troubles.flags).c_str());
+    std::printf("hash: %016" PRIx64 "\n", simulation.world().state_hash());
+}
+
+}  // namespace
+
+int run_headless(const Options& options, Simulation& simulation) {
+    std::error_code cannot;
+    std::filesystem::create_directories(options.out, cannot);
+    if (cannot) {
+        std::fprintf(stderr, "weft_demo: --out %s cannot be used: %s\n", options.out.c_str(),
+                     cannot.message().c_str());
+        return 2;
+    }
+    Failures failures;
+    std::optional<Photographer> photographer;
+    if (auto made = Photographer::create(options, simulation)) {
+        photographer.emplace(std::move(*made));
+    } else {
+        failures.note(Error{made.error().code, "no pictures: " + made.error().message});
+    }
+
+    if (!options.trace.empty()) simulation.world().start_trace();
+    const int frames = options.frames.value_or(Options::default_frames);
+    FrameTable table;
+    Troubles troubles;
+    {
+        Progress progress(simulation.entry().name, frames);
+        for (int frame = 1; frame <= frames; ++frame) {
+            troubles.add(simulation.step(frame_seconds));
+            table.add(simulation.world().profile(), simulation.world().report());
+            if (photographer) photographer->record(simulation);
+            const bool wanted = options.every > 0 ? frame % options.every == 0 : frame == frames;
+            if (photographer && wanted)
+                failures.note(photographer->shoot(simulation, picture_file(options, frame)));
+            progress.update(frame);
+        }
+    }
+
+    failures.note(table.write_csv(options.out / "frame_times.csv"));
+    failures.note(
+        save_obj(options.out / "final.obj", current_mesh(simulation.world(), simulation.content())));
+    if (!options.trace.empty()) failures.note(simulation.world().write_trace(options.trace));
+    print_summary(simulation, table, troubles);
+    return failures.any() ? 1 : 0;
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,43 @@
+// weft_demo: cloth in the wind, in a window or headless.
+
+#include <cstdio>
+#include <variant>
+
+#include "demo/app.h"
+#include "demo/headless.h"
+#include "demo/options.h"
+#include "demo/simulation.h"
+
+namespace {
+
+using namespace weft::demo;
+
+int list_scenes() {
+    for (const SceneEntry& scene : all_scenes()) {
+        std::printf("%-10s%s%s\n", scene.name, scene.description, scene.needs_garment ? " (--garment)" : "");
+    }
+    return 0;
+}
+
+int refuse(const weft::Error& error) {
+    std::fprintf(stderr, "weft_demo: %s\n", error.message.c_str());
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto parsed = parse_options(argc, argv);
+    if (const auto* exit = std::get_if<EarlyExit>(&parsed)) {
+        std::fputs(exit->text.c_str(), exit->status == 0 ? stdout : stderr);
+        return exit->status;
+    }
+    const auto& options = std::get<Options>(parsed);
+    if (options.list) return list_scenes();
+
+    const auto scene = choose_scene(options);
+    if (!scene) return refuse(scene.error());
+    auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
+    if (!simulation) return refuse(simulation.error());
+    return options.headless ? run_headless(options, *simulation) : run_app(options, std::move(*simulation));
+}

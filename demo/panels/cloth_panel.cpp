@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <thread>
+
+#include "demo/panels/panels.h"
+#include "demo/panels/widgets.h"
+
+namespace weft::demo {
+namespace {
+
+bool fabric_sliders(ClothSettings& settings) {
+    constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
+    Fabric& fabric = settings.fabric;
+    bool changed = false;
+    changed |=
+        slider("stretch", fabric.stretch, 1, 1e5f, "%.0f N/m", "Stiffness of the springs along edges.", log);
+    changed |= slider("shear", fabric.shear, 0.1f, 1e5f, "%.1f N/m",
+                      "Stiffness of the diagonals of a grid's cells; other meshes have none.", log);
+    changed |= slider("bend", fabric.bend, 0.01f, 1e4f, "%.2f N/m",
+                      "Stiffness between second neighbours along a thread, or across a shared edge.", log);
+    changed |= slider("damping", fabric.damping, 0, 0.1f, "%.5f s", "Spring damping over stiffness.", log);
+    changed |= slider("weight", fabric.areal_density, 0.02f, 2, "%.2f kg/m2", "Mass of a square metre.", log);
+    changed |=
+        slider("air damping", settings.air_damping, 0, 10, "%.2f /s", "Rate at which velocity decays.", log);
+    return changed;
+}
+
+bool solver_sliders(ClothSettings& settings) {
+    return slider(
+        "iterations", settings.solver.iterations, 0, 200, "%d",
+        "Jacobi iterations of each substep. More carry forces further; odd counts leave less error than the "
+        "next even one.",
+        ImGuiSliderFlags_Logarithmic);
+}
+
+bool self_collision_controls(ClothSettings& settings) {
+    SelfCollision& self = settings.self_collision;
+    bool changed = ImGui::Checkbox("self-collision", &self.enabled);
+    tooltip("Keeps the layers of a cloth apart. Off costs nothing.");
+    float millimetres = 1e3f * self.distance;
+    if (slider("distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
+               "Least distance between particles; 0 takes 0.75 of the mean edge.")) {
+        self.distance = 1e-3f * millimetres;
+        changed = true;
+    }
+    return changed;
+}
+
+bool world_sliders(WorldSettings& settings) {
+    bool changed = slider("substeps", settings.substeps, 1, 64, "%d", "Steps of the solver in each 1/60 s.",
+                          ImGuiSliderFlags_Logarithmic);
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    changed |= slider("threads", settings.threads, 0, std::max(cores, settings.threads),
+                      settings.threads > 0 ? "%d" : "one per core", "The result does not depend on it.");
+    return changed;
+}
+
+}  // namespace
+
+void cloth_panel(Simulation& simulation) {
+    begin_panel("Cloth", {-panel_margin, panel_margin}, {340, 330});
+    World& world = simulation.world();
+    ImGui::PushItemWidth(190);
+    auto cloth = world.cloth_settings(simulation.content().cloths.front().id);
+    bool cloth_changed = fabric_sliders(*cloth);
+    ImGui::Separator();
+    cloth_changed |= self_collision_controls(*cloth);
+    ImGui::Separator();
+    cloth_changed |= solver_sliders(*cloth);
+    WorldSettings settings = world.settings();
+    const bool world_changed = world_sliders(settings);
+    ImGui::PopItemWidth();
+    ImGui::End();
+
+    if (world_changed) (void)world.set_settings(settings);
+    if (!cloth_changed) return;
+    for (const SceneCloth& each : simulation.content().cloths)
+        (void)world.set_cloth_settings(each.id, *cloth);
+}
+
+}  // namespace weft::demo

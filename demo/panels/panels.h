@@ -1,0 +1,70 @@
+#pragma once
+// The panels: everything that can be turned while the cloth moves, and what it costs.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "demo/simulation.h"
+#include "demo/wind_control.h"
+#include "weft/render/camera.h"
+
+namespace weft::demo {
+
+/// How time passes in the window.
+struct Playback {
+    bool paused = false;
+    int single_steps = 0;           ///< to take while paused
+    bool behind_real_time = false;  ///< the last frame had more time than it could simulate
+};
+
+/// What a panel asks of the program.
+struct PanelRequests {
+    const SceneEntry* scene = nullptr;  ///< to change to
+    bool restart = false;
+};
+
+/// The times of the stages in the last steps, for the plot.
+class StageHistory {
+  public:
+    static constexpr std::size_t length = 240;  ///< steps: four seconds
+
+    void add(std::span<const StageTime> stages);
+    void clear();
+
+    [[nodiscard]] std::size_t stages() const { return stages_; }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    /// Milliseconds of a stage, `age` steps before the last. Precondition: age < size().
+    [[nodiscard]] float at(std::size_t stage, std::size_t age) const;
+
+  private:
+    std::size_t stages_ = 0, size_ = 0, next_ = 0;
+    std::vector<float> times_;  // length rows of stages_
+};
+
+class Panels {
+  public:
+    bool visible = true;
+    std::string message;  ///< why the last request could not be met
+
+    /// Keeps the times of the step just taken.
+    void record(const World& world);
+    /// A new world: its times start afresh.
+    void forget();
+    /// Between ImGuiLayer's begin() and end(). Applies what is changed to the simulation.
+    [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Playback& playback,
+                                     const render::OrbitCamera& camera);
+
+  private:
+    StageHistory history_;
+};
+
+// One function for each panel, in a file of its name. Sliders are clamped within what the settings allow, so
+// that the simulation takes every change.
+void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
+                 PanelRequests& requests);
+void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera);
+void cloth_panel(Simulation& simulation);
+void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback);
+
+}  // namespace weft::demo

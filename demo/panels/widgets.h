@@ -1,0 +1,47 @@
+#pragma once
+// Small helpers over Dear ImGui that the panels share.
+
+#include <imgui.h>
+
+namespace weft::demo {
+
+inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
+
+/// Begins a panel with its corner `from_left`, `from_top` away from that of the picture; negative values
+/// count from the opposite edge. Close with ImGui::End(), whatever this returns.
+inline bool begin_panel(const char* title, ImVec2 corner, ImVec2 size) {
+    const ImVec2 picture = ImGui::GetIO().DisplaySize;
+    const ImVec2 place(corner.x < 0 ? picture.x + corner.x - size.x : corner.x,
+                       corner.y < 0 ? picture.y + corner.y - size.y : corner.y);
+    ImGui::SetNextWindowPos(place, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+    return ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoSavedSettings);
+}
+
+/// Explains the widget before, when the pointer rests on it.
+inline void tooltip(const char* text) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+/// Sliders with their explanations. True if moved.
+inline bool slider(const char* label, float& value, float least, float most, const char* format,
+                   const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    const bool moved =
+        ImGui::SliderFloat(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    tooltip(explanation);
+    return moved;
+}
+inline bool slider(const char* label, int& value, int least, int most, const char* format,
+                   const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    const bool moved =
+        ImGui::SliderInt(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    tooltip(explanation);
+    return moved;
+}
+
+}  // namespace weft::demo

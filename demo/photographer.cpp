@@ -1,0 +1,58 @@
+#include "demo/photographer.h"
+
+#include <utility>
+
+namespace weft::demo {
+namespace {
+
+Result<render::Context> any_context(int width, int height) {
+    auto offscreen = render::Context::offscreen();
+    if (offscreen) return offscreen;
+    auto window =
+        render::Context::window({.width = width, .height = height, .title = "Weft", .vsync = false});
+    if (window) return window;
+    return Error{offscreen.error().code, "cannot draw offscreen (" + offscreen.error().message +
+                                             ") nor in a window (" + window.error().message + ")"};
+}
+
+}  // namespace
+
+Photographer::Photographer(render::Context context, Picture picture, int width, int height)
+    : context_(std::move(context)), picture_(std::move(picture)), width_(width), height_(height) {}
+
+Result<Photographer> Photographer::create(const Options& options, const Simulation& simulation) {
+    auto context = any_context(options.width, options.height);
+    if (!context) return context.error();
+    auto picture = Picture::create();
+    if (!picture) return picture.error();
+    Photographer photographer(std::move(*context), std::move(*picture), options.width, options.height);
+    photographer.picture_.show(simulation);
+    if (options.panels) {
+        photographer.panels_.reset(new PanelsInPicture{render::ImGuiLayer(photographer.context_), Panels{}});
+    }
+    return photographer;
+}
+
+void Photographer::record(const Simulation& simulation) {
+    if (panels_) panels_->panels.record(simulation.world());
+}
+
+Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::path& file) {
+    picture_.update(simulation);
+    const render::OrbitCamera& camera = simulation.content().camera;
+    if (panels_) build_panels(simulation);
+    const render::View& view = picture_.view(simulation, camera, 1.0f);
+    const auto overlay = [this] { panels_->layer.end(); };
+    const render::Image image = panels_ ? picture_.renderer().capture(view, width_, height_, overlay)
+                                        : picture_.renderer().capture(view, width_, height_);
+    return render::save_png(image, file.c_str());
+}
+
+void Photographer::build_panels(Simulation& simulation) {
+    WindControl wind(simulation.world().settings().wind.velocity);
+    Playback playback;
+    panels_->layer.begin(width_, height_, 1.0f / 60.0f);
+    (void)panels_->panels.draw(simulation, wind, playback, simulation.content().camera);
+}
+
+}  // namespace weft::demo

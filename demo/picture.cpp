@@ -1,0 +1,60 @@
+#include "demo/picture.h"
+
+#include <utility>
+
+namespace weft::demo {
+
+Picture::Picture(render::SceneRenderer renderer) : renderer_(std::move(renderer)) {}
+
+Result<Picture> Picture::create() {
+    auto renderer = render::SceneRenderer::create();
+    if (!renderer) return renderer.error();
+    return Picture(std::move(*renderer));
+}
+
+void Picture::show(const Simulation& simulation) {
+    for (const render::ClothHandle cloth : cloths_) renderer_.remove_cloth(cloth);
+    cloths_.clear();
+    for (const SceneCloth& cloth : simulation.content().cloths) {
+        const auto view = simulation.world().cloth(cloth.id);
+        const std::vector<Vec2>& texcoords =
+            cloth.mesh.texcoords.empty() ? cloth.mesh.pattern : cloth.mesh.texcoords;
+        cloths_.push_back(renderer_.add_cloth({.triangles = cloth.mesh.triangles,
+                                               .vertex_to_particle = view->vertex_to_particle,
+                                               .texcoords = texcoords,
+                                               .look = cloth.look}));
+    }
+    update(simulation);
+}
+
+void Picture::update(const Simulation& simulation) {
+    for (std::size_t i = 0; i < cloths_.size(); ++i) {
+        const auto cloth = simulation.world().cloth(simulation.content().cloths[i].id);
+        renderer_.update_cloth(cloths_[i], {.positions = cloth->positions,
+                                            .previous_positions = cloth->previous_positions,
+                                            .normals = cloth->normals});
+    }
+}
+
+const render::View& Picture::view(const Simulation& simulation, const render::OrbitCamera& camera,
+                                  float alpha) {
+    spheres_.clear();
+    capsules_.clear();
+    for (const ColliderId id : simulation.content().drawn_colliders) {
+        const auto collider = simulation.world().collider(id);
+        if (!collider) continue;
+        if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
+            spheres_.push_back({sphere->center, sphere->radius});
+        } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
+            capsules_.push_back({capsule->a, capsule->b, capsule->radius});
+        }
+    }
+    view_.camera = camera;
+    view_.alpha = alpha;
+    view_.spheres = spheres_;
+    view_.capsules = capsules_;
+    view_.wind = simulation.world().settings().wind.velocity;
+    return view_;
+}
+
+}  // namespace weft::demo

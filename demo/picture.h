@@ -1,0 +1,36 @@
+#pragma once
+// Shows a Simulation through render's SceneRenderer.
+
+#include <vector>
+
+#include "demo/simulation.h"
+#include "weft/render/scene_renderer.h"
+
+namespace weft::demo {
+
+class Picture {
+  public:
+    /// Precondition: a render::Context is current, here and at every call.
+    [[nodiscard]] static Result<Picture> create();
+
+    /// Takes over the cloths of a simulation that was just built, in place of those shown so far.
+    void show(const Simulation& simulation);
+    /// Streams the particles as they are now.
+    void update(const Simulation& simulation);
+    /// What to draw. Valid until the next call.
+    [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
+                                           float alpha);
+
+    [[nodiscard]] render::SceneRenderer& renderer() { return renderer_; }
+
+  private:
+    explicit Picture(render::SceneRenderer renderer);
+
+    render::SceneRenderer renderer_;
+    std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
+    std::vector<render::DrawnSphere> spheres_;
+    std::vector<render::DrawnCapsule> capsules_;
+    render::View view_;
+};
+
+}  // namespace weft::demo

@@ -1,0 +1,18 @@
+#include "demo/report_text.h"
+
+namespace weft::demo {
+
+std::string flags_text(StepFlags flags) {
+    std::string text;
+    if (has(flags, StepFlags::invalid_dt))
+        text += "The step's length was not in (0, 1] s; nothing was done.\n";
+    if (has(flags, StepFlags::state_restored)) {
+        text += "A cloth ran away and was put back: raise substeps or soften the fabric.\n";
+    }
+    if (has(flags, StepFlags::contacts_dropped)) {
+        text += "Contact lists were full: lower the self-collision distance.\n";
+    }
+    return text;
+}
+
+}  // namespace weft::demo

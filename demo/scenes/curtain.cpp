@@ -1,0 +1,150 @@
+// A curtain in folds, hung from rings on a rod that are drawn to and fro, in a slow breeze.
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "demo/scene.h"
+#include "demo/scenes/measures.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float width = 2.6f, height = 2.0f;  // of the fabric laid flat [m]
+constexpr float top = 2.25f;                  // of the fabric [m]
+constexpr std::uint32_t spans = 12;           // between rings; a fold each
+constexpr float steepest = 1.0f;              // angle between fold and rod at a ring [rad]
+constexpr float drawn = 0.35f;                // the rings come nearer by this fraction ...
+constexpr double period = 10.0;               // ... and go back in this time [s]
+
+/// Points of the folded top edge, evenly spaced along the fabric. The angle to the rod swings as the cosine
+/// of the arc length, which is the curve that a bent strip takes (the sine-generated curve of Langbein and
+/// Leopold 1966).
+std::vector<Vector3> folded_edge(std::uint32_t columns) {
+    const float spacing = width / static_cast<float>(columns - 1);
+    std::vector<Vector3> edge(columns, Vector3::Zero());
+    for (std::uint32_t c = 1; c < columns; ++c) {
+        const float halfway = (static_cast<float>(c) - 0.5f) / static_cast<float>(columns - 1);
+        const float angle =
+            steepest * std::cos(std::numbers::pi_v<float> * static_cast<float>(spans) * halfway);
+        edge[c] = edge[c - 1] + spacing * Vector3(std::cos(angle), 0, std::sin(angle));
+    }
+    const float middle = 0.5f * edge.back().x();
+    for (Vector3& point : edge) point += Vector3(-middle, top, 0);
+    return edge;
+}
+
+class Curtain final : public Scene {
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind.velocity = {0.3f, 0, 1.2f};
+        settings.wind.gust = 0.6f;
+        settings.substeps = 8;
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        if (auto made = make_mesh(options.particles == 0 ? 4096 : options.particles); !made)
+            return made.error();
+
+        ClothSettings settings;
+        settings.solver.iterations = 7;
+        settings.self_collision.enabled = true;
+        const auto cloth = world.add_cloth(mesh_, settings);
+        if (!cloth) return cloth.error();
+        cloth_ = *cloth;
+        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
+            if (auto pinned = world.pin(cloth_, ring_vertex(ring)); !pinned) return pinned.error();
+        }
+
+        const float reach = 0.5f * width + 0.05f;
+        const float rod_height = top + 0.03f;
+        const auto rod =
+            world.add_collider({.shape = Capsule{{-reach, rod_height, 0}, {reach, rod_height, 0}, 0.015f}});
+        if (!rod) return rod.error();
+
+        SceneContent content;
+        content.cloths.push_back(
+            {cloth_,
+             mesh_,
+             {.front = {0.10f, 0.22f, 0.42f}, .back = {0.12f, 0.24f, 0.42f}, .stripe_width = 0.13f}});
+        content.drawn_colliders = {*rod};
+        content.camera = {.target = {0, 1.2f, 0}, .distance = 4.4f, .yaw = 0.35f, .pitch = 0.08f};
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        time_ = time + static_cast<double>(dt);
+        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
+            (void)world.move_pin(cloth_, ring_vertex(ring), ring_place(ring, time_));
+        }
+    }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        const auto view = world.cloth(cloth_);
+        if (!view) return view.error();
+        Checks checks;
+        checks.finite(*view);
+        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
+            checks.pinned_at(*view, ring_vertex(ring), ring_place(ring, time_));
+        }
+        const Stretch stretch = structural_stretch(mesh_, *view);
+        checks.at_most("worst stretch", stretch.worst, 1.5f);
+        checks.at_most("mean stretch", stretch.mean, 1.03f);
+
+        float hem = 0;
+        for (std::uint32_t column = 0; column < mesh_.columns; ++column) {
+            const std::uint32_t vertex = (mesh_.rows - 1) * mesh_.columns + column;
+            hem += vertex_position(*view, vertex).y() / static_cast<float>(mesh_.columns);
+        }
+        checks.at_least("the hem's mean height [m]", hem, top - 1.06f * height);
+        checks.at_most("the hem's mean height [m]", hem, top - 0.92f * height);
+        return checks.result();
+    }
+
+  private:
+    Result<void> make_mesh(std::uint32_t particles) {
+        const GridSize grid = grid_size(particles, width, height);
+        auto mesh = make_sheet({.rows = grid.rows,
+                                .columns = grid.columns,
+                                .origin = {0, height, 0},
+                                .u = {width, 0, 0},
+                                .v = {0, -height, 0}});
+        if (!mesh) return mesh.error();
+        mesh_ = std::move(*mesh);
+        const std::vector<Vector3> edge = folded_edge(mesh_.columns);
+        for (std::uint32_t vertex = 0; vertex < mesh_.positions.size(); ++vertex) {
+            const Vec3 flat = mesh_.positions[vertex];
+            mesh_.pattern.push_back({flat.x, flat.y});
+            mesh_.positions[vertex] = to_vec3(edge[vertex % mesh_.columns] - Vector3(0, height - flat.y, 0));
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::uint32_t ring_vertex(std::uint32_t ring) const {
+        return (ring * (mesh_.columns - 1) + spans / 2) / spans;  // rounded to the nearest column
+    }
+
+    /// The rings slide towards the first, and back.
+    [[nodiscard]] Vec3 ring_place(std::uint32_t ring, double time) const {
+        const double phase = 2 * std::numbers::pi * time / period;
+        const float scale = 1.0f - drawn * static_cast<float>(0.5 - 0.5 * std::cos(phase));
+        const float first = mesh_.positions[0].x;
+        Vec3 place = mesh_.positions[ring_vertex(ring)];
+        place.x = first + scale * (place.x - first);
+        return place;
+    }
+
+    ClothId cloth_;
+    Mesh mesh_;
+    double time_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_curtain_scene() {
+    return std::make_unique<Curtain>();
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,104 @@
+// A garment from an OBJ file whose texture coordinates are its flat pattern, hung by its highest opening in a
+// breeze.
+
+#include <cmath>
+
+#include "demo/scene.h"
+#include "demo/scenes/garment_mesh.h"
+#include "demo/scenes/measures.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float above_ground = 0.45f;  // the lowest point's height at the start [m]
+
+/// The file's own triangles, or as many times quartered as comes nearest to `particles`.
+Result<Mesh> load_garment(const std::filesystem::path& file, std::uint32_t particles) {
+    auto loaded = load_obj(file, {.texcoords_are_pattern = true});
+    if (!loaded) return loaded.error();
+    Mesh mesh = std::move(*loaded);
+    drop_unfit_pattern(mesh);
+    stand_upright(mesh, above_ground);
+    while (particles > 2 * mesh.positions.size()) mesh = refined(mesh);
+    return mesh;
+}
+
+class Garment final : public Scene {
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind.velocity = {0.6f, 0, 1.6f};
+        settings.wind.gust = 0.7f;
+        settings.wind.gust_length = 0.5f;
+        settings.substeps = 8;
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        if (options.garment.empty()) {
+            return Error{ErrorCode::invalid_argument,
+                         "scene garment needs an OBJ file; name one with --garment"};
+        }
+        auto mesh = load_garment(options.garment, options.particles);
+        if (!mesh) return mesh.error();
+        mesh_ = std::move(*mesh);
+
+        ClothSettings settings;
+        settings.fabric.areal_density = 0.18f;
+        settings.solver.iterations = 7;
+        settings.self_collision.enabled = true;
+        const auto cloth = world.add_cloth(mesh_, settings);
+        if (!cloth) return cloth.error();
+        cloth_ = *cloth;
+        pins_ = highest_opening(mesh_);
+        for (const std::uint32_t vertex : pins_) {
+            if (auto pinned = world.pin(cloth_, vertex); !pinned) return pinned.error();
+        }
+        const auto ground = world.add_collider({.shape = Plane{}});
+        if (!ground) return ground.error();
+        return content(world);
+    }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        const auto view = world.cloth(cloth_);
+        if (!view) return view.error();
+        Checks checks;
+        checks.finite(*view);
+        for (const std::uint32_t vertex : pins_) checks.pinned_at(*view, vertex, mesh_.positions[vertex]);
+        const Stretch stretch = structural_stretch(mesh_, *view);
+        checks.at_most("worst stretch", stretch.worst, 1.6f);
+        checks.at_most("mean stretch", stretch.mean, 1.05f);
+        checks.at_least("the lowest point's height above the ground [m]", view->bounds.lower.y, 0.1f);
+        checks.at_most("the hem's fall since the start [m]", above_ground - view->bounds.lower.y, 0.25f);
+        return checks.result();
+    }
+
+  private:
+    [[nodiscard]] Result<SceneContent> content(const World& world) const {
+        const auto view = world.cloth(cloth_);
+        if (!view) return view.error();
+        const Bounds& box = view->bounds;
+        SceneContent content;
+        content.cloths.push_back(
+            {cloth_,
+             mesh_,
+             {.front = {0.13f, 0.32f, 0.26f}, .back = {0.16f, 0.32f, 0.27f}, .stripe_width = 0.06f}});
+        content.camera = {.target = {0, 0.5f * (box.lower.y + box.upper.y) - 0.05f, 0},
+                          .distance = 0.6f + 2.2f * (box.upper.y - box.lower.y),
+                          .yaw = 0.5f,
+                          .pitch = 0.1f};
+        return content;
+    }
+
+    ClothId cloth_;
+    Mesh mesh_;
+    std::vector<std::uint32_t> pins_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_garment_scene() {
+    return std::make_unique<Garment>();
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,50 @@
+#pragma once
+// What scenes build sheets from, and what their checks measure.
+
+#include <string>
+#include <string_view>
+
+#include "engine/vector.h"
+#include "weft/weft.h"
+
+namespace weft::demo {
+
+/// Rows and columns of about `particles` in squares, for a sheet `width` by `height`.
+struct GridSize {
+    std::uint32_t rows, columns;
+};
+[[nodiscard]] GridSize grid_size(std::uint32_t particles, float width, float height);
+
+/// The position of one of the mesh's own vertices.
+[[nodiscard]] Vector3 vertex_position(const ClothView& view, std::uint32_t vertex);
+
+/// Longest and mean ratio of current to rest length, over the edges that carry structural springs: along the
+/// threads of a sheet, all edges of another mesh.
+struct Stretch {
+    float worst = 0, mean = 0;
+};
+[[nodiscard]] Stretch structural_stretch(const Mesh& mesh, const ClothView& view);
+
+/// Distance of the closest two particles whose rest positions are at least `rest_apart` from each other [m]:
+/// how well layers are kept apart. For a mesh that starts as its own rest shape.
+[[nodiscard]] float closest_layers(const Mesh& mesh, const ClothView& view, float rest_apart);
+
+/// Collects what a scene expects of its end. A value that is not a number meets no expectation.
+class Checks {
+  public:
+    void at_least(std::string_view what, float value, float bound);
+    void at_most(std::string_view what, float value, float bound);
+    /// Positions and velocities are numbers.
+    void finite(const ClothView& view);
+    /// The vertex is held, and within a tenth of a millimetre of where it should be.
+    void pinned_at(const ClothView& view, std::uint32_t vertex, const Vec3& where);
+
+    /// Error: all that failed, each with its value.
+    [[nodiscard]] Result<void> result() const;
+
+  private:
+    void fail(const std::string& failure);
+    std::string failures_;
+};
+
+}  // namespace weft::demo

@@ -1,0 +1,27 @@
+// The scenes, one line each, in the order in which they are listed. The line (NAME, ...) names make_NAME,
+// which the scene's file defines. The first is the one that starts when none is named.
+
+#include "demo/scene.h"
+
+// clang-format off
+#define WEFT_SCENES(SCENE)                                                                                   \
+    SCENE(flag, "a flag on its pole in a gusty wind")                                                        \
+    SCENE(curtain, "a curtain on rings, drawn to and fro in a slow breeze")                                  \
+    SCENE(sheet, "a sheet that falls over a sphere and onto the ground")                                     \
+    SCENE(ribbon, "a long ribbon, lowered end first, piles up on itself")                                    \
+    SCENE(garment, "a garment from an OBJ file, hung by its highest opening", .needs_garment = true)
+// clang-format on
+
+namespace weft::demo {
+
+#define WEFT_DECLARE_SCENE(name, ...) std::unique_ptr<Scene> make_##name##_scene();
+WEFT_SCENES(WEFT_DECLARE_SCENE)
+
+std::span<const SceneEntry> all_scenes() {
+#define WEFT_LIST_SCENE(scene, text, ...) \
+    SceneEntry{.name = #scene, .description = text, .make = make_##scene##_scene __VA_OPT__(, ) __VA_ARGS__},
+    static constexpr SceneEntry scenes[] = {WEFT_SCENES(WEFT_LIST_SCENE)};
+    return scenes;
+}
+
+}  // namespace weft::demo

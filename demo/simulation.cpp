@@ -1,0 +1,98 @@
+#include "demo/simulation.h"
+
+#include <utility>
+#include <vector>
+
+namespace weft::demo {
+namespace {
+
+Result<void> apply_to_cloths(World& world, const SceneContent& content, const Overrides& overrides) {
+    for (const SceneCloth& cloth : content.cloths) {
+        auto settings = world.cloth_settings(cloth.id);
+        if (!settings) return settings.error();
+        settings->solver.iterations = overrides.iterations.value_or(settings->solver.iterations);
+        settings->self_collision.enabled =
+            overrides.self_collision.value_or(settings->self_collision.enabled);
+        if (auto set = world.set_cloth_settings(cloth.id, *settings); !set) return set.error();
+    }
+    return {};
+}
+
+}  // namespace
+
+Simulation::Simulation(const SceneEntry& entry, const SceneOptions& options, std::unique_ptr<Scene> scene,
+                       World world)
+    : entry_(&entry), options_(options), scene_(std::move(scene)), world_(std::move(world)) {}
+
+Result<Simulation> Simulation::create(const SceneEntry& entry, const SceneOptions& options,
+                                      const Overrides& overrides) {
+    std::unique_ptr<Scene> scene = entry.make();
+    WorldSettings settings = scene->world_settings();
+    settings.threads = overrides.threads;
+    settings.substeps = overrides.substeps.value_or(settings.substeps);
+    settings.wind.velocity = overrides.wind.value_or(settings.wind.velocity);
+    auto world = World::create(settings);
+    if (!world) return world.error();
+
+    Simulation simulation(entry, options, std::move(scene), std::move(*world));
+    if (auto built = simulation.build(); !built) return built.error();
+    if (auto set = apply_to_cloths(simulation.world_, simulation.content_, overrides); !set)
+        return set.error();
+    return simulation;
+}
+
+Result<void> Simulation::build() {
+    auto content = scene_->build(world_, options_);
+    if (!content) return content.error();
+    content_ = std::move(*content);
+    time_ = 0;
+    return {};
+}
+
+Result<void> Simulation::restart() {
+    std::vector<ClothSettings> settings;
+    for (const SceneCloth& cloth : content_.cloths) {
+        auto current = world_.cloth_settings(cloth.id);
+        if (!current) return current.error();
+        settings.push_back(*current);
+    }
+    auto world = World::create(world_.settings());
+    if (!world) return world.error();
+    world_ = std::move(*world);
+    scene_ = entry_->make();
+    if (auto built = build(); !built) return built.error();
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        if (auto set = world_.set_cloth_settings(content_.cloths[i].id, settings[i]); !set)
+            return set.error();
+    }
+    return {};
+}
+
+const StepReport& Simulation::step(float dt) {
+    scene_->before_step(world_, time_, dt);
+    time_ += static_cast<double>(dt);
+    return world_.step(dt);
+}
+
+Mesh current_mesh(const World& world, const SceneContent& content) {
+    Mesh all;
+    for (const SceneCloth& cloth : content.cloths) {
+        const auto view = world.cloth(cloth.id);
+        if (!view) continue;
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        for (const std::uint32_t particle : view->vertex_to_particle) {
+            const Vec4& p = view->positions[particle];
+            all.positions.push_back({p.x, p.y, p.z});
+        }
+        for (const auto& [a, b, c] : cloth.mesh.triangles)
+            all.triangles.push_back({first + a, first + b, first + c});
+        const std::vector<Vec2>& flat =
+            cloth.mesh.pattern.empty() ? cloth.mesh.texcoords : cloth.mesh.pattern;
+        all.texcoords.insert(all.texcoords.end(), flat.begin(), flat.end());
+    }
+    // A scene of which only some cloths have texture coordinates has none.
+    if (all.texcoords.size() != all.positions.size()) all.texcoords.clear();
+    return all;
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,55 @@
+#pragma once
+// A scene in a World, with what the command line changes about it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "demo/scene.h"
+
+namespace weft::demo {
+
+/// What a run asks for in place of the scene's own settings.
+struct Overrides {
+    std::optional<Vec3> wind;  ///< [m/s]
+    std::optional<int> iterations, substeps;
+    std::optional<bool> self_collision;
+    int threads = 0;  ///< 0: one per core
+};
+
+class Simulation {
+  public:
+    /// Error: a world or scene that cannot be built, and why.
+    [[nodiscard]] static Result<Simulation> create(const SceneEntry& entry, const SceneOptions& options,
+                                                   const Overrides& overrides);
+
+    /// Moves the scene's pins and colliders, then the world, by dt [s].
+    const StepReport& step(float dt);
+
+    /// The scene from its start, with the settings that the world and the cloths have now.
+    Result<void> restart();
+
+    [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
+    [[nodiscard]] Scene& scene() { return *scene_; }
+    [[nodiscard]] World& world() { return world_; }
+    [[nodiscard]] const World& world() const { return world_; }
+    [[nodiscard]] const SceneContent& content() const { return content_; }
+    [[nodiscard]] double time() const { return time_; }  ///< [s]
+
+  private:
+    Simulation(const SceneEntry& entry, const SceneOptions& options, std::unique_ptr<Scene> scene,
+               World world);
+    Result<void> build();
+
+    const SceneEntry* entry_;
+    SceneOptions options_;
+    std::unique_ptr<Scene> scene_;
+    World world_;
+    SceneContent content_;
+    double time_ = 0;
+};
+
+/// All cloths of a scene as one mesh, as they are now.
+[[nodiscard]] Mesh current_mesh(const World& world, const SceneContent& content);
+
+}  // namespace weft::demo

@@ -1,0 +1,33 @@
+#pragma once
+// The wind as a player steers it.
+
+#include "weft/types.h"
+
+namespace weft::demo {
+
+/// A heading seen from above and a speed along the ground; what blows up or down is left as it is. The
+/// heading is kept while the air is still, so that the wind comes back from where it was.
+class WindControl {
+  public:
+    static constexpr float max_speed = 20.0f;  ///< along the ground [m/s]
+    static constexpr float turn_rate = 1.6f;   ///< by keys [rad/s]
+    static constexpr float speed_rate = 4.0f;  ///< by keys [m/s^2]
+
+    WindControl() = default;
+    explicit WindControl(const Vec3& velocity);
+
+    /// The angle from +X to where the wind blows, anticlockwise seen from above, in (-pi, pi] [rad].
+    [[nodiscard]] float heading() const { return heading_; }
+    [[nodiscard]] float speed() const { return speed_; }
+    [[nodiscard]] Vec3 velocity() const;
+
+    void set_heading(float radians);
+    void set_speed(float metres_per_second);  ///< kept within [0, max_speed]
+    /// Keys held for `seconds`: `turn` 1 anticlockwise, -1 clockwise; `faster` 1, or -1 for slower.
+    void steer(float turn, float faster, float seconds);
+
+  private:
+    float heading_ = 0, speed_ = 0, upwards_ = 0;
+};
+
+}  // namespace weft::demo
