@@ -70,7 +70,7 @@ void main() {
 
     vec3 fibre_color = mix(vec3(1.0), albedo, 0.6);
     float grazing = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
-    lit += sheen * fibre_color * (sun_light * sun_seen * fibre_edge(n, to_eye, to_sun) +
-                                  0.35 * grazing * ambient_light(n, sky_seen));
+    lit += sheen * fibre_color * (0.35 * sun_light * sun_seen * fibre_edge(n, to_eye, to_sun) +
+                                  0.5 * grazing * ambient_light(n, sky_seen));
     pixel = vec4(tone(lit), 1.0);
 }

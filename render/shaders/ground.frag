@@ -2,8 +2,8 @@
 in vec3 point;
 out vec4 color;
 
-const vec3 floor_color = vec3(0.46, 0.45, 0.44);
-const vec3 arrow_color = vec3(0.10, 0.42, 0.62);
+const vec3 floor_color = vec3(0.42, 0.42, 0.42);
+const vec3 arrow_color = vec3(0.02, 0.26, 0.50);
 
 // Share of a pixel that lines of `width` [m], one each metre, cover; the width never falls below a pixel, its
 // strength does instead.

@@ -23,7 +23,7 @@ struct FabricLook {
     float weave_per_metre = 220;  ///< threads per metre of texture coordinate; 0 draws none
     float stripe_width = 0;       ///< [m] of texture coordinate u; 0 draws none
     Vec3 stripe{0.9f, 0.88f, 0.82f};
-    float translucency = 0.25f;  ///< share of the sun's light that shines through; 0 leather, 0.5 chiffon
+    float translucency = 0.35f;  ///< share of the sun's light that shines through; 0 leather, 0.5 chiffon
 };
 
 /// The parts of a cloth's mesh that do not move: uploaded once.
