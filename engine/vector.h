@@ -2,6 +2,7 @@
 // Arithmetic on the rows of per-particle buffers: Eigen's fixed-size vectors, read from and written to Vec4.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "weft/types.h"
 
