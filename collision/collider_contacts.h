@@ -20,17 +20,17 @@ struct ColliderMotion {
 /// Error: a value that is not finite, a radius that is not positive, a zero normal, a negative friction.
 [[nodiscard]] Result<void> validate(const Collider& collider);
 
-/// The shape a fraction t of the way from `from` to `to`: points, radius and offset are blended, normals blended and
-/// normalised. Precondition: the same alternative in both.
+/// The shape a fraction t of the way from `from` to `to`: points, radius and offset are blended, normals
+/// blended and normalised. Precondition: the same alternative in both.
 [[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
 
-/// Moves every free particle (positions.w = inverse mass > 0) that is nearer than `thickness` to a collider's surface,
-/// or inside it, out to `thickness`; takes from its velocity relative to the surface what approaches it, and by Coulomb's
-/// law what slides along it. Friction moves the position too, so that cloth at rest on a slope does not creep.
-/// Colliders act in order. h: length of the substep [s]. Returns the number of particles that met a collider.
-/// Precondition: block_partials.size() >= block_count(positions.size()).
-std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness, float friction,
-                      float h, std::span<Vec4> positions, std::span<Vec4> velocities,
+/// Moves every free particle (positions.w = inverse mass > 0) that is nearer than `thickness` to a collider's
+/// surface, or inside it, out to `thickness`; takes from its velocity relative to the surface what approaches
+/// it, and by Coulomb's law what slides along it. Friction moves the position too, so that cloth at rest on a
+/// slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the number of
+/// particles that met a collider. Precondition: block_partials.size() >= block_count(positions.size()).
+std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
+                      float friction, float h, std::span<Vec4> positions, std::span<Vec4> velocities,
                       std::span<std::uint32_t> block_partials);
 
 }  // namespace weft

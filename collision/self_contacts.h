@@ -1,5 +1,6 @@
 #pragma once
-// Self-collision avoidance on a hashed grid (Kang, section IV): find the pairs that are too close, push them apart.
+// Self-collision avoidance on a hashed grid (Kang, section IV): find the pairs that are too close, push them
+// apart.
 
 #include <cstdint>
 #include <span>
@@ -12,8 +13,8 @@
 
 namespace weft {
 
-/// Which close pairs are meant to be close. Per particle i: `neighbours[offsets[i] .. offsets[i + 1])` are its spring
-/// neighbours, and pairs closer than the distance in `rest_positions` are left alone.
+/// Which close pairs are meant to be close. Per particle i: `neighbours[offsets[i] .. offsets[i + 1])` are
+/// its spring neighbours, and pairs closer than the distance in `rest_positions` are left alone.
 struct RestFilter {
     std::span<const Vec4> rest_positions;
     std::span<const std::uint32_t> offsets;
@@ -21,9 +22,10 @@ struct RestFilter {
 };
 
 struct SelfContactCounts {
-    std::uint32_t pairs = 0;        ///< contacts that were resolved
-    std::uint32_t dropped = 0;      ///< particles whose list was full; some of their contacts were left for the next step
-    std::uint32_t peak = 0;         ///< most contacts of one particle
+    std::uint32_t pairs = 0;  ///< contacts that were resolved
+    std::uint32_t dropped =
+        0;  ///< particles whose list was full; some of their contacts were left for the next step
+    std::uint32_t peak = 0;  ///< most contacts of one particle
 };
 
 /// Buffers for the contacts of one cloth. Made when self-collision is switched on, and for no cloth else.
@@ -34,17 +36,33 @@ class SelfContacts {
     explicit SelfContacts(std::uint32_t particle_count, int width);
 
     /// Finds all pairs closer than `distance`. Each is in both particles' lists, in a fixed order.
-    void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds, const RestFilter& filter,
-              float distance, SelfCollisionSearch search);
+    void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
+              const RestFilter& filter, float distance, SelfCollisionSearch search);
 
-    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching, Coulomb
-    /// friction. positions.w is the inverse mass. Linear and angular momentum of the pair responses are kept.
-    SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h, std::span<Vec4> positions,
-                              std::span<Vec4> velocities);
+    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching,
+    /// Coulomb friction. positions.w is the inverse mass. Linear and angular momentum of the pair responses
+    /// are kept.
+    SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h,
+                              std::span<Vec4> positions, std::span<Vec4> velocities);
 
     /// The contacts of particle i that find() found, for tests and for drawing.
     [[nodiscard]] std::span<const std::uint32_t> contacts(std::uint32_t particle) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    static constexpr std::uint8_t overflowed =
+        capacity + 1;  // counts_: the list is full, and there were more
+
+    void search_rows(Parallel& parallel, const RestFilter& filter, float distance);
+    void search_buckets(Parallel& parallel, const RestFilter& filter, float distance);
+    [[nodiscard]] bool is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept;
+
+    HashGrid grid_;
+    AlignedBuffer<std::uint32_t> contacts_;  // `capacity` per particle, ascending
+    AlignedBuffer<std::uint8_t> counts_;     // contacts of each particle, or `overflowed`
+    AlignedBuffer<Vec4> displacements_,
+        velocity_changes_;  // of particles with contacts; others are not written
+    AlignedBuffer<SelfContactCounts> block_counts_;
 };
 
 }  // namespace weft
