@@ -42,6 +42,7 @@ Result<void> validate(const WorldSettings& settings) {
     checks.at_least_zero("Wind::air_density", settings.wind.air_density);
     checks.at_least_zero("Wind::drag", settings.wind.drag);
     checks.at_least_zero("Wind::lift", settings.wind.lift);
+    checks.positive("WorldSettings::max_speed", settings.max_speed);
     checks.within("WorldSettings::substeps", settings.substeps, 1, 256);
     checks.within("WorldSettings::threads", settings.threads, 0, 256);
     if (settings.executor.run != nullptr) checks.within("Executor::width", settings.executor.width, 1, 256);

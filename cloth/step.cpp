@@ -12,6 +12,15 @@
 
 namespace weft {
 
+namespace {
+
+Vector3 limited(const Vector3& velocity, float max_speed) {
+    const float squared = velocity.squaredNorm();
+    return squared > max_speed * max_speed ? Vector3(velocity * (max_speed / std::sqrt(squared))) : velocity;
+}
+
+}  // namespace
+
 void Simulation::step(float dt) {
     begin(dt);
     const float h = dt / static_cast<float>(settings.substeps);
@@ -44,7 +53,7 @@ void Simulation::begin(float dt) {
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         for (const Pin& pin : cloth->pins) {
             const Vector3 velocity = (pin.target - xyz(cloth->state.positions[pin.particle])) / dt;
-            set_xyz(cloth->state.velocities[pin.particle], velocity);
+            set_xyz(cloth->state.velocities[pin.particle], limited(velocity, settings.max_speed));
         }
     });
 }
@@ -107,8 +116,9 @@ void Simulation::advance(Cloth& cloth, float h, bool first_substep) {
     parallel.ranges(state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vec4 x = state.positions[i];
-            const Vector3 v = xyz(state.velocities[i]) + xyz(cloth.system.velocity_change[i]) +
-                              cloth.mean_motion.velocity_change(i);
+            const Vector3 v = limited(xyz(state.velocities[i]) + xyz(cloth.system.velocity_change[i]) +
+                                          cloth.mean_motion.velocity_change(i),
+                                      settings.max_speed);
             set_xyz(state.velocities[i], v);
             target[i] = to_vec4(xyz(x) + h * v, x.w);
         }
@@ -154,7 +164,7 @@ void Simulation::guard(Cloth& cloth) {
         report.flags = report.flags | StepFlags::state_restored;
         ++report.restored_cloths;
     }
-    // Rounding on the way must not make a pin drift.
+    // Neither rounding nor the speed limit may make a pin miss its target.
     for (const Pin& pin : cloth.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
 }
 
@@ -169,6 +179,8 @@ void Simulation::finish(Cloth& cloth) {
     report.self_contacts += cloth.self_counts.pairs;
     report.peak_self_contacts = std::max(report.peak_self_contacts, cloth.self_counts.peak);
     report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
+    if (report.peak_speed > 0.999f * settings.max_speed)
+        report.flags = report.flags | StepFlags::speed_limited;
     if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
 }
 

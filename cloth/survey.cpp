@@ -1,6 +1,7 @@
 #include "cloth/survey.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/vector.h"
@@ -14,6 +15,11 @@ constexpr Survey nothing{.lower = {infinity, infinity, infinity},
                          .upper = {-infinity, -infinity, -infinity},
                          .peak_speed_squared = 0,
                          .sound = true};
+
+/// Written so that not-a-number fails.
+bool is_near(float coordinate) {
+    return std::abs(coordinate) <= runaway_distance;
+}
 
 Survey combine(const Survey& l, const Survey& r) {
     return {.lower = {std::min(l.lower.x, r.lower.x), std::min(l.lower.y, r.lower.y),
@@ -34,12 +40,8 @@ Survey survey(Parallel& parallel, const ClothState& state, std::span<Survey> par
             for (std::uint32_t i = range.begin; i < range.end; ++i) {
                 const Vec4& x = state.positions[i];
                 const float speed_squared = xyz(state.velocities[i]).squaredNorm();
-                const float farthest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-                // Written so that a comparison with not-a-number fails. max() may pass one over: the sum does
-                // not.
-                const bool sound = farthest <= runaway_distance &&
-                                   speed_squared <= runaway_speed * runaway_speed &&
-                                   std::abs(x.x + x.y + x.z) <= 3 * runaway_distance;
+                const bool sound =
+                    is_near(x.x) && is_near(x.y) && is_near(x.z) && std::isfinite(speed_squared);
                 found = combine(found, {.lower = {x.x, x.y, x.z},
                                         .upper = {x.x, x.y, x.z},
                                         .peak_speed_squared = speed_squared,

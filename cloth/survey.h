@@ -18,7 +18,7 @@ inline constexpr float runaway_speed = 1e5f;     ///< [m/s]
 struct Survey {
     Vec3 lower, upper;         ///< [m]; lower > upper for no particles
     float peak_speed_squared;  ///< [m^2/s^2]
-    bool sound;                ///< all finite and within the bounds above
+    bool sound;                ///< all finite, and no position beyond runaway_distance
 };
 
 /// Precondition: partials.size() >= block_count(particles).

@@ -4,13 +4,18 @@
 
 namespace weft {
 
-Symmetric3 inverse(const Symmetric3& m, float floor) {
-    const float d0 = std::max(m.xx, floor);
+// By L D L^T. Every pivot of a matrix is at least its least eigenvalue, so one that rounding has brought below is lifted.
+Symmetric3 inverse(const Symmetric3& m, float least) {
+    constexpr float rounding = 3e-7f;  // of the sum of a dozen springs, relative to the trace
+    const float floor = std::max(least, rounding * (m.xx + m.yy + m.zz));
+    const float lift = floor - least;
+
+    const float d0 = std::max(m.xx + lift, floor);
     const float l10 = m.xy / d0;
     const float l20 = m.xz / d0;
-    const float d1 = std::max(m.yy - l10 * m.xy, floor);
+    const float d1 = std::max(m.yy + lift - l10 * m.xy, floor);
     const float l21 = (m.yz - l20 * m.xy) / d1;
-    const float d2 = std::max(m.zz - l20 * m.xz - l21 * l21 * d1, floor);
+    const float d2 = std::max(m.zz + lift - l20 * m.xz - l21 * l21 * d1, floor);
 
     // M^-1 = sum_k c_k c_k^T / d_k, c_k being the columns of L^-T.
     const float i0 = 1.0f / d0, i1 = 1.0f / d1, i2 = 1.0f / d2;

@@ -32,10 +32,10 @@ struct Symmetric3 {
     }
 };
 
-/// The inverse by L D L^T. `floor` > 0 is a lower bound of the eigenvalues: every exact pivot is at least as
-/// large, so a pivot that rounding has brought below it is lifted to it, and the inverse stays positive
-/// definite at any stiffness.
-[[nodiscard]] Symmetric3 inverse(const Symmetric3& m, float floor);
+/// The inverse of a matrix whose eigenvalues are at least `least` > 0. A direction that is so much softer than the
+/// stiffest that single precision has lost it counts as heavier instead of as lighter than it is: the inverse stays
+/// positive definite, and no larger than about 1 / least, at any stiffness.
+[[nodiscard]] Symmetric3 inverse(const Symmetric3& m, float least);
 
 struct ImplicitSystem {
     AlignedBuffer<Vec4> coefficients;  ///< per half-edge: x y z of d [sqrt(kg)], w a [kg]

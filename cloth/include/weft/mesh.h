@@ -54,21 +54,21 @@ struct ObjReport {
 };
 
 struct ObjOptions {
-    /// Take the texture coordinates as the flat pattern in metres, too; every corner then needs one. Otherwise they
-    /// are texcoords only.
+    /// Take the texture coordinates as the flat pattern in metres, too; every corner then needs one.
+    /// Otherwise they are texcoords only.
     bool texcoords_are_pattern = false;
 };
 
-/// Reads a Wavefront OBJ file. Vertex i is the file's `v` line i, used or not; where corners give one position
-/// several texture coordinates (seams), vertices for these follow after all of the file's own, in order of use.
-/// Errors name the file and the line: a missing or unreadable file, a line cut short, a coordinate that is not a
-/// finite number, an index out of range, no faces. `report` may be null.
+/// Reads a Wavefront OBJ file. Vertex i is the file's `v` line i, used or not; where corners give one
+/// position several texture coordinates (seams), vertices for these follow after all of the file's own, in
+/// order of use. Errors name the file and the line: a missing or unreadable file, a line cut short, a
+/// coordinate that is not a finite number, an index out of range, no faces. `report` may be null.
 [[nodiscard]] Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
                                     ObjReport* report = nullptr);
 
 /// Writes positions, texture coordinates (the pattern, where there are none) and triangles, with nine digits,
-/// so that floats read back the same. Rows and columns are not kept. Errors: a mesh of which no cloth could be
-/// made, naming the element; a file that cannot be written.
+/// so that floats read back the same. Rows and columns are not kept. Errors: a mesh of which no cloth could
+/// be made, naming the element; a file that cannot be written.
 [[nodiscard]] Result<void> save_obj(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace weft

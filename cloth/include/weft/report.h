@@ -19,6 +19,9 @@ enum class StepFlags : std::uint32_t {
     /// Particles had more close neighbours than a contact list holds (16); the rest wait for the next step.
     /// Lower SelfCollision::distance.
     contacts_dropped = 1u << 2,
+    /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
+    /// a pin or a collider that jumps.
+    speed_limited = 1u << 3,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
     return static_cast<StepFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

@@ -21,8 +21,8 @@ struct Fabric {
 
 /// Kang's approximate implicit solver: Jacobi iterations on the linearised backward Euler step.
 struct JacobiSettings {
-    /// >= 0. More carry forces further in a step; odd counts leave less error than the next even one, since
-    /// the iteration matrix has eigenvalues near -1.
+    /// >= 0. More carry forces further in a step. Take odd counts: they never over-correct, even ones do so
+    /// up to twofold on the shortest waves.
     int iterations = 15;
     /// Moves a component that has no pin and touches no collider by its exact mean acceleration, so that it
     /// falls freely however few iterations run. False: the paper's iteration alone, whose first guess makes
@@ -54,6 +54,8 @@ struct Wind {
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2]
     Wind wind;
+    float max_speed =
+        100.0f;        ///< particles go no faster [m/s], > 0; a jump of a pin then cannot tear the cloth off
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
     int threads = 0;  ///< threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it
     Executor executor;  ///< the host's own threads instead, where `run` is set

@@ -1,0 +1,176 @@
+// Kang's solver against dense solves, and its error against theory.
+
+#include "cloth/implicit/jacobi.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "fixtures.h"
+
+namespace weft::test {
+namespace {
+
+float solve(Cloth& cloth, int iterations) {
+    Parallel serial(1);
+    return solve_jacobi(serial, cloth.model, iterations, cloth.system, cloth.partial_sums.span());
+}
+
+/// Block Jacobi's iteration matrix G = I - D^-1 W.
+Eigen::MatrixXd iteration_matrix(const DenseSystem& system) {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Identity(system.matrix.rows(), system.matrix.cols());
+    for (Eigen::Index i = 0; i < system.matrix.rows(); i += 3) {
+        const Eigen::Matrix3d inverse_block = system.matrix.block<3, 3>(i, i).inverse();
+        result.middleRows(i, 3) -= inverse_block * system.matrix.middleRows(i, 3);
+    }
+    return result;
+}
+
+TEST(Inverse, IsTheInverseOfRandomPositiveDefiniteMatrices) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> component;
+    for (int k = 0; k < 1000; ++k) {
+        const Eigen::Matrix3d root =
+            Eigen::Matrix3d::NullaryExpr([&](auto, auto) { return component(random); });
+        const Eigen::Matrix3d m = root * root.transpose() + 0.1 * Eigen::Matrix3d::Identity();
+        const Symmetric3 stored{.xx = static_cast<float>(m(0, 0)),
+                                .yy = static_cast<float>(m(1, 1)),
+                                .zz = static_cast<float>(m(2, 2)),
+                                .xy = static_cast<float>(m(0, 1)),
+                                .xz = static_cast<float>(m(0, 2)),
+                                .yz = static_cast<float>(m(1, 2))};
+        const Vector3 v = Vector3::NullaryExpr([&](auto) { return static_cast<float>(component(random)); });
+        const Eigen::Vector3d exact = m.inverse() * v.cast<double>();
+        EXPECT_LT(((inverse(stored, 0.1f) * v).cast<double>() - exact).norm() / exact.norm(), 1e-3);
+    }
+}
+
+TEST(Inverse, StaysPositiveDefiniteWhereRoundingWouldNot) {
+    // One spring 1e9 times stiffer than the inertia: in float the inertia is lost against it.
+    const Vector3 n = Vector3(0.3f, -0.8f, 0.5f).normalized();
+    Symmetric3 m;
+    m.add(1.0f, 3e4f * n);
+    const Symmetric3 i = inverse(m, 1.0f);
+    Eigen::Matrix3d full;
+    full << double{i.xx}, double{i.xy}, double{i.xz}, double{i.xy}, double{i.yy}, double{i.yz}, double{i.xz},
+        double{i.yz}, double{i.zz};
+    const Eigen::Vector3d eigenvalues = full.selfadjointView<Eigen::Lower>().eigenvalues();
+    EXPECT_GE(eigenvalues.minCoeff(), -1e-6);
+    EXPECT_LE(eigenvalues.maxCoeff(), 3.0)
+        << "no direction is lighter than the particle by more than rounding";
+}
+
+TEST(Jacobi, ManyIterationsEqualADenseSolve) {
+    for (const std::uint32_t pinned : {0u, 3u}) {
+        Cloth cloth = crumpled(sheet(6, 7), 0.03f, 60.0f);
+        for (std::uint32_t p = 0; p < pinned; ++p) cloth.pin(5 * p);
+        assemble_step(cloth, 1.0f / 60);
+        const DenseSystem system = dense(cloth);
+        const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
+        const float residual = solve(cloth, 4000);
+        EXPECT_LT((solution(cloth) - exact).norm() / exact.norm(), 2e-5) << pinned << " pinned";
+        EXPECT_LT(residual, 1e-5f);
+    }
+}
+
+TEST(Jacobi, ErrorAfterKIterationsIsTheIterationMatrixToTheKPlusOne) {
+    Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
+    assemble_step(cloth, 1.0f / 60);
+    const DenseSystem system = dense(cloth);
+    const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
+    const Eigen::MatrixXd g = iteration_matrix(system);
+    Eigen::VectorXd error = -exact;  // of dv = 0
+    for (int k = 0; k <= 16; ++k) {
+        error = g * error;
+        solve(cloth, k);
+        EXPECT_LT((solution(cloth) - exact - error).norm(), 1e-5 * exact.norm()) << "k = " << k;
+    }
+}
+
+TEST(Jacobi, ConvergesForAnyStiffnessAndStep) {
+    // 2 D - W is positive definite whenever every K is positive semi-definite (Kang's safe derivative makes
+    // it so), hence the spectrum of G lies inside (-1, 1): near -1 it comes close, which is why odd iteration
+    // counts do better.
+    for (const float stiffness : {1.0f, 1e3f, 1e6f}) {
+        for (const float h : {1e-4f, 1.0f / 60, 1.0f}) {
+            Cloth cloth = crumpled(sheet(4, 5), 0.1f, stiffness);
+            assemble_step(cloth, h);
+            const Eigen::VectorXcd eigenvalues = iteration_matrix(dense(cloth)).eigenvalues();
+            EXPECT_LT(eigenvalues.cwiseAbs().maxCoeff(), 1 + 1e-9) << "k " << stiffness << ", h " << h;
+        }
+    }
+}
+
+TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
+    // k iterations apply I - G^(k+1) to the solution. G has eigenvalues near -1, on a checkerboard load: an
+    // even power keeps that factor in [0, 1], an odd one brings it near 2. A factor p on a mode shows as dv .
+    // W dv = p dv . b.
+    Cloth cloth = crumpled(sheet(8, 8), 0.0f, 4000.0f);
+    for (Vec4& v : cloth.state.velocities.span()) v = {};
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        cloth.state.positions[i].x += ((i / 8 + i % 8) % 2 == 0 ? 1e-3f : -1e-3f);
+    }
+    assemble_step(cloth, 1.0f / 60, Vector3::Zero());
+    const DenseSystem system = dense(cloth);
+    const auto correction = [&](int k) {
+        solve(cloth, k);
+        const Eigen::VectorXd dv = solution(cloth);
+        return dv.dot(system.matrix * dv) / dv.dot(system.right_side);
+    };
+    for (int k = 1; k <= 15; k += 2) EXPECT_LE(correction(k), 1) << "k = " << k;
+    for (int k = 0; k <= 4; k += 2) EXPECT_GT(correction(k), 1.02) << "k = " << k;
+}
+
+TEST(Jacobi, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
+    Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
+    assemble_step(cloth, 1.0f / 60);
+    const DenseSystem system = dense(cloth);
+    const Eigen::MatrixXd g = iteration_matrix(system);
+    solve(cloth, 0);
+    const Eigen::VectorXd first = solution(cloth);
+    Eigen::VectorXd residual = first;  // D^-1 (b - W dv_k) = G^k (dv_1 - dv_0) with dv_0 := 0, dv_1 := D^-1 b
+    for (int k = 1; k <= 6; ++k) {
+        residual = g * residual;
+        EXPECT_NEAR(solve(cloth, k), residual.norm() / first.norm(), 1e-4) << "k = " << k;
+    }
+    EXPECT_EQ(solve(cloth, 0), 1.0f);
+}
+
+TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
+    Cloth cloth = crumpled(sheet(5, 6), 0.03f, 60.0f);
+    assemble_step(cloth, 1.0f / 60);
+    const DenseSystem system = dense(cloth);
+    const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
+    Parallel serial(1);
+    cloth.mean_motion.take_out(serial, cloth.model, cloth.system);
+    solve(cloth, 4000);
+    cloth.mean_motion.put_back(serial, cloth.model, cloth.system);
+    Eigen::VectorXd dv = solution(cloth);
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        dv.segment<3>(3 * i) += cloth.mean_motion.velocity_change(i).cast<double>();
+    }
+    EXPECT_LT((dv - exact).norm() / exact.norm(), 2e-5);
+}
+
+TEST(MeanMotion, LeavesPinnedComponentsAlone) {
+    Mesh two = sheet(3, 3);
+    const Mesh other = sheet(4, 4);
+    for (const Vec3& x : other.positions) two.positions.push_back({x.x, x.y + 1, x.z});
+    for (Triangle t : other.triangles) {
+        for (std::uint32_t& v : t) v += 9;
+        two.triangles.push_back(t);
+    }
+    two.texcoords.clear();
+    two.rows = two.columns = 0;
+    Cloth cloth = crumpled(two, 0.01f, 60.0f);
+    ASSERT_EQ(cloth.model.info.components, 2u);
+    cloth.pin(9);
+    assemble_step(cloth, 1.0f / 60);
+    Parallel serial(1);
+    cloth.mean_motion.take_out(serial, cloth.model, cloth.system);
+    EXPECT_GT(cloth.mean_motion.velocity_change(0).norm(), 0.1f) << "9.81 m/s^2 for 1/60 s";
+    EXPECT_EQ(cloth.mean_motion.velocity_change(10), Vector3(0, 0, 0));
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,147 @@
+// Real garments, sewn from flat panels: NAME.obj has the pattern as texture coordinates, NAME-m.obj as a mesh
+// with the same faces in the same order.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "cloth/cook.h"
+#include "weft/mesh.h"
+
+namespace weft {
+namespace {
+
+struct Garment {
+    const char* name;
+    std::uint32_t file_vertices, file_faces, panel_vertices;
+};
+
+void PrintTo(const Garment& garment, std::ostream* out) {
+    *out << garment.name;
+}
+
+class Garments : public testing::TestWithParam<Garment> {
+  protected:
+    void SetUp() override {
+        const char* data = std::getenv("WEFT_DATA");
+        if (data == nullptr)
+            GTEST_SKIP() << "set WEFT_DATA to the folder of test data, which has garments/*.obj";
+        folder_ = std::filesystem::path(data) / "garments";
+    }
+
+    [[nodiscard]] std::filesystem::path file(const char* suffix = "") const {
+        return folder_ / (std::string(GetParam().name) + suffix + ".obj");
+    }
+
+    std::filesystem::path folder_;
+};
+
+double total_rest_area(const CookedCloth& cloth) {
+    double total = 0;
+    for (const float area : cloth.rest_area.span()) total += static_cast<double>(area);
+    return total;
+}
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+std::map<Pair, float> structural_lengths(const CookedCloth& cloth) {
+    std::map<Pair, float> lengths;
+    for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
+        for (std::uint32_t e = cloth.spring_offsets[i]; e < cloth.spring_offsets[i + 1]; ++e)
+            if (cloth.kinds[e] == SpringKind::structural && i < cloth.neighbours[e])
+                lengths[{i, cloth.neighbours[e]}] = cloth.rest_lengths[e];
+    return lengths;
+}
+
+TEST_P(Garments, LoadsAndWeldsToTheFilesVertices) {
+    ObjReport report;
+    const Result<Mesh> mesh = load_obj(file(), {.texcoords_are_pattern = true}, &report);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    EXPECT_EQ(mesh->positions.size(), GetParam().panel_vertices);
+    EXPECT_EQ(report.ignored_lines, GetParam().file_vertices + GetParam().file_faces);  // vv, t
+    EXPECT_EQ(report.triangulated_faces, 0u);
+
+    const Result<CookedCloth> cloth = cook(*mesh);
+    ASSERT_TRUE(cloth) << cloth.error().message;
+    EXPECT_EQ(cloth->info.particles, GetParam().file_vertices);
+    EXPECT_EQ(cloth->info.triangles, GetParam().file_faces);
+    EXPECT_EQ(cloth->info.components, 1u);
+    EXPECT_EQ(cloth->info.dropped_triangles, 0u);
+    EXPECT_EQ(cloth->info.misoriented_edges, 0u);
+    EXPECT_EQ(cloth->info.loose_particles, 0u);
+    for (std::uint32_t vertex = 0; vertex < GetParam().file_vertices; ++vertex)
+        ASSERT_EQ(cloth->vertex_to_particle[vertex], vertex);
+    for (const float length : cloth->rest_lengths.span()) ASSERT_TRUE(std::isfinite(length) && length > 0);
+}
+
+TEST_P(Garments, RestShapeIsTheFlatPattern) {
+    if (!std::filesystem::exists(file("-m"))) GTEST_SKIP() << GetParam().name << " has no -m mesh";
+    const Mesh mesh = load_obj(file(), {.texcoords_are_pattern = true}).value();
+    const CookedCloth sewn = cook(mesh).value();
+    const CookedCloth flat = cook(load_obj(file("-m")).value()).value();
+    ASSERT_EQ(sewn.triangles.size(), flat.triangles.size());
+    EXPECT_NEAR(total_rest_area(sewn), total_rest_area(flat), 1e-6 * total_rest_area(flat));
+
+    // Sewing maps each of the pattern's edges to one of the garment's; a seam has two.
+    const std::map<Pair, float> sewn_lengths = structural_lengths(sewn),
+                                flat_lengths = structural_lengths(flat);
+    std::map<Pair, std::map<Pair, float>> panels_of;
+    for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto side = [&](const Triangle& triangle) -> Pair {
+                return std::minmax({triangle[corner], triangle[(corner + 1) % 3]});
+            };
+            const Pair panel_edge = side(flat.triangles[t]);
+            panels_of[side(sewn.triangles[t])][panel_edge] = flat_lengths.at(panel_edge);
+        }
+    }
+    ASSERT_EQ(panels_of.size(), sewn_lengths.size());
+    std::size_t seams = 0;
+    for (const auto& [edge, panels] : panels_of) {
+        double mean = 0;
+        for (const auto& [panel_edge, length] : panels)
+            mean += static_cast<double>(length) / static_cast<double>(panels.size());
+        seams += panels.size() > 1;
+        ASSERT_NEAR(sewn_lengths.at(edge), mean, 1e-6 * mean) << edge.first << " - " << edge.second;
+    }
+    EXPECT_EQ(flat_lengths.size(), sewn_lengths.size() + seams);
+    EXPECT_GT(seams, 0u);
+}
+
+TEST_P(Garments, RoundTrip) {
+    const Mesh expected = load_obj(file(), {.texcoords_are_pattern = true}).value();
+    const auto copy =
+        std::filesystem::path(testing::TempDir()) / ("weft_copy_of_" + std::string(GetParam().name) + ".obj");
+    ASSERT_TRUE(save_obj(copy, expected));
+    const Mesh mesh = load_obj(copy, {.texcoords_are_pattern = true}).value();
+    std::filesystem::remove(copy);
+    EXPECT_EQ(mesh.triangles, expected.triangles);
+    ASSERT_EQ(mesh.positions.size(), expected.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3 &p = mesh.positions[i], &q = expected.positions[i];
+        ASSERT_TRUE(p.x == q.x && p.y == q.y && p.z == q.z) << i;
+        ASSERT_TRUE(mesh.pattern[i].x == expected.pattern[i].x && mesh.pattern[i].y == expected.pattern[i].y)
+            << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Berkeley, Garments,
+                         testing::Values(Garment{"skirt-iso", 2594, 4996, 2782},
+                                         Garment{"tshirt-iso", 3546, 6954, 3775},
+                                         Garment{"dress-victor-iso-draped", 4589, 8958, 4636},
+                                         Garment{"skirt-coarse", 127, 207, 177}),
+                         [](const auto& info) {
+                             std::string name = info.param.name;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,43 @@
+#pragma once
+// Meshes of known shape, for tests of what is made from a mesh.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "weft/mesh.h"
+
+namespace weft::test {
+
+struct NamedMesh {
+    std::string name;
+    Mesh mesh;
+    int components = 1;
+    int euler_characteristic = 1;  ///< vertices - edges + faces: 1 of a disc, 2 of a sphere, 0 of a ring
+    bool has_border = true;
+};
+
+/// The sheet without its rows and columns: a general mesh.
+[[nodiscard]] Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns);
+
+/// A closed sphere of radius 1 about the origin, triangles facing outwards: the icosahedron, each face cut in
+/// four `subdivisions` times.
+[[nodiscard]] Mesh sphere(int subdivisions);
+
+/// An open tube of radius 1 and height 2 about +Y. Its texture coordinates unroll it, so that the vertices of
+/// the seam occur twice: rows * (columns + 1) vertices at rows * columns positions.
+[[nodiscard]] Mesh tube(std::uint32_t rows, std::uint32_t columns);
+
+/// One-sided: somewhere two neighbours are wound against each other. 2 * length particles.
+[[nodiscard]] Mesh moebius_strip(std::uint32_t length);
+
+/// `triangles` triangles around vertex 0, in the plane y = 0.
+[[nodiscard]] Mesh fan(std::uint32_t triangles);
+
+/// Both meshes, the second moved by `offset`.
+[[nodiscard]] Mesh joined(const Mesh& first, const Mesh& second, const Vec3& offset);
+
+/// Whole meshes without faults that differ in all that topology tells apart.
+[[nodiscard]] std::vector<NamedMesh> sound_meshes();
+
+}  // namespace weft::test

@@ -1,0 +1,303 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <random>
+
+#include "cloth/cook.h"
+#include "meshes.h"
+#include "weft/mesh.h"
+
+namespace weft {
+namespace {
+
+/// A file that lasts as long as the test, in a folder of the test's own.
+class ObjFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(testing::TempDir()) / (std::string("weft_") + info->name());
+        std::filesystem::create_directories(folder_);
+        file_ = folder_ / "cloth.obj";
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    void write(std::string_view text) const { std::ofstream(file_, std::ios::binary) << text; }
+
+    Result<Mesh> load(std::string_view text, const ObjOptions& options = {},
+                      ObjReport* report = nullptr) const {
+        write(text);
+        return load_obj(file_, options, report);
+    }
+
+    /// The load must fail, with a message that has all these parts.
+    void expect_error(std::string_view text, std::initializer_list<const char*> parts,
+                      const ObjOptions& options = {}) const {
+        const Result<Mesh> mesh = load(text, options);
+        ASSERT_FALSE(mesh) << text;
+        EXPECT_EQ(mesh.error().code, ErrorCode::malformed_file);
+        EXPECT_NE(mesh.error().message.find("cloth.obj:"), std::string::npos) << mesh.error().message;
+        for (const char* part : parts)
+            EXPECT_NE(mesh.error().message.find(part), std::string::npos)
+                << '"' << part << "\" in: " << mesh.error().message;
+    }
+
+    std::filesystem::path folder_, file_;
+};
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(ObjFile, ReadsTriangles) {
+    const Mesh mesh = load(std::string(square) + "f 1 2 3\nf 1 3 4\n").value();
+    ASSERT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.positions[2].x, 1);
+    EXPECT_EQ(mesh.positions[2].y, 1);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_TRUE(mesh.texcoords.empty());
+    EXPECT_TRUE(mesh.pattern.empty());
+    EXPECT_EQ(mesh.rows, 0u);
+}
+
+TEST_F(ObjFile, CutsFacesIntoFansAndCountsThem) {
+    ObjReport report;
+    const Mesh mesh =
+        load(std::string(square) + "v 0 2 0\nf 1 2 3 4\nf 4 3 5\nf 1 2 3 5 4\n", {}, &report).value();
+    EXPECT_EQ(mesh.triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 1, 2}, {0, 2, 4}, {0, 4, 3}}));
+    EXPECT_EQ(report.triangulated_faces, 2u);
+    EXPECT_EQ(report.ignored_lines, 0u);
+}
+
+TEST_F(ObjFile, ToleratesAndCountsLinesOfOtherKinds) {
+    ObjReport report;
+    const Mesh mesh = load(
+                          "# a comment\n\n   \nmtllib none.mtl\no thing\nv 0 0 0\nvv 0 0 0\nv 1 0 0 # "
+                          "here\nvn 0 0 1\nv 0 1 0\n"
+                          "g a b\nusemtl x\ns off\nf 1//1 2//1 3//1\nt 0 1 2\nl 1 2\n",
+                          {}, &report)
+                          .value();
+    EXPECT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_EQ(report.ignored_lines, 9u);
+}
+
+TEST_F(ObjFile, ReadsEveryFormOfCorner) {
+    const std::string head = std::string(square) + "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n";
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -4 -3 -2",
+          "f -4/-3 -3/-2 -2/-1", " \tf  1\t2  3  ", "f -4/-3/-1 2/2/1 3/3/1"}) {
+        const Mesh mesh = load(head + face + "\n").value();
+        EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << face;
+        EXPECT_EQ(mesh.texcoords.empty(),
+                  std::strchr(face, '/') == nullptr || std::strstr(face, "//") != nullptr);
+    }
+}
+
+TEST_F(ObjFile, NegativeIndicesCountBackFromTheirLine) {
+    const Mesh mesh =
+        load("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n").value();
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
+}
+
+TEST_F(ObjFile, FacesMayComeBeforeTheirVertices) {
+    EXPECT_EQ(load("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n").value().triangles,
+              (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST_F(ObjFile, LineEndingsContinuationsAndByteOrderMarksMakeNoDifference) {
+    const Mesh expected = load(std::string(square) + "f 1 2 3\nf 1 3 4").value();
+    for (const char* text : {
+             "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3\r\nf 1 3 4\r\n",
+             "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3\rf 1 3 4\r",
+             "v 0 \\\n0 0\nv 1\\\r\n0 0\nv 1 1 0\nv 0 1 \\\n\\\n0\nf 1 2 3\nf 1 \\\n3 4",
+             "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
+             "v 0 0 0\n# from C:\\cloth\\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
+             "v +0 .0 0.\nv 1e0 0 0\nv 10e-1 0.1E1 0\nv 0 1 0 1 0.5 0.5\nf 1 2 3\nf 1 3 4\n",
+         }) {
+        const Result<Mesh> mesh = load(text);
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        EXPECT_TRUE(same_bytes(mesh->positions, expected.positions)) << text;
+        EXPECT_EQ(mesh->triangles, expected.triangles);
+    }
+}
+
+TEST_F(ObjFile, KeepsTheFilesVertexNumbersAndAppendsSeamVertices) {
+    // The edge 1-3 is a seam: its two vertices have other texture coordinates in the second face.
+    const char* text =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nvt 0 0\nvt 1 0\nvt 1 1\nvt 5 5\nvt 6 6\nvt 5 6\nvt 5 "
+        "5\n"
+        "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n";
+    const Mesh mesh = load(text, {.texcoords_are_pattern = true}).value();
+    ASSERT_EQ(mesh.positions.size(), 7u);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {5, 6, 3}}));
+    EXPECT_EQ(mesh.positions[4].x, 9);
+    EXPECT_EQ(mesh.positions[6].y, 1);
+    EXPECT_EQ(mesh.pattern[5].x, 5);
+    EXPECT_EQ(mesh.pattern[2].x, 1);
+    EXPECT_TRUE(same_bytes(mesh.pattern, mesh.texcoords));
+    EXPECT_TRUE(load(text)->pattern.empty());
+}
+
+TEST_F(ObjFile, EqualTextureCoordinatesShareAVertex) {
+    const Mesh mesh = load(std::string(square) +
+                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 0\nvt 1 1\nvt 0 1\n"
+                           "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n")
+                          .value();
+    EXPECT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST_F(ObjFile, ErrorsNameFileLineAndValue) {
+    const std::string head = square;
+    expect_error("v 0 0 0\nv 1 nan 0\n", {"cloth.obj:2:", "coordinate 2", "\"nan\"", "finite"});
+    expect_error("v 0 0 0\r\nv 1 0 -inf\r\n", {"cloth.obj:2:", "coordinate 3", "\"-inf\""});
+    expect_error("v 0 0 1e39\n", {"cloth.obj:1:", "\"1e39\""});
+    expect_error("v 0 0 1e999\n", {"cloth.obj:1:", "\"1e999\""});
+    expect_error("v 0 0x1 2\n", {"cloth.obj:1:", "\"0x1\""});
+    expect_error("\nv 0 1,5 2\n", {"cloth.obj:2:", "\"1,5\""});
+    expect_error("v 0 +-1 2\n", {"\"+-1\""});
+    expect_error("v 0 0 0\nv 1 0\n", {"cloth.obj:2:", "cut short", "2 coordinates", "needs 3"});
+    expect_error("v", {"cloth.obj:1:", "0 coordinates"});
+    expect_error("v 0 0 0\nvt 0.5\n", {"cloth.obj:2:", "cut short", "\"vt\"", "needs 2"});
+    expect_error(head + "f 1 2 0\n", {"cloth.obj:5:", "\"0\"", "vertex index 0", "counted from 1"});
+    expect_error(head + "f 1 2 5\n", {"cloth.obj:5:", "vertex index 5", "has 4"});
+    expect_error("v 0 0 0\nf 1 -1 -2\nv 1 1 1\n", {"cloth.obj:2:", "vertex index -2", "has 1 before"});
+    expect_error(head + "f 1 2 99999999999\n", {"cloth.obj:5:", "99999999999"});
+    expect_error(head + "f 1 2 99999999999999999999\n",
+                 {"cloth.obj:5:", "99999999999999999999", "whole number"});
+    expect_error(head + "f 1 2 x\n", {"cloth.obj:5:", "\"x\"", "whole number"});
+    expect_error(head + "f 1 2 3.5\n", {"\"3.5\""});
+    expect_error(head + "f 1 2 3/\n", {"\"3/\""});
+    expect_error(head + "f 1 2 3//\n", {"\"3//\""});
+    expect_error(head + "f 1 2 3/x\n", {"\"3/x\""});
+    expect_error(head + "f 1 2 3//x\n", {"\"3//x\""});
+    expect_error(head + "vt 0 0\nf 1/1 2/1 3/2\n", {"cloth.obj:6:", "texture coordinate index 2", "has 1"});
+    expect_error(head + "vt 0 0\nf 1/1 2/1 3/0\n", {"cloth.obj:6:", "texture coordinate index 0"});
+    expect_error(head + "vt 0 0\nf 1/1/1/1 2/1 3/1\n", {"\"1/1/1/1\""});
+    expect_error(head + "f 1 2\n", {"cloth.obj:5:", "2 corners", "at least 3"});
+    expect_error(head + "f\n", {"cloth.obj:5:", "0 corners"});
+    expect_error(head + "f 1 2 \\\n\n", {"cloth.obj:5:", "2 corners"});
+    expect_error(head, {"no faces", "4 vertices"});
+    expect_error(std::string("v 0 0 \0 0\n", 10), {"cloth.obj:1:"});
+}
+
+TEST_F(ObjFile, PatternNeedsATextureCoordinateAtEveryCorner) {
+    const std::string text = std::string(square) + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3//3 4\n";
+    EXPECT_TRUE(load(text));
+    expect_error(text, {"cloth.obj:9:", "\"3//3\"", "no texture coordinate", "pattern"},
+                 {.texcoords_are_pattern = true});
+}
+
+TEST_F(ObjFile, FilesThatCannotBeRead) {
+    const Result<Mesh> missing = load_obj(folder_ / "missing.obj");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::file_not_found);
+    EXPECT_NE(missing.error().message.find("missing.obj"), std::string::npos);
+
+    const Result<Mesh> directory = load_obj(folder_);
+    ASSERT_FALSE(directory);
+    EXPECT_EQ(directory.error().code, ErrorCode::file_not_found);
+    EXPECT_NE(directory.error().message.find("directory"), std::string::npos);
+
+    expect_error("", {"empty"});
+}
+
+TEST_F(ObjFile, FilesThatCannotBeWritten) {
+    const Mesh mesh = test::fan(3);
+    const Result<void> no_folder = save_obj(folder_ / "none" / "cloth.obj", mesh);
+    ASSERT_FALSE(no_folder);
+    EXPECT_NE(no_folder.error().message.find("cannot be written"), std::string::npos)
+        << no_folder.error().message;
+    EXPECT_FALSE(save_obj(folder_, mesh));
+    if (std::filesystem::exists("/dev/full")) EXPECT_FALSE(save_obj("/dev/full", mesh));
+}
+
+TEST_F(ObjFile, SaveRefusesWhatLoadWould) {
+    Mesh mesh = test::fan(3);
+    mesh.triangles[1][0] = 50;
+    const Result<void> saved = save_obj(file_, mesh);
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().code, ErrorCode::invalid_mesh);
+    EXPECT_NE(saved.error().message.find("vertex 50"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(ObjFile, RoundTripIsExact) {
+    for (const test::NamedMesh& sample : test::sound_meshes()) {
+        SCOPED_TRACE(sample.name);
+        ASSERT_TRUE(save_obj(file_, sample.mesh));
+        const Mesh mesh = load_obj(file_).value();
+        EXPECT_TRUE(same_bytes(mesh.positions, sample.mesh.positions));
+        EXPECT_TRUE(same_bytes(mesh.texcoords, sample.mesh.texcoords));
+        EXPECT_EQ(mesh.triangles, sample.mesh.triangles);
+    }
+}
+
+TEST_F(ObjFile, RoundTripKeepsThePattern) {
+    Mesh expected = test::tube(4, 9);
+    std::swap(expected.pattern, expected.texcoords);
+    ASSERT_TRUE(save_obj(file_, expected));
+    const Mesh mesh = load_obj(file_, {.texcoords_are_pattern = true}).value();
+    EXPECT_TRUE(same_bytes(mesh.pattern, expected.pattern));
+    EXPECT_EQ(mesh.triangles, expected.triangles);
+}
+
+TEST_F(ObjFile, RoundTripOfAnyFloat) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> mantissa(-1, 1);
+    std::uniform_int_distribution<int> exponent(-140, 16);
+    Mesh expected;
+    for (int i = 0; i < 3000; ++i) {
+        const auto any = [&] { return std::ldexp(mantissa(random), exponent(random)); };
+        expected.positions.push_back({any(), any(), any()});
+    }
+    expected.triangles.push_back({0, 1, 2});
+    ASSERT_TRUE(save_obj(file_, expected));
+    EXPECT_TRUE(same_bytes(load_obj(file_).value().positions, expected.positions));
+}
+
+constexpr std::string_view seam_text =
+    "# two panels\r\nmtllib a.mtl\nv 0 0 0\nvv 1 2 3\nv 1.5 0 0\nv 1 1e-1 0 \nv 0 1 -0.25\nvt 0 0\nvt 1 "
+    "0\nvt 1 1\n"
+    "vt 2 0\nvt 3 1 0\nvt 2 1\nvn 0 0 1\nf 1/1/1 2/2/1 \\\n3/3/1\nf -4/4 -2/-2/1 4/6\nt 0 1\nf 1//1 2 3/3 4";
+
+/// Whatever the text, the answer is a mesh that holds together or an error that names the file.
+void expect_sound_or_refused(const Result<Mesh>& mesh) {
+    if (!mesh) {
+        EXPECT_NE(mesh.error().message.find("cloth.obj:"), std::string::npos);
+        return;
+    }
+    EXPECT_FALSE(mesh->triangles.empty());
+    for (const Triangle& triangle : mesh->triangles)
+        for (const std::uint32_t vertex : triangle) EXPECT_LT(vertex, mesh->positions.size());
+    EXPECT_TRUE(mesh->texcoords.empty() || mesh->texcoords.size() == mesh->positions.size());
+    if (const auto cooked = cook(*mesh); !cooked) EXPECT_FALSE(cooked.error().message.empty());
+}
+
+TEST_F(ObjFile, CutShortAnywhereItLoadsOrSaysWhy) {
+    ASSERT_TRUE(load(seam_text));
+    for (std::size_t length = 0; length < seam_text.size(); ++length) {
+        SCOPED_TRACE(length);
+        for (const bool pattern : {false, true})
+            expect_sound_or_refused(load(seam_text.substr(0, length), {.texcoords_are_pattern = pattern}));
+    }
+}
+
+TEST_F(ObjFile, WithAnyByteChangedItLoadsOrSaysWhy) {
+    std::mt19937 random(3);
+    constexpr std::string_view bytes = "0123456789 /\\-+.e\n\r\tvtfn#x\0\xff";
+    std::uniform_int_distribution<std::size_t> byte(0, bytes.size() - 1), place(0, seam_text.size() - 1);
+    for (int round = 0; round < 3000; ++round) {
+        SCOPED_TRACE(round);
+        std::string text(seam_text);
+        for (int change = 0; change <= round % 4; ++change) text[place(random)] = bytes[byte(random)];
+        expect_sound_or_refused(load(text, {.texcoords_are_pattern = round % 2 == 0}));
+    }
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,199 @@
+// Spring forces and their derivatives against energies and finite differences, and the assembled system
+// against both.
+
+#include "cloth/forces/springs.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "fixtures.h"
+
+namespace weft::test {
+namespace {
+
+constexpr double step = 1e-3;
+
+/// The force on particle i at `x`, from the energy k/2 (|d| - L)^2, in double precision.
+Eigen::Vector3d exact_force(const Eigen::Vector3d& separation, double rest_length, double stiffness) {
+    const double length = separation.norm();
+    return stiffness * (length - rest_length) / length * separation;
+}
+
+Eigen::Matrix3d block(const SpringTerms& spring) {
+    const Eigen::Vector3d n = spring.direction.cast<double>();
+    return double{spring.isotropic} * Eigen::Matrix3d::Identity() + double{spring.axial} * n * n.transpose();
+}
+
+class SpringDirections : public testing::TestWithParam<float> {
+  protected:
+    /// Separations of this length in random directions.
+    std::vector<Vector3> separations() const {
+        std::mt19937 random(3);
+        std::normal_distribution<float> component;
+        std::vector<Vector3> result;
+        for (int k = 0; k < 50; ++k) {
+            result.push_back(GetParam() *
+                             Vector3(component(random), component(random), component(random)).normalized());
+        }
+        return result;
+    }
+};
+
+TEST_P(SpringDirections, ForceIsTheEnergysGradient) {
+    for (const Vector3& separation : separations()) {
+        const Eigen::Vector3d d = separation.cast<double>();
+        const auto energy = [&](const Eigen::Vector3d& s) {
+            return 0.5 * 30.0 * std::pow(s.norm() - 0.1, 2);
+        };
+        const SpringTerms spring = spring_terms(separation, 0.1f, 30.0f, 0, 1);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d e = 1e-6 * Eigen::Vector3d::Unit(axis);
+            EXPECT_NEAR(spring.force[axis], (energy(d + e) - energy(d - e)) / 2e-6, 1e-5);
+        }
+    }
+}
+
+class TenseSprings : public SpringDirections {};
+class SlackSprings : public SpringDirections {};
+
+TEST_P(TenseSprings, StiffnessIsTheForcesDerivative) {
+    for (const Vector3& separation : separations()) {
+        const Eigen::Vector3d d = separation.cast<double>();
+        const Eigen::Matrix3d stiffness = block(spring_terms(separation, 0.1f, 30.0f, 0, 1));
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d e = 1e-6 * Eigen::Vector3d::Unit(axis);
+            const Eigen::Vector3d slope = (exact_force(d + e, 0.1, 30) - exact_force(d - e, 0.1, 30)) / 2e-6;
+            EXPECT_LT((stiffness.col(axis) - slope).norm(), 30 * 1e-5) << "axis " << axis;
+        }
+    }
+}
+
+TEST_P(SpringDirections, StiffnessIsNeverIndefinite) {
+    for (const Vector3& separation : separations()) {
+        const SpringTerms spring = spring_terms(separation, 0.1f, 30.0f, 0, 1);
+        EXPECT_GE(spring.isotropic, 0);
+        EXPECT_GE(spring.axial, 0);
+    }
+}
+
+TEST_P(SlackSprings, StiffnessIsAxialOnly) {
+    for (const Vector3& separation : separations()) {
+        const SpringTerms spring = spring_terms(separation, 0.1f, 30.0f, 0, 1);
+        EXPECT_EQ(spring.isotropic, 0);
+        EXPECT_EQ(spring.axial, 30.0f);
+    }
+}
+
+TEST_P(SpringDirections, BothEndsComputeOppositeFloats) {
+    for (const Vector3& separation : separations()) {
+        const SpringTerms at_i = spring_terms(separation, 0.1f, 30.0f, 4, 9);
+        const SpringTerms at_j = spring_terms(-separation, 0.1f, 30.0f, 9, 4);
+        EXPECT_EQ(at_i.force, -at_j.force);
+        EXPECT_EQ(at_i.direction, -at_j.direction);
+        EXPECT_EQ(at_i.isotropic, at_j.isotropic);
+        EXPECT_EQ(at_i.axial, at_j.axial);
+    }
+}
+
+std::string micrometres(const testing::TestParamInfo<float>& info) {
+    return std::to_string(std::lround(info.param * 1e6f)) + "um";
+}
+INSTANTIATE_TEST_SUITE_P(Lengths, SpringDirections,
+                         testing::Values(0.01f, 0.0999f, 0.1f, 0.1001f, 0.15f, 2.0f), micrometres);
+INSTANTIATE_TEST_SUITE_P(Lengths, TenseSprings, testing::Values(0.1001f, 0.15f, 2.0f), micrometres);
+INSTANTIATE_TEST_SUITE_P(Lengths, SlackSprings, testing::Values(0.0f, 0.01f, 0.0999f), micrometres);
+
+TEST(Springs, CoincidentEndsArePushedApartAtFullForce) {
+    const SpringTerms at_i = spring_terms(Vector3::Zero(), 0.1f, 30.0f, 4, 9);
+    const SpringTerms at_j = spring_terms(Vector3::Zero(), 0.1f, 30.0f, 9, 4);
+    EXPECT_NEAR(at_i.force.norm(), 3.0f, 1e-5f);
+    EXPECT_EQ(at_i.force, -at_j.force);
+}
+
+/// The forces of all springs on all particles, by a plain loop in double precision.
+Eigen::VectorXd spring_forces(const Cloth& cloth, const Eigen::VectorXd& positions) {
+    const std::array<double, 3> stiffness{double{cloth.settings.fabric.stretch},
+                                          double{cloth.settings.fabric.shear},
+                                          double{cloth.settings.fabric.bend}};
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(positions.size());
+    for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
+        for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
+            const Eigen::Vector3d d =
+                positions.segment<3>(3 * cloth.model.neighbours[e]) - positions.segment<3>(3 * i);
+            forces.segment<3>(3 * i) +=
+                exact_force(d, double{cloth.model.rest_lengths[e]},
+                            stiffness[static_cast<std::size_t>(cloth.model.kinds[e])]);
+        }
+    }
+    return forces;
+}
+
+Eigen::VectorXd flat(std::span<const Vec4> values) {
+    Eigen::VectorXd result(3 * static_cast<Eigen::Index>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        result.segment<3>(3 * static_cast<Eigen::Index>(i)) = xyz(values[i]).cast<double>();
+    }
+    return result;
+}
+
+/// Stretches the cloth by half, so that every spring is in tension and the Jacobian is the exact one.
+void stretch(Cloth& cloth) {
+    for (Vec4& x : cloth.state.positions.span()) set_xyz(x, 1.5f * xyz(x));
+}
+
+TEST(Assembly, SystemIsKangsForTheExactJacobianInTension) {
+    Cloth cloth = crumpled(sheet(5, 6), 0.005f, 40.0f);
+    cloth.settings.fabric.damping = 0;
+    stretch(cloth);
+    const double h = step;
+    assemble_step(cloth, static_cast<float>(h), Vector3::Zero());
+    const DenseSystem system = dense(cloth);
+
+    const Eigen::VectorXd x = flat(cloth.state.positions.span()), v = flat(cloth.state.velocities.span());
+    Eigen::MatrixXd jacobian(x.size(), x.size());
+    for (Eigen::Index c = 0; c < x.size(); ++c) {
+        const Eigen::VectorXd e = 1e-6 * Eigen::VectorXd::Unit(x.size(), c);
+        jacobian.col(c) = (spring_forces(cloth, x + e) - spring_forces(cloth, x - e)) / 2e-6;
+    }
+    Eigen::MatrixXd expected = -h * h * jacobian;
+    for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
+        expected.diagonal().segment<3>(3 * i).array() += double{cloth.mass(i)};
+    }
+    EXPECT_LT((system.matrix - expected).norm() / expected.norm(), 1e-6);
+
+    const Eigen::VectorXd right_side = h * (spring_forces(cloth, x) + h * jacobian * v);
+    EXPECT_LT((system.right_side - right_side).norm() / right_side.norm(), 1e-4);
+}
+
+TEST(Assembly, DampingOpposesStretchingAndNothingElse) {
+    Cloth cloth = crumpled(sheet(4, 4), 0, 40.0f);
+    cloth.settings.fabric.damping = 0.01f;
+    // A rotation about the centre: no spring changes its length.
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vec4& x = cloth.state.positions[i];
+        cloth.state.velocities[i] = {-x.z, 0, x.x, 0};
+    }
+    assemble_step(cloth, 1e-3f, Vector3::Zero());
+    for (const Vec4& b : cloth.system.right_side.span()) EXPECT_LT(xyz(b).norm(), 1e-9f);
+
+    // A uniform growth: power of the damping force is c (dl/dt)^2, summed over springs, and negative.
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vec4& x = cloth.state.positions[i];
+        cloth.state.velocities[i] = {x.x, x.y, x.z, 0};
+    }
+    assemble_step(cloth, 1e-3f, Vector3::Zero());
+    double power = 0, expected = 0;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        power += double{xyz(cloth.system.right_side[i]).dot(xyz(cloth.state.velocities[i]))} / 1e-3;
+        for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
+            const std::array<double, 3> k{40.0, 12.0, 4.0};
+            const double rate = double{cloth.model.rest_lengths[e]};  // growth at 1/s
+            expected -= 0.5 * (0.01 + 1e-3) * k[static_cast<std::size_t>(cloth.model.kinds[e])] * rate * rate;
+        }
+    }
+    EXPECT_NEAR(power / expected, 1, 1e-3) << "c = (damping + h) k: the viscous term h J v acts alike";
+}
+
+}  // namespace
+}  // namespace weft::test

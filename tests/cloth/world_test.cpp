@@ -1,0 +1,297 @@
+// The World as a host meets it: several cloths, settings at run time, bad input, ids, and recovery.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "fixtures.h"
+
+namespace weft::test {
+namespace {
+
+constexpr float h = 1.0f / 60;
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+World make_world() {
+    return World::create().value();
+}
+
+bool mentions(const Error& error, std::string_view text) {
+    return error.message.find(text) != std::string::npos;
+}
+
+TEST(World, RefusesSettingsOutOfRangeAndNamesThem) {
+    struct Case {
+        const char* names;
+        void (*spoil)(WorldSettings&);
+    };
+    const Case cases[] = {
+        {"WorldSettings::gravity", [](WorldSettings& s) { s.gravity.y = not_a_number; }},
+        {"Wind::velocity",
+         [](WorldSettings& s) { s.wind.velocity.x = std::numeric_limits<float>::infinity(); }},
+        {"Wind::gust ", [](WorldSettings& s) { s.wind.gust = -1; }},
+        {"Wind::gust_length", [](WorldSettings& s) { s.wind.gust_length = 0; }},
+        {"Wind::air_density", [](WorldSettings& s) { s.wind.air_density = -0.1f; }},
+        {"WorldSettings::max_speed", [](WorldSettings& s) { s.max_speed = 0; }},
+        {"WorldSettings::substeps", [](WorldSettings& s) { s.substeps = 0; }},
+        {"WorldSettings::threads", [](WorldSettings& s) { s.threads = 257; }},
+    };
+    World world = make_world();
+    for (const Case& c : cases) {
+        WorldSettings settings;
+        c.spoil(settings);
+        const auto made = World::create(settings);
+        ASSERT_FALSE(made.ok()) << c.names;
+        EXPECT_TRUE(mentions(made.error(), c.names)) << made.error().message;
+        EXPECT_FALSE(world.set_settings(settings).ok());
+        EXPECT_EQ(world.settings().substeps, 1) << "a refused setting must leave the old ones";
+    }
+}
+
+TEST(World, RefusesClothSettingsOutOfRangeAndNamesThem) {
+    struct Case {
+        const char* names;
+        void (*spoil)(ClothSettings&);
+    };
+    const Case cases[] = {
+        {"Fabric::areal_density", [](ClothSettings& s) { s.fabric.areal_density = 0; }},
+        {"Fabric::areal_density", [](ClothSettings& s) { s.fabric.areal_density = -2; }},
+        {"Fabric::stretch", [](ClothSettings& s) { s.fabric.stretch = -3; }},
+        {"Fabric::damping", [](ClothSettings& s) { s.fabric.damping = not_a_number; }},
+        {"JacobiSettings::iterations", [](ClothSettings& s) { s.solver.iterations = -1; }},
+        {"SelfCollision::distance", [](ClothSettings& s) { s.self_collision.distance = -0.01f; }},
+        {"ClothSettings::thickness", [](ClothSettings& s) { s.thickness = not_a_number; }},
+    };
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(4, 4)).value();
+    for (const Case& c : cases) {
+        ClothSettings settings;
+        c.spoil(settings);
+        const auto set = world.set_cloth_settings(id, settings);
+        ASSERT_FALSE(set.ok()) << c.names;
+        EXPECT_TRUE(mentions(set.error(), c.names)) << set.error().message;
+        EXPECT_FALSE(world.add_cloth(sheet(4, 4), settings).ok());
+        EXPECT_EQ(world.cloth_settings(id)->fabric.stretch, 400.0f);
+    }
+}
+
+TEST(World, RefusesBadStepsWithoutTouchingTheState) {
+    World world = make_world();
+    ASSERT_TRUE(world.add_cloth(sheet(6, 6)).ok());
+    world.step(h);
+    const std::uint64_t before = world.state_hash();
+    for (const float dt : {0.0f, -h, not_a_number, std::numeric_limits<float>::infinity(), 1.5f}) {
+        EXPECT_EQ(world.step(dt).flags, StepFlags::invalid_dt) << dt;
+        EXPECT_EQ(world.state_hash(), before);
+        EXPECT_EQ(world.report().step, 1u);
+    }
+}
+
+TEST(World, StaleAndNullIdsAreReported) {
+    World world = make_world();
+    const ClothId first = world.add_cloth(sheet(4, 4)).value();
+    ASSERT_TRUE(world.remove_cloth(first).ok());
+    const ClothId second = world.add_cloth(sheet(5, 5)).value();
+    EXPECT_EQ(second.index, first.index) << "the slot is used again, under another generation";
+    for (const ClothId bad : {ClothId{}, first, ClothId{77, 1}}) {
+        EXPECT_EQ(world.cloth(bad).error().code, ErrorCode::stale_id);
+        EXPECT_EQ(world.remove_cloth(bad).error().code, ErrorCode::stale_id);
+        EXPECT_EQ(world.pin(bad, 0).error().code, ErrorCode::stale_id);
+        EXPECT_EQ(world.set_cloth_settings(bad, {}).error().code, ErrorCode::stale_id);
+    }
+    EXPECT_EQ(world.remove_collider({}).error().code, ErrorCode::stale_id);
+    EXPECT_TRUE(world.cloth(second).ok());
+}
+
+TEST(World, RefusesPinsOfMissingVerticesAndMovesOfMissingPins) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(4, 4)).value();
+    EXPECT_TRUE(mentions(world.pin(id, 16).error(), "vertex 16"));
+    EXPECT_TRUE(mentions(world.move_pin(id, 3, {0, 1, 0}).error(), "not pinned"));
+    ASSERT_TRUE(world.pin(id, 3).ok());
+    EXPECT_FALSE(world.move_pin(id, 3, {0, not_a_number, 0}).ok());
+    EXPECT_FALSE(world.move_pin(id, 3, {0, 1e9f, 0}).ok());
+    EXPECT_TRUE(world.move_pin(id, 3, {0, 1, 0}).ok());
+}
+
+TEST(World, RefusesBadCollidersAndChangesOfShape) {
+    World world = make_world();
+    EXPECT_FALSE(world.add_collider({.shape = Sphere{.center = {}, .radius = 0}}).ok());
+    const ColliderId id = world.add_collider({.shape = Sphere{.center = {}, .radius = 0.2f}}).value();
+    EXPECT_FALSE(world.move_collider(id, {.shape = Plane{}}).ok());
+    EXPECT_FALSE(
+        world.move_collider(id, {.shape = Sphere{.center = {not_a_number, 0, 0}, .radius = 0.2f}}).ok());
+    EXPECT_TRUE(world.move_collider(id, {.shape = Sphere{.center = {0, 1, 0}, .radius = 0.2f}}).ok());
+    world.step(h);
+    EXPECT_EQ(std::get<Sphere>(world.collider(id)->shape).center.y, 1.0f);
+}
+
+TEST(World, NewClothsCanBeDrawnBeforeTheirFirstStep) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(4, 4)).value();
+    const ClothView cloth = world.cloth(id).value();
+    for (const Vec4& n : cloth.normals) EXPECT_NEAR(n.y, 1, 1e-6f);
+    EXPECT_NEAR(cloth.bounds.lower.x, -0.5f, 1e-6f);
+    EXPECT_NEAR(cloth.bounds.upper.z, 0.5f, 1e-6f);
+    EXPECT_EQ(cloth.positions[5].x, cloth.previous_positions[5].x);
+}
+
+TEST(World, PreviousPositionsAreTheStartOfTheStep) {
+    for (const int substeps : {1, 2, 5}) {
+        WorldSettings settings;
+        settings.substeps = substeps;
+        World world = World::create(settings).value();
+        const ClothId id = world.add_cloth(sheet(9, 9)).value();
+        ASSERT_TRUE(world.pin(id, 0).ok());
+        for (int k = 0; k < 5; ++k) {
+            const ClothView before = world.cloth(id).value();
+            const std::vector<Vec4> start(before.positions.begin(), before.positions.end());
+            world.step(h);
+            const ClothView after = world.cloth(id).value();
+            for (std::size_t i = 0; i < start.size(); ++i) {
+                EXPECT_EQ(start[i].x, after.previous_positions[i].x);
+                EXPECT_EQ(start[i].y, after.previous_positions[i].y);
+                EXPECT_EQ(start[i].z, after.previous_positions[i].z);
+            }
+        }
+    }
+}
+
+TEST(World, ClothsDoNotDisturbOneAnother) {
+    World alone = make_world(), together = make_world();
+    const ClothId a = alone.add_cloth(sheet(9, 9)).value();
+    ASSERT_TRUE(alone.pin(a, 0).ok());
+    const ClothId other = together.add_cloth(sheet(5, 30)).value();
+    const ClothId b = together.add_cloth(sheet(9, 9)).value();
+    ASSERT_TRUE(together.pin(b, 0).ok());
+    for (int k = 0; k < 40; ++k) {
+        alone.step(h);
+        together.step(h);
+        if (k == 20) {
+            ASSERT_TRUE(together.remove_cloth(other).ok());
+        }
+    }
+    const ClothView left = alone.cloth(a).value(), right = together.cloth(b).value();
+    for (std::size_t i = 0; i < left.positions.size(); ++i) {
+        EXPECT_EQ(left.positions[i].x, right.positions[i].x);
+        EXPECT_EQ(left.positions[i].y, right.positions[i].y);
+    }
+    EXPECT_EQ(together.report().cloths, 1u);
+}
+
+TEST(World, SettingsTakeEffectWhileItRuns) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(9, 9)).value();
+    ASSERT_TRUE(world.pin(id, 0).ok());
+    for (int k = 0; k < 10; ++k) world.step(h);
+
+    WorldSettings settings = world.settings();
+    settings.wind.velocity = {10, 0, 0};
+    settings.threads = 2;
+    ASSERT_TRUE(world.set_settings(settings).ok());
+    const float light = world.cloth(id)->positions[40].w;
+    ClothSettings cloth_settings = world.cloth_settings(id).value();
+    cloth_settings.fabric.areal_density *= 4;
+    cloth_settings.self_collision.enabled = true;
+    ASSERT_TRUE(world.set_cloth_settings(id, cloth_settings).ok());
+    EXPECT_FLOAT_EQ(world.cloth(id)->positions[40].w, light / 4);
+    EXPECT_EQ(world.cloth(id)->positions[0].w, 0) << "a pin stays a pin";
+
+    float x = 0;
+    for (int k = 0; k < 60; ++k) world.step(h);
+    for (const ClothView cloth = world.cloth(id).value(); const Vec4& position : cloth.positions)
+        x += position.x;
+    EXPECT_GT(x / 81, 0.0f) << "blown downwind of where it hung";
+}
+
+TEST(World, MassIsDensityTimesArea) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(17, 9)).value();
+    const ClothInfo info = world.cloth_info(id).value();
+    EXPECT_NEAR(info.mass, 0.2f, 1e-6f);
+    EXPECT_GT(info.bytes, 17u * 9u * 16u * 4u);
+}
+
+TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(32, 32)).value();
+    const std::uint64_t without = world.cloth_info(id)->bytes;
+    ClothSettings settings;
+    settings.self_collision.enabled = true;
+    ASSERT_TRUE(world.set_cloth_settings(id, settings).ok());
+    EXPECT_GT(world.cloth_info(id)->bytes, without);
+    ASSERT_TRUE(world.set_cloth_settings(id, {}).ok());
+    EXPECT_EQ(world.cloth_info(id)->bytes, without);
+}
+
+TEST(Guard, RestoresAClothThatRanAway) {
+    // Gravity that no float survives, after a sane start: the guard must bring the last sound state back and
+    // say so.
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(6, 6)).value();
+    for (int k = 0; k < 5; ++k) world.step(h);
+    const Vec4 sound = world.cloth(id)->positions[7];
+    const WorldSettings sane = world.settings();
+    WorldSettings settings = sane;
+    settings.gravity = {0, -1e38f, 0};
+    settings.max_speed = 1e38f;
+    ASSERT_TRUE(world.set_settings(settings).ok());
+    const StepReport report = world.step(h);
+    EXPECT_TRUE(has(report.flags, StepFlags::state_restored));
+    EXPECT_EQ(report.restored_cloths, 1u);
+    EXPECT_EQ(world.cloth(id)->positions[7].y, sound.y);
+    EXPECT_EQ(world.cloth(id)->velocities[7].y, 0);
+
+    ASSERT_TRUE(world.set_settings(sane).ok());
+    for (int k = 0; k < 5; ++k) EXPECT_EQ(world.step(h).flags, StepFlags::none);
+    EXPECT_LT(world.cloth(id)->positions[7].y, sound.y) << "it falls on";
+}
+
+TEST(Guard, SpeedIsLimitedAndSaysSo) {
+    World world = make_world();
+    WorldSettings settings = world.settings();
+    settings.max_speed = 0.5f;
+    ASSERT_TRUE(world.set_settings(settings).ok());
+    ASSERT_TRUE(world.add_cloth(sheet(6, 6)).ok());
+    StepFlags last = StepFlags::none;
+    for (int k = 0; k < 20; ++k) last = world.step(h).flags;
+    EXPECT_TRUE(has(last, StepFlags::speed_limited));
+    EXPECT_NEAR(world.report().peak_speed, 0.5f, 1e-4f);
+}
+
+TEST(Guard, APinThatJumpsAHundredMetresIsSurvived) {
+    World world = make_world();
+    ClothSettings settings;
+    settings.self_collision.enabled = true;
+    const ClothId id = world.add_cloth(sheet(16, 16), settings).value();
+    for (const std::uint32_t corner : {0u, 15u}) ASSERT_TRUE(world.pin(id, corner).ok());
+    ASSERT_TRUE(world.move_pin(id, 0, {100, 0, 0}).ok());
+    for (int k = 0; k < 3; ++k) world.step(h);
+    ASSERT_TRUE(world.move_pin(id, 0, {-0.5f, 0, -0.5f}).ok());
+    for (int k = 0; k < 240; ++k) world.step(h);
+    const Bounds bounds = world.cloth(id)->bounds;
+    EXPECT_LT(bounds.upper.x - bounds.lower.x, 2.5f);
+    EXPECT_LT(world.report().peak_speed, 20.0f);
+}
+
+TEST(Profile, StagesAddUpToTheStep) {
+    World world = make_world();
+    ClothSettings settings;
+    settings.self_collision.enabled = true;
+    ASSERT_TRUE(world.add_cloth(sheet(64, 64), settings).ok());
+    ASSERT_TRUE(world.add_collider({.shape = Plane{.normal = {0, 1, 0}, .offset = -1}}).ok());
+    for (int k = 0; k < 20; ++k) world.step(h);
+    const std::span<const StageTime> stages = world.profile();
+    float sum = 0;
+    for (const StageTime& stage : stages.first(stages.size() - 1)) {
+        EXPECT_GT(stage.last, 0) << stage.name;
+        sum += stage.last;
+    }
+    EXPECT_STREQ(stages.back().name, "step");
+    EXPECT_LE(sum, stages.back().last * 1.001f) << "stages do not overlap";
+    EXPECT_EQ(world.report().milliseconds, stages.back().last);
+}
+
+}  // namespace
+}  // namespace weft::test
