@@ -1,0 +1,211 @@
+#include "collision/self_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "crumpled_sheet.h"
+
+namespace weft::test {
+namespace {
+
+using Lists = std::vector<std::vector<std::uint32_t>>;
+
+Lists brute_force(const std::vector<Vec4>& positions, const RestFilter& filter, float distance) {
+    const auto closer = [&](const Vec4& a, const Vec4& b) {
+        const float dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+        return dx * dx + dy * dy + dz * dz < distance * distance;
+    };
+    const auto joined = [&](std::uint32_t i, std::uint32_t j) {
+        if (filter.offsets.empty()) return false;
+        const auto begin = filter.neighbours.begin();
+        return std::find(begin + filter.offsets[i], begin + filter.offsets[i + 1], j) !=
+               begin + filter.offsets[i + 1];
+    };
+    Lists lists(positions.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        for (std::uint32_t j = 0; j < positions.size(); ++j) {
+            if (i == j || !closer(positions[i], positions[j]) || joined(i, j)) continue;
+            if (!filter.rest_positions.empty() && closer(filter.rest_positions[i], filter.rest_positions[j]))
+                continue;
+            lists[i].push_back(j);
+        }
+    }
+    return lists;
+}
+
+Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float distance,
+            SelfCollisionSearch search, int threads = 1) {
+    const auto n = static_cast<std::uint32_t>(positions.size());
+    Parallel parallel(threads);
+    SelfContacts contacts(n, threads);
+    contacts.find(parallel, positions, bounds_of(positions), filter, distance, search);
+    Lists lists;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const auto list = contacts.contacts(i);
+        lists.emplace_back(list.begin(), list.end());
+    }
+    return lists;
+}
+
+std::size_t entries(const Lists& lists) {
+    std::size_t sum = 0;
+    for (const auto& list : lists) sum += list.size();
+    return sum;
+}
+
+void expect_exact(const std::vector<Vec4>& positions, const RestFilter& filter, float distance) {
+    const Lists expected = brute_force(positions, filter, distance);
+    for (const auto& list : expected)
+        ASSERT_LE(list.size(), SelfContacts::capacity) << "the test's own set is too dense";
+    EXPECT_EQ(found(positions, filter, distance, SelfCollisionSearch::exact), expected)
+        << "distance " << distance;
+}
+
+std::vector<Vec4> random_cloud(std::uint32_t n, float size, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(-size, size);
+    std::vector<Vec4> cloud(n);
+    for (Vec4& p : cloud) p = {uniform(random), uniform(random), uniform(random), 1};
+    return cloud;
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceOnCrumpledSheets) {
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        const Sheet sheet = crumpled_sheet(40, seed);
+        for (const float edges : {0.3f, 0.75f, 0.95f})
+            expect_exact(sheet.positions, sheet.filter(), edges / 40);
+    }
+    const Sheet sheet = crumpled_sheet(40);
+    EXPECT_GT(entries(brute_force(sheet.positions, sheet.filter(), 0.75f / 40)), 50u);
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceOnRandomClouds) {
+    for (const float distance : {0.001f, 0.02f, 0.1f, 0.15f})
+        expect_exact(random_cloud(1500, 1, 5), {}, distance);
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceForFewParticlesWhoseRowsShareBuckets) {
+    std::size_t contacts = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        const std::vector<Vec4> cloud = random_cloud(2 + seed % 15, 1, seed);
+        expect_exact(cloud, {}, 0.9f);
+        contacts += entries(brute_force(cloud, {}, 0.9f));
+    }
+    EXPECT_GT(contacts, 1000u);
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceOnLinesAlongEveryAxis) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<Vec4> line(700);
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            float coordinates[3] = {1, 1, 1};
+            coordinates[axis] = 0.03f * static_cast<float>(i * 389 % line.size());
+            line[i] = {coordinates[0], coordinates[1], coordinates[2], 1};
+        }
+        for (const float distance : {0.02f, 0.04f, 0.1f}) expect_exact(line, {}, distance);
+    }
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceOnCoincidentClusters) {
+    std::vector<Vec4> clusters = random_cloud(200, 1, 9);
+    for (std::size_t copy = 0; copy < 5; ++copy) {
+        for (std::size_t i = 0; i < 200; ++i) clusters.push_back(clusters[i]);
+    }
+    expect_exact(clusters, {}, 0.02f);
+}
+
+TEST(SelfContacts, ExactEqualsBruteForceForHugeCoordinates) {
+    std::vector<Vec4> cloud = random_cloud(500, 1, 4);
+    cloud[3] = {3e38f, 3e38f, -3e38f, 1};
+    cloud[4] = cloud[3];
+    cloud[7] = {-3e38f, 1e20f, 0, 1};
+    cloud[9] = {1e9f, 1e9f, 1e9f, 1};
+    expect_exact(cloud, {}, 0.1f);
+    for (Vec4& p : cloud) p.x += 1e5f;
+    expect_exact(cloud, {}, 0.1f);
+}
+
+TEST(SelfContacts, ParticlesThatAreNotFiniteHaveNoContacts) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
+                    inf = std::numeric_limits<float>::infinity();
+    std::vector<Vec4> cloud = random_cloud(500, 1, 4);
+    for (std::size_t i = 0; i < 500; i += 7) cloud[i].y = nan;
+    for (std::size_t i = 3; i < 500; i += 7) cloud[i].z = -inf;
+    expect_exact(cloud, {}, 0.1f);
+    std::fill(cloud.begin(), cloud.end(), Vec4{nan, nan, nan, 1});
+    EXPECT_EQ(entries(found(cloud, {}, 0.1f, SelfCollisionSearch::exact)), 0u);
+}
+
+TEST(SelfContacts, NoParticlesAndOneParticleHaveNoContacts) {
+    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids}) {
+        EXPECT_EQ(entries(found({}, {}, 0.1f, search)), 0u);
+        EXPECT_EQ(entries(found({{1, 2, 3, 1}}, {}, 0.1f, search)), 0u);
+    }
+}
+
+TEST(SelfContacts, ListsAreTheSameForAnyNumberOfThreads) {
+    const Sheet sheet = crumpled_sheet(64);
+    const float crowded = 3.0f / 64;  // many lists overflow
+    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids}) {
+        for (const float distance : {0.75f / 64, crowded}) {
+            const Lists one = found(sheet.positions, {}, distance, search, 1);
+            EXPECT_GT(entries(one), 0u);
+            for (const int threads : {2, 3, 8})
+                EXPECT_EQ(found(sheet.positions, {}, distance, search, threads), one);
+        }
+    }
+}
+
+TEST(SelfContacts, FullListsAreAscendingDistinctAndTrue) {
+    const Sheet sheet = crumpled_sheet(40);
+    const float distance = 4.0f / 40;
+    const Lists all = brute_force(sheet.positions, {}, distance);
+    const Lists kept = found(sheet.positions, {}, distance, SelfCollisionSearch::exact);
+    std::size_t full = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        EXPECT_EQ(kept[i].size(), std::min<std::size_t>(all[i].size(), SelfContacts::capacity));
+        EXPECT_TRUE(std::includes(all[i].begin(), all[i].end(), kept[i].begin(), kept[i].end()));
+        EXPECT_EQ(std::adjacent_find(kept[i].begin(), kept[i].end(), std::greater_equal<>{}), kept[i].end());
+        full += all[i].size() > SelfContacts::capacity ? 1 : 0;
+    }
+    EXPECT_GT(full, 100u);
+}
+
+TEST(SelfContacts, ShiftedGridsFindAPartOfTheClosePairsAndNoOthers) {
+    const Sheet sheet = crumpled_sheet(128);
+    const float distance = 0.75f / 128;
+    const Lists all = found(sheet.positions, sheet.filter(), distance, SelfCollisionSearch::exact);
+    const Lists some = found(sheet.positions, sheet.filter(), distance, SelfCollisionSearch::shifted_grids);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_TRUE(std::includes(all[i].begin(), all[i].end(), some[i].begin(), some[i].end()));
+        for (const std::uint32_t j : some[i]) {
+            EXPECT_TRUE(std::binary_search(some[j].begin(), some[j].end(), static_cast<std::uint32_t>(i)));
+        }
+    }
+    const double recall = static_cast<double>(entries(some)) / static_cast<double>(entries(all));
+    RecordProperty("recall", std::to_string(recall));
+    EXPECT_GT(recall, 0.1);
+    EXPECT_LT(recall, 0.5);
+}
+
+TEST(SelfContacts, RestFilterLeavesSpringNeighboursAndRestNeighboursAlone) {
+    const std::vector<Vec4> positions{{0, 0, 0, 1}, {0.01f, 0, 0, 1}, {0.02f, 0, 0, 1}, {0.03f, 0, 0, 1}};
+    const std::vector<Vec4> rest{{0, 0, 0, 0}, {1, 0, 0, 0}, {1.05f, 0, 0, 0}, {3, 0, 0, 0}};
+    const std::vector<std::uint32_t> offsets{0, 1, 2, 2, 2}, neighbours{1, 0};
+    const Lists lists = found(positions, {rest, offsets, neighbours}, 0.1f, SelfCollisionSearch::exact);
+    EXPECT_EQ(lists, (Lists{{2, 3}, {3}, {0, 3}, {0, 1, 2}}));
+}
+
+TEST(SelfContacts, BytesGrowWithTheNumberOfParticles) {
+    const std::size_t small = SelfContacts(1024, 1).bytes(), large = SelfContacts(4096, 8).bytes();
+    EXPECT_GE(small, 1024 * SelfContacts::capacity * sizeof(std::uint32_t));
+    EXPECT_NEAR(static_cast<double>(large), 4.0 * static_cast<double>(small),
+                0.01 * static_cast<double>(large));
+}
+
+}  // namespace
+}  // namespace weft::test
