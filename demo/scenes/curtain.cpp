@@ -70,7 +70,7 @@ class Curtain final : public Scene {
              mesh_,
              {.front = {0.10f, 0.22f, 0.42f}, .back = {0.12f, 0.24f, 0.42f}, .stripe_width = 0.13f}});
         content.drawn_colliders = {*rod};
-        content.camera = {.target = {0, 1.2f, 0}, .distance = 4.4f, .yaw = 0.35f, .pitch = 0.08f};
+        content.camera = {.target = {0, 1.22f, 0}, .distance = 3.9f, .yaw = 0.35f, .pitch = 0.08f};
         return content;
     }
 

@@ -27,7 +27,7 @@ class Garment final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        settings.wind.velocity = {0.6f, 0, 1.6f};
+        settings.wind.velocity = {0.3f, 0, 0.8f};
         settings.wind.gust = 0.7f;
         settings.wind.gust_length = 0.5f;
         settings.substeps = 8;
@@ -80,11 +80,9 @@ class Garment final : public Scene {
         const Bounds& box = view->bounds;
         SceneContent content;
         content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.13f, 0.32f, 0.26f}, .back = {0.16f, 0.32f, 0.27f}, .stripe_width = 0.06f}});
+            {cloth_, mesh_, {.front = {0.13f, 0.32f, 0.26f}, .back = {0.16f, 0.32f, 0.27f}}});
         content.camera = {.target = {0, 0.5f * (box.lower.y + box.upper.y) - 0.05f, 0},
-                          .distance = 0.6f + 2.2f * (box.upper.y - box.lower.y),
+                          .distance = 0.4f + 1.7f * (box.upper.y - box.lower.y),
                           .yaw = 0.5f,
                           .pitch = 0.1f};
         return content;

@@ -1,6 +1,8 @@
 // A long ribbon, lowered end first at constant speed, piles up on itself.
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
@@ -8,22 +10,27 @@
 namespace weft::demo {
 namespace {
 
-constexpr float width = 0.1f, length = 3.0f;  // [m]
-constexpr float speed = 0.5f;                 // at which the top is lowered [m/s]
+constexpr float width = 0.1f, length = 2.4f;  // [m]
+constexpr double speed = 0.5;                 // at which the top is lowered [m/s]
 constexpr float start_height = 0.02f;         // of the lower end [m]
-constexpr float hold_height = 0.35f;          // where the top stops [m]
+constexpr float hold_height = 0.4f;           // where the top stops [m]
+
+// The hand that lowers the ribbon is not quite still: without that a flat ribbon would have no side to fold
+// to.
+constexpr float sway = 0.015f;       // [m]
+constexpr double sway_period = 0.9;  // [s]
 
 class Ribbon final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
         settings.wind.gust = 0;
-        settings.substeps = 8;
+        settings.substeps = 16;
         return settings;
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, width, length);
+        const GridSize grid = grid_size(options.particles == 0 ? 1000 : options.particles, width, length);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
                                 .origin = {-0.5f * width, start_height + length, 0},
@@ -34,7 +41,9 @@ class Ribbon final : public Scene {
         distance_ = 0.8f * length / static_cast<float>(grid.rows - 1);
 
         ClothSettings settings;
-        settings.solver.iterations = 7;
+        settings.fabric = {
+            .areal_density = 0.2f, .stretch = 200.0f, .shear = 80.0f, .bend = 8.0f, .damping = 1e-3f};
+        settings.solver.iterations = 15;
         settings.self_collision = {.enabled = true, .distance = distance_, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
         const auto cloth = world.add_cloth(mesh_, settings);
@@ -51,14 +60,14 @@ class Ribbon final : public Scene {
             {cloth_,
              mesh_,
              {.front = {0.50f, 0.05f, 0.20f}, .back = {0.70f, 0.50f, 0.15f}, .roughness = 0.4f}});
-        content.camera = {.target = {0, 0.18f, 0}, .distance = 1.3f, .yaw = 0.7f, .pitch = 0.4f};
+        content.camera = {.target = {0, 0.2f, 0}, .distance = 1.0f, .yaw = 0.7f, .pitch = 0.35f};
         return content;
     }
 
     void before_step(World& world, double time, float dt) override {
-        top_ = top_height(time + static_cast<double>(dt));
+        time_ = time + static_cast<double>(dt);
         for (std::uint32_t column = 0; column < mesh_.columns; ++column) {
-            (void)world.move_pin(cloth_, column, {mesh_.positions[column].x, top_, 0});
+            (void)world.move_pin(cloth_, column, hand(column));
         }
     }
 
@@ -70,7 +79,7 @@ class Ribbon final : public Scene {
         Checks checks;
         checks.finite(*view);
         for (std::uint32_t column = 0; column < mesh_.columns; ++column) {
-            checks.pinned_at(*view, column, {mesh_.positions[column].x, top_, 0});
+            checks.pinned_at(*view, column, hand(column));
         }
         checks.at_least("the lowest point's height [m]", view->bounds.lower.y, 0.25f * distance_);
         checks.at_least("the least distance between layers, in self-collision distances",
@@ -83,8 +92,12 @@ class Ribbon final : public Scene {
     }
 
   private:
-    [[nodiscard]] static float top_height(double time) {
-        return std::max(hold_height, start_height + length - speed * static_cast<float>(time));
+    /// Where the top row's vertex of this column is held.
+    [[nodiscard]] Vec3 hand(std::uint32_t column) const {
+        const Vec3 start = mesh_.positions[column];
+        const double swing = std::sin(2 * std::numbers::pi * time_ / sway_period);
+        const float height = std::max(hold_height, start.y - static_cast<float>(speed * time_));
+        return {start.x, height, sway * static_cast<float>(swing)};
     }
 
     /// Of the half that was lowered first, all of which lies in the pile.
@@ -104,7 +117,7 @@ class Ribbon final : public Scene {
     ClothId cloth_;
     Mesh mesh_;
     float distance_ = 0;
-    float top_ = start_height + length;
+    double time_ = 0;
 };
 
 }  // namespace

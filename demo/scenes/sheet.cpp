@@ -6,7 +6,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float side = 1.8f;   // [m]
+constexpr float side = 2.0f;   // [m]
 constexpr float fall = 0.35f;  // from the start to the top of the sphere [m]
 constexpr Sphere sphere{{0, 0.4f, 0}, 0.4f};
 constexpr float thickness = 0.008f;  // [m]
@@ -49,7 +49,7 @@ class Sheet final : public Scene {
              mesh_,
              {.front = {0.62f, 0.45f, 0.16f}, .back = {0.55f, 0.42f, 0.2f}, .stripe_width = 0.18f}});
         content.drawn_colliders = {*ball};
-        content.camera = {.target = {0, 0.35f, 0}, .distance = 3.4f, .yaw = 0.6f, .pitch = 0.45f};
+        content.camera = {.target = {0, 0.32f, 0}, .distance = 2.7f, .yaw = 0.6f, .pitch = 0.45f};
         return content;
     }
 
