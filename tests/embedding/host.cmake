@@ -1,0 +1,40 @@
+# What the embedding tests share.
+
+# Ends the test, without leaving its folder behind.
+function(fail message)
+  file(REMOVE_RECURSE "${folder}")
+  message(FATAL_ERROR "${message}")
+endfunction()
+
+# Runs a command; the test fails with its output when the command fails.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    fail("${command}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# Sets `folder` to a fresh one in the system's place for temporary files, which is not in the build tree.
+function(make_temporary_folder)
+  run(mktemp -d -t weft_embedding.XXXXXX)
+  string(STRIP "${output}" output)
+  set(folder ${output} PARENT_SCOPE)
+endfunction()
+
+# Configures, builds and runs demo/embed, given how it finds Weft, and checks what it prints.
+function(run_embedding_host)
+  run(${CMAKE_COMMAND} -S ${weft_source}/demo/embed -B ${folder}/build -G ${generator}
+    -D CMAKE_C_COMPILER=${c_compiler}
+    -D CMAKE_CXX_COMPILER=${cxx_compiler}
+    -D CMAKE_CXX_COMPILER_LAUNCHER=${compiler_launcher}
+    -D CMAKE_BUILD_TYPE=${build_type}
+    ${ARGN})
+  run(${CMAKE_COMMAND} --build ${folder}/build)
+  run(${folder}/build/weft_embed)
+  if(NOT output MATCHES "step 300: 1536 particles")
+    fail("weft_embed ran, but did not report its last step:\n${output}")
+  endif()
+  message(STATUS "${output}")
+endfunction()
