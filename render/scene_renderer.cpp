@@ -120,13 +120,13 @@ void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned
         clip_from_world(view.camera, static_cast<float>(width) / static_cast<float>(height));
     upload_frame(view, clip, sun, sky, bounds);
     set_known_state();
+    picture.resize(width, height);
 
     draw_depth(sun_map, sun, view.alpha);
     draw_depth(sky_map, sky, view.alpha);
     sun_map.bind(unit::sun_depth, unit::sun_compare);
     sky_map.bind(unit::sky_depth);
 
-    picture.resize(width, height);
     picture.begin();
     draw_sky();
     if (view.ground) draw_ground();

@@ -41,7 +41,7 @@ float sun_visibility(vec3 point, vec3 normal) {
     float found = 0.0;
     for (int i = 0; i < 8 * count; ++i) {
         search = golden_turn * search;
-        float depth = texture(sun_depth, p.xy + search * tap_radius(i, 8.0)).r;
+        float depth = textureLod(sun_depth, p.xy + search * tap_radius(i, 8.0), 0.0).r;
         float blocked = step(depth, p.z - bias);
         gap += blocked * (p.z - depth);
         found += blocked;
@@ -53,7 +53,7 @@ float sun_visibility(vec3 point, vec3 normal) {
     float reference = min(p.z, 1.0) - bias;
     for (int i = 0; i < 16 * count; ++i) {
         offset = golden_turn * offset;
-        seen += texture(sun_compare, vec3(p.xy + offset * tap_radius(i, 16.0), reference));
+        seen += textureLod(sun_compare, vec3(p.xy + offset * tap_radius(i, 16.0), reference), 0.0);
     }
     return quad_average(count == 0 ? 1.0 : seen / 16.0);
 }
@@ -69,7 +69,7 @@ float sky_visibility(vec3 point) {
     for (int i = 0; i < count; ++i) {
         offset = golden_turn * offset;
         float radius = tap_radius(i, float(taps));
-        float depth = texture(sky_depth, p.xy + offset * radius).r;
+        float depth = textureLod(sky_depth, p.xy + offset * radius, 0.0).r;
         float above = max((p.z - depth) * frame.sky_extent.y - frame.sky_extent.z, 0.0);
         float fall_off = reach * reach / (reach * reach + above * above);
         hidden += fall_off * above / (above + 0.25 * reach * radius + 1e-4);

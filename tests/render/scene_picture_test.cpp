@@ -1,0 +1,161 @@
+// Pictures of what is not cloth: ground, shadows, spheres and capsules, the wind's arrow.
+#include <glad/gl.h>
+
+#include <array>
+#include <cmath>
+
+#include "drawing.h"
+
+namespace weft::render {
+namespace {
+
+constexpr int width = 320, height = 200;
+
+View from_above() {
+    View view;
+    view.camera = {.target = {0, 0, 0}, .distance = 5, .yaw = 0, .pitch = 0.9f};
+    view.sun_direction = {1, 1, 0};
+    return view;
+}
+
+using ScenePicture = Drawing;
+
+TEST_F(ScenePicture, ASphereDarkensTheGroundAwayFromTheSun) {
+    const DrawnSphere sphere{{0, 1, 0}, 0.3f};
+    View view = from_above();
+    const Image bare = renderer().capture(view, width, height);
+    view.spheres = {&sphere, 1};
+    const Image shaded = renderer().capture(view, width, height);
+    const Vec3 in_shadow{-1.04f, 0, 0.06f}, mirrored{1.04f, 0, 0.06f};
+    EXPECT_LT(pixel_at(shaded, view.camera, in_shadow).light(),
+              0.75 * pixel_at(bare, view.camera, in_shadow).light());
+    EXPECT_NEAR(pixel_at(shaded, view.camera, mirrored).light(),
+                pixel_at(bare, view.camera, mirrored).light(), 6);
+}
+
+TEST_F(ScenePicture, AShadowIsSofterTheFartherItsCaster) {
+    // Width of the edge: from a tenth to nine tenths of the way from dark to light, along the ground.
+    const auto edge_width = [&](float sphere_height) {
+        const DrawnSphere sphere{{0, sphere_height, 0}, 0.4f};
+        View view = from_above();
+        view.sun_direction = {0, 1, 0};
+        view.camera.pitch = 0.3f;
+        view.camera.distance = 4;
+        view.spheres = {&sphere, 1};
+        const Image image = renderer().capture(view, 1280, 800);
+        std::vector<int> along;
+        for (float z = 0.0f; z < 0.9f; z += 0.01f)
+            along.push_back(pixel_at(image, view.camera, {0.53f * z, 0, 0.85f * z}).light());
+        const auto [dark, bright] = std::minmax_element(along.begin(), along.end());
+        const int low = *dark + (*bright - *dark) / 10, high = *dark + (*bright - *dark) * 9 / 10;
+        return std::count_if(along.begin(), along.end(),
+                             [&](int light) { return light > low && light < high; });
+    };
+    EXPECT_GT(edge_width(3.0f), edge_width(0.9f));
+}
+
+TEST_F(ScenePicture, TheGroundIsDarkerCloseUnderABodyEvenInTheSun) {
+    const DrawnSphere sphere{{0, 0.34f, 0}, 0.3f};
+    View view = from_above();
+    view.sun_direction = {1, 0.25f, 0};  // its shadow falls far to the left
+    view.camera.pitch = 0.1f;
+    view.camera.distance = 2;
+    const Image bare = renderer().capture(view, width, height);
+    view.spheres = {&sphere, 1};
+    const Image image = renderer().capture(view, width, height);
+    const Vec3 beneath{0.12f, 0, 0.1f};
+    EXPECT_LT(pixel_at(image, view.camera, beneath).light() + 15,
+              pixel_at(bare, view.camera, beneath).light());
+}
+
+TEST_F(ScenePicture, SpheresAndCapsulesFillTheirOutline) {
+    const DrawnSphere sphere{{-0.8f, 0, 0}, 0.3f, {0.6f, 0.01f, 0.01f}};
+    const DrawnCapsule capsule{{0.8f, -0.4f, 0}, {0.8f, 0.4f, 0}, 0.2f, {0.01f, 0.4f, 0.01f}};
+    View view;
+    view.camera = {.target = {0, 0, 0}, .distance = 8, .yaw = 0, .pitch = 0, .vertical_fov = 0.3f};
+    view.ground = false;
+    view.sun_direction = {0, 0.3f, 1};
+    view.spheres = {&sphere, 1};
+    view.capsules = {&capsule, 1};
+    const Image image = renderer().capture(view, width, height);
+    const float per_metre = 0.5f * height / (8 * std::tan(0.15f));
+
+    const PixelBox red = box_of(image, [](const Pixel& p) { return p.is_red(); });
+    EXPECT_NEAR(red.right - red.left, 0.6f * per_metre, 4);
+    EXPECT_NEAR(red.bottom - red.top, 0.6f * per_metre, 4);
+    EXPECT_NEAR(0.5f * static_cast<float>(red.left + red.right), 0.5f * width - 0.8f * per_metre, 2);
+    const PixelBox green = box_of(image, [](const Pixel& p) { return p.is_green(); });
+    EXPECT_NEAR(green.right - green.left, 0.4f * per_metre, 4);
+    EXPECT_NEAR(green.bottom - green.top, 1.2f * per_metre, 4);
+}
+
+TEST_F(ScenePicture, TheSkyIsAboveAndTheGroundBelowTheHorizon) {
+    View view;
+    view.camera.pitch = 0.2f;
+    const Image image = renderer().capture(view, width, height);
+    EXPECT_GT(pixel(image, width / 2, 3).blue, pixel(image, width / 2, 3).red + 10);
+    view.ground = false;
+    const Image no_ground = renderer().capture(view, width, height);
+    EXPECT_EQ(pixel(image, width / 2, 3).light(), pixel(no_ground, width / 2, 3).light());
+    EXPECT_NE(pixel(image, width / 2, height - 5).light(), pixel(no_ground, width / 2, height - 5).light());
+}
+
+TEST_F(ScenePicture, TheWindArrowLiesUpwindAndGrowsWithTheSpeed) {
+    const DrawnSphere sphere{{0, 0.3f, 0}, 0.3f};
+    View view = from_above();
+    view.spheres = {&sphere, 1};
+    const Image calm = renderer().capture(view, width, height);
+    const auto changed = [&](const Vec3& wind) {
+        view.wind = wind;
+        const Image image = renderer().capture(view, width, height);
+        int count = 0;
+        double sum_x = 0;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                if (std::abs(pixel(image, x, y).light() - pixel(calm, x, y).light()) < 20) continue;
+                ++count;
+                sum_x += x;
+            }
+        }
+        return std::pair(count, count > 0 ? sum_x / count : 0.0);
+    };
+    EXPECT_GT(changed({-3, 0, 0}).second, width / 2 + 20);
+    EXPECT_LT(changed({3, 0, 0}).second, width / 2 - 20);
+    EXPECT_GT(changed({12, 0, 0}).first, changed({2, 0, 0}).first);
+    EXPECT_EQ(changed({0, 5, 0}).first, 0) << "a vertical wind has no direction on the ground";
+}
+
+TEST_F(ScenePicture, TheSameViewGivesTheSameBytesWhateverStateTheHostLeaves) {
+    const DrawnSphere sphere{{0, 0.5f, 0}, 0.5f};
+    View view = from_above();
+    view.spheres = {&sphere, 1};
+    const Image first = renderer().capture(view, width, height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 10, 10);
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    glFrontFace(GL_CW);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_NEVER);
+    glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    EXPECT_EQ(renderer().capture(view, width, height).rgb, first.rgb);
+}
+
+TEST_F(ScenePicture, ASizeOfZeroDrawsNothing) {
+    renderer().draw(View{}, 0, 200);
+    renderer().draw(View{}, 320, 0);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(ScenePicture, ASunWithoutDirectionStandsOverhead) {
+    View view = from_above();
+    view.sun_direction = {0, 1, 0};
+    const Image overhead = renderer().capture(view, width, height);
+    view.sun_direction = {0, 0, 0};
+    EXPECT_EQ(renderer().capture(view, width, height).rgb, overhead.rgb);
+}
+
+}  // namespace
+}  // namespace weft::render
