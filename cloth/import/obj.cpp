@@ -15,6 +15,7 @@
 
 #include "cloth/import/obj_lines.h"
 #include "cloth/topology.h"
+#include "engine/error_text.h"
 #include "weft/mesh.h"
 
 namespace weft {
@@ -56,6 +57,21 @@ void append_face(Content& content, std::span<const tinyobj::index_t> face) {
     content.triangulated_faces += face.size() > 3;
 }
 
+/// tinyobj scales digits by powers of ten that leave a double's range before the number itself does: "0e999".
+Result<void> check_scaled(const Content& content, const std::string& file) {
+    const auto overflow = [&](const char* keyword, std::size_t index) {
+        return Error{ErrorCode::malformed_file,
+                     file + ": \"" + keyword + "\" line " + std::to_string(index + 1) +
+                         " of its kind has an exponent that cannot be read; write the "
+                         "number without it"};
+    };
+    for (std::size_t i = 0; i < content.positions.size(); ++i)
+        if (!is_finite(content.positions[i])) return overflow("v", i);
+    for (std::size_t i = 0; i < content.texcoords.size(); ++i)
+        if (!is_finite({content.texcoords[i].x, content.texcoords[i].y, 0})) return overflow("vt", i);
+    return {};
+}
+
 Result<Content> parse(std::string text, const std::string& file) {
     tinyobj::callback_t callbacks;
     callbacks.vertex_cb = [](void* user, float x, float y, float z, float) {
@@ -73,6 +89,7 @@ Result<Content> parse(std::string text, const std::string& file) {
     std::string problem;
     if (!tinyobj::LoadObjWithCallback(stream, callbacks, &content, nullptr, nullptr, &problem))
         return Error{ErrorCode::malformed_file, file + ": " + problem};
+    if (Result<void> scaled = check_scaled(content, file); !scaled) return scaled.error();
     return content;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/vector.h"
+#include "meshes.h"
 #include "weft/mesh.h"
 
 namespace weft {
@@ -17,8 +18,8 @@ Vector3 normal(const Mesh& mesh, const Triangle& triangle) {
 }
 
 TEST(MakeSheet, LaysVerticesOutRowByRowBetweenExactCorners) {
-    const Mesh sheet =
-        make_sheet({.rows = 4, .columns = 7, .origin = {1, 2, 3}, .u = {0, 0, 3}, .v = {0, 6, 0}}).value();
+    const Mesh sheet = test::must(
+        make_sheet({.rows = 4, .columns = 7, .origin = {1, 2, 3}, .u = {0, 0, 3}, .v = {0, 6, 0}}));
     ASSERT_EQ(sheet.positions.size(), 28u);
     EXPECT_EQ(sheet.rows, 4u);
     EXPECT_EQ(sheet.columns, 7u);
@@ -32,17 +33,17 @@ TEST(MakeSheet, LaysVerticesOutRowByRowBetweenExactCorners) {
 }
 
 TEST(MakeSheet, FacesTheSideOfVCrossU) {
-    const Mesh level = make_sheet({.rows = 5, .columns = 4}).value();
+    const Mesh level = test::must(make_sheet({.rows = 5, .columns = 4}));
     for (const Triangle& triangle : level.triangles) EXPECT_GT(normal(level, triangle).y(), 0);
 
     const SheetSettings tilted{.rows = 5, .columns = 4, .u = {1, 0.5f, 0}, .v = {0.2f, -1, 3}};
-    const Mesh sheet = make_sheet(tilted).value();
+    const Mesh sheet = test::must(make_sheet(tilted));
     const Vector3 front = to_vector(tilted.v).cross(to_vector(tilted.u));
     for (const Triangle& triangle : sheet.triangles) EXPECT_GT(normal(sheet, triangle).dot(front), 0);
 }
 
 TEST(MakeSheet, TrianglesCoverItOnceWithAlternatingDiagonals) {
-    const Mesh sheet = make_sheet({.rows = 6, .columns = 9, .u = {2, 0, 0}, .v = {0, 0, 3}}).value();
+    const Mesh sheet = test::must(make_sheet({.rows = 6, .columns = 9, .u = {2, 0, 0}, .v = {0, 0, 3}}));
     EXPECT_EQ(sheet.triangles.size(), 2u * 5 * 8);
     float area = 0;
     for (const Triangle& triangle : sheet.triangles) area += 0.5f * normal(sheet, triangle).norm();
@@ -58,7 +59,7 @@ TEST(MakeSheet, TrianglesCoverItOnceWithAlternatingDiagonals) {
 }
 
 TEST(MakeSheet, TextureCoordinatesAreMetresAlongUAndV) {
-    const Mesh sheet = make_sheet({.rows = 3, .columns = 5, .u = {3, 4, 0}, .v = {0, 0, -2}}).value();
+    const Mesh sheet = test::must(make_sheet({.rows = 3, .columns = 5, .u = {3, 4, 0}, .v = {0, 0, -2}}));
     EXPECT_EQ(sheet.texcoords.size(), 15u);
     EXPECT_EQ(sheet.texcoords[0].x, 0);
     EXPECT_EQ(sheet.texcoords[4].x, 5);

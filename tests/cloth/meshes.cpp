@@ -52,7 +52,7 @@ void append_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, 
 }  // namespace
 
 Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns) {
-    Mesh mesh = make_sheet({.rows = rows, .columns = columns}).value();
+    Mesh mesh = must(make_sheet({.rows = rows, .columns = columns}));
     mesh.rows = mesh.columns = 0;
     return mesh;
 }
@@ -113,7 +113,7 @@ Mesh fan(std::uint32_t triangles) {
     Mesh mesh;
     mesh.positions.push_back({0, 0, 0});
     for (std::uint32_t i = 0; i <= triangles; ++i) {
-        const float angle = std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(triangles);
+        const float angle = 2 * static_cast<float>(i) / static_cast<float>(triangles);
         mesh.positions.push_back({std::cos(angle), 0, -std::sin(angle)});
     }
     for (std::uint32_t i = 1; i <= triangles; ++i) mesh.triangles.push_back({0, i, i + 1});
@@ -134,8 +134,8 @@ Mesh joined(const Mesh& first, const Mesh& second, const Vec3& offset) {
 
 std::vector<NamedMesh> sound_meshes() {
     return {
-        {"grid", make_sheet({.rows = 7, .columns = 5}).value()},
-        {"smallest grid", make_sheet({.rows = 2, .columns = 2}).value()},
+        {"grid", must(make_sheet({.rows = 7, .columns = 5}))},
+        {"smallest grid", must(make_sheet({.rows = 2, .columns = 2}))},
         {"loose sheet", loose_sheet(6, 9)},
         {"icosahedron", sphere(0), 1, 2, false},
         {"sphere", sphere(2), 1, 2, false},

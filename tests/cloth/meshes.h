@@ -2,12 +2,21 @@
 // Meshes of known shape, for tests of what is made from a mesh.
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "weft/mesh.h"
 
 namespace weft::test {
+
+/// The value; where there is none, the test fails with the error's message.
+template <class T>
+[[nodiscard]] T must(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().message);
+    return std::move(result).value();
+}
 
 struct NamedMesh {
     std::string name;
@@ -31,7 +40,7 @@ struct NamedMesh {
 /// One-sided: somewhere two neighbours are wound against each other. 2 * length particles.
 [[nodiscard]] Mesh moebius_strip(std::uint32_t length);
 
-/// `triangles` triangles around vertex 0, in the plane y = 0.
+/// `triangles` triangles around vertex 0, in the plane y = 0, spread over two radians.
 [[nodiscard]] Mesh fan(std::uint32_t triangles);
 
 /// Both meshes, the second moved by `offset`.
