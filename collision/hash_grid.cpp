@@ -31,8 +31,7 @@ HashGrid::HashGrid(std::uint32_t particle_count)
 
 HashGrid::HashGrid(std::uint32_t particle_count, std::uint32_t bucket_count)
     : bucket_bits_(static_cast<std::uint32_t>(std::countr_zero(bucket_count))),
-      mask_(bucket_count - 1),
-      starts_(bucket_count + 1),
+      starts_(bucket_count + run_length),
       entries_(particle_count),
       part_starts_(block_count(particle_count) * (max_parts + 1)),
       particles_(particle_count + padding),
@@ -47,7 +46,7 @@ HashGrid::HashGrid(std::uint32_t particle_count, std::uint32_t bucket_count)
 // An edge is a little more than the distance, by more than the rounding of (coordinate - origin) / edge in a
 // box of this size: so two particles closer than the distance are never two cells apart, and there are at
 // most 2^21 cells along an axis.
-HashGrid::Cells HashGrid::cells(const Bounds& bounds, float distance, float shift) {
+HashGrid::Cells HashGrid::cells(const Bounds& bounds, float distance, float shift) const {
     constexpr float cells_limit = 1048576.0f;  // 2^20
     Bounds box = bounds;
     if (!is_finite(box)) {  // some particle flew off; the others are still best sorted around the origin
@@ -58,19 +57,19 @@ HashGrid::Cells HashGrid::cells(const Bounds& bounds, float distance, float shif
         std::max({0.0f, 0.5f * box.upper.x - 0.5f * box.lower.x, 0.5f * box.upper.y - 0.5f * box.lower.y,
                   0.5f * box.upper.z - 0.5f * box.lower.z});
     const float edge = distance * (1 + 1.0f / 65536) + half_extent / cells_limit;
-    return {box.lower, 1 / edge, shift};
+    return {box.lower, 1 / edge, shift, bucket_count() - 1};
 }
 
 void HashGrid::build_rows(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
                           float distance) {
     cells_ = cells(bounds, distance, 0);
-    sort(parallel, positions, [this](const Vec4& p) { return row_bucket(p.x, p.y, p.z); });
+    sort(parallel, positions, [cells = cells_](const Vec4& p) { return cells.row_bucket(p.x, p.y, p.z); });
 }
 
 void HashGrid::build_cubes(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
                            float distance, float shift) {
     cells_ = cells(bounds, distance, shift);
-    sort(parallel, positions, [this](const Vec4& p) { return cube_bucket(p.x, p.y, p.z); });
+    sort(parallel, positions, [cells = cells_](const Vec4& p) { return cells.cube_bucket(p.x, p.y, p.z); });
 }
 
 // The table is cut into 2^part_bits parts of equally many buckets. Each block puts its particles in order of
@@ -79,17 +78,20 @@ void HashGrid::build_cubes(Parallel& parallel, std::span<const Vec4> positions, 
 // in the result.
 template <class BucketOf>
 void HashGrid::sort(Parallel& parallel, std::span<const Vec4> positions, const BucketOf& bucket_of) {
-    const auto width = static_cast<std::uint32_t>(parallel.width());
-    // Several parts per thread even out parts that hold more than their share.
-    const std::uint32_t wanted = width == 1 ? 1 : std::bit_ceil(std::min(4 * width, max_parts));
+    // Several parts per thread, to even out those that hold more than their share.
+    const std::uint32_t wanted =
+        std::bit_ceil(std::min(4 * static_cast<std::uint32_t>(parallel.width()), max_parts));
     const std::uint32_t part_bits =
         std::min(static_cast<std::uint32_t>(std::countr_zero(wanted)), bucket_bits_);
 
     const auto n = static_cast<std::uint32_t>(positions.size());
+    const std::uint32_t mask = bucket_count() - 1;
+    std::fill_n(&starts_[bucket_count()], run_length, n);  // the buckets past the table's end are empty
     parallel.ranges(n, [&](const BlockRange& range) {
         std::array<std::uint32_t, block_size> buckets;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            buckets[i - range.begin] = is_finite(positions[i]) ? bucket_of(positions[i]) : i & mask_;
+            const std::uint32_t bucket = bucket_of(positions[i]);
+            buckets[i - range.begin] = is_finite(positions[i]) ? bucket : i & mask;
         }
         partition_block(range, buckets.data(), part_bits);
     });
@@ -152,6 +154,29 @@ void HashGrid::sort_part(std::span<const Vec4> positions, std::uint32_t part, st
         x_[s] = p.x;
         y_[s] = p.y;
         z_[s] = p.z;
+    }
+}
+
+HashGrid::Near HashGrid::near(float x, float y, float z) const noexcept {
+    Near near;
+    for (const std::uint32_t first : cells_.runs_near(x, y, z)) {
+        near.ranges[near.count++] = run(first);
+        if (wraps(first))
+            near.ranges[near.count++] = {starts_[0], starts_[first + run_length - bucket_count()]};
+    }
+    return near;
+}
+
+void HashGrid::runs_of(const BlockRange& slots, Runs& runs) const noexcept {
+    const Cells cells = cells_;
+    const float *const x = &x_[slots.begin], *const y = &y_[slots.begin], *const z = &z_[slots.begin];
+    const std::uint32_t count = slots.end - slots.begin;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const auto near = cells.runs_near(x[k], y[k], z[k]);
+        runs[0][k] = near[0];
+        runs[1][k] = near[1];
+        runs[2][k] = near[2];
+        runs[3][k] = near[3];
     }
 }
 

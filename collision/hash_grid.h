@@ -41,7 +41,7 @@ class HashGrid {
     void build_cubes(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
                      float distance, float shift);
 
-    /// Up to eight ranges; usually four, since a row is cut in two only where it wraps around the table.
+    /// Up to eight ranges; usually four, since a run is cut in two only where it wraps around the table.
     struct Near {
         std::array<SlotRange, 8> ranges;
         std::uint32_t count = 0;
@@ -49,6 +49,20 @@ class HashGrid {
     /// After build_rows: ranges that hold every particle closer than the distance to (x, y, z), the point's
     /// own row first. A particle may be in several of them.
     [[nodiscard]] Near near(float x, float y, float z) const noexcept;
+
+    /// A run is three buckets; it is named by its first.
+    static constexpr std::uint32_t run_length = 3;
+    using Runs = std::array<std::array<std::uint32_t, block_size>, 4>;
+    /// After build_rows: the four runs of each particle of a block of slots, from which near() takes its
+    /// ranges.
+    void runs_of(const BlockRange& slots, Runs& runs) const noexcept;
+    /// The slots of a run, or of what there is of it before the end of the table.
+    [[nodiscard]] SlotRange run(std::uint32_t first) const noexcept {
+        return {starts_[first], starts_[first + run_length]};
+    }
+    [[nodiscard]] bool wraps(std::uint32_t first) const noexcept {
+        return first + run_length > bucket_count();
+    }
 
     /// After build_cubes: the bucket of (x, y, z).
     [[nodiscard]] SlotRange own_bucket(float x, float y, float z) const noexcept;
@@ -62,13 +76,21 @@ class HashGrid {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// Where cells lie. Cells are counted from zero and never above 2^22, whatever the coordinate.
+    [[nodiscard]] std::uint32_t bucket_count() const noexcept { return 1u << bucket_bits_; }
+
+    /// Where cells lie, and the buckets of a point. A value of its own, so that loops can hold it in
+    /// registers.
     struct Cells {
         Vec3 origin;
         float per_metre = 0;
         float shift = 0;
+        std::uint32_t mask = 0;  // buckets - 1
 
+        /// Counted from zero and never above 2^22, whatever the coordinate.
         [[nodiscard]] std::uint32_t at(float coordinate, float from) const noexcept;
+        [[nodiscard]] std::uint32_t row_bucket(float x, float y, float z) const noexcept;
+        [[nodiscard]] std::uint32_t cube_bucket(float x, float y, float z) const noexcept;
+        [[nodiscard]] std::array<std::uint32_t, 4> runs_near(float x, float y, float z) const noexcept;
     };
     /// A particle on its way to its slot.
     struct Entry {
@@ -76,10 +98,7 @@ class HashGrid {
     };
     static constexpr std::uint32_t max_parts = 64;
 
-    [[nodiscard]] static Cells cells(const Bounds& bounds, float distance, float shift);
-    [[nodiscard]] std::uint32_t row_bucket(float x, float y, float z) const noexcept;
-    [[nodiscard]] std::uint32_t cube_bucket(float x, float y, float z) const noexcept;
-    void add_run(Near& near, std::uint32_t first) const noexcept;
+    [[nodiscard]] Cells cells(const Bounds& bounds, float distance, float shift) const;
 
     template <class BucketOf>
     void sort(Parallel& parallel, std::span<const Vec4> positions, const BucketOf& bucket_of);
@@ -89,7 +108,7 @@ class HashGrid {
     void for_each_entry(std::uint32_t particle_count, std::uint32_t part, const Visit& visit) const;
 
     Cells cells_;
-    std::uint32_t bucket_bits_, mask_;
+    std::uint32_t bucket_bits_;
     AlignedBuffer<std::uint32_t> starts_;  // bucket b is the slots [starts_[b], starts_[b + 1])
     AlignedBuffer<Entry> entries_;         // by block; inside a block by part, then by particle
     AlignedBuffer<std::uint16_t>
@@ -119,48 +138,33 @@ inline std::uint32_t HashGrid::Cells::at(float coordinate, float from) const noe
         static_cast<std::int32_t>(cell > 0 ? (cell < limit ? cell : limit) : 0));
 }
 
-inline void HashGrid::add_run(Near& near, std::uint32_t first) const noexcept {
-    const std::uint32_t last = first + 3;
-    if (last <= mask_ + 1) {
-        near.ranges[near.count++] = {starts_[first], starts_[last]};
-    } else {
-        near.ranges[near.count++] = {starts_[first], starts_[mask_ + 1]};
-        near.ranges[near.count++] = {starts_[0], starts_[last - (mask_ + 1)]};
-    }
-}
-
 // A cell is one edge along x and two along y and z; its bucket is (x + H(y, z)) mod the number of buckets.
 // Hence a cell and its two neighbours along x are one run of three buckets, and along y and z only the
 // neighbour on the side of the point's half of its cell can be within an edge: four runs in all.
-inline HashGrid::Near HashGrid::near(float x, float y, float z) const noexcept {
-    const std::uint32_t left = cells_.at(x, cells_.origin.x) - 1;
-    const std::uint32_t half_y = cells_.at(y, cells_.origin.y), half_z = cells_.at(z, cells_.origin.z);
+inline std::array<std::uint32_t, 4> HashGrid::Cells::runs_near(float x, float y, float z) const noexcept {
+    const std::uint32_t left = at(x, origin.x) - 1;
+    const std::uint32_t half_y = at(y, origin.y), half_z = at(z, origin.z);
     const std::uint32_t cell_y = half_y >> 1, cell_z = half_z >> 1;
     const std::uint32_t other_y = cell_y - 1 + 2 * (half_y & 1), other_z = cell_z - 1 + 2 * (half_z & 1);
     using hash_grid_detail::row_hash;
-    Near near;
-    add_run(near, (left + row_hash(cell_y, cell_z)) & mask_);
-    add_run(near, (left + row_hash(other_y, cell_z)) & mask_);
-    add_run(near, (left + row_hash(cell_y, other_z)) & mask_);
-    add_run(near, (left + row_hash(other_y, other_z)) & mask_);
-    return near;
+    return {(left + row_hash(cell_y, cell_z)) & mask, (left + row_hash(other_y, cell_z)) & mask,
+            (left + row_hash(cell_y, other_z)) & mask, (left + row_hash(other_y, other_z)) & mask};
 }
 
 inline SlotRange HashGrid::own_bucket(float x, float y, float z) const noexcept {
-    const std::uint32_t bucket = cube_bucket(x, y, z);
+    const std::uint32_t bucket = cells_.cube_bucket(x, y, z);
     return {starts_[bucket], starts_[bucket + 1]};
 }
 
-inline std::uint32_t HashGrid::row_bucket(float x, float y, float z) const noexcept {
-    const std::uint32_t row = hash_grid_detail::row_hash(cells_.at(y, cells_.origin.y) >> 1,  //
-                                                         cells_.at(z, cells_.origin.z) >> 1);
-    return (cells_.at(x, cells_.origin.x) + row) & mask_;
+inline std::uint32_t HashGrid::Cells::row_bucket(float x, float y, float z) const noexcept {
+    const std::uint32_t row = hash_grid_detail::row_hash(at(y, origin.y) >> 1,  //
+                                                         at(z, origin.z) >> 1);
+    return (at(x, origin.x) + row) & mask;
 }
 
-inline std::uint32_t HashGrid::cube_bucket(float x, float y, float z) const noexcept {
-    const std::uint32_t row =
-        hash_grid_detail::row_hash(cells_.at(y, cells_.origin.y), cells_.at(z, cells_.origin.z));
-    return hash_grid_detail::mix(cells_.at(x, cells_.origin.x) * 0xC2B2AE3Du ^ row) & mask_;
+inline std::uint32_t HashGrid::Cells::cube_bucket(float x, float y, float z) const noexcept {
+    const std::uint32_t row = hash_grid_detail::row_hash(at(y, origin.y), at(z, origin.z));
+    return hash_grid_detail::mix(at(x, origin.x) * 0xC2B2AE3Du ^ row) & mask;
 }
 
 }  // namespace weft

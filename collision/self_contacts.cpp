@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
-#include "engine/separating_direction.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -71,38 +71,48 @@ class ContactList {
     std::uint8_t& count_;
 };
 
-/// False if the range surely holds no contact of the particle of `slot`: so it is for most ranges, and here
-/// they are told from the others. Whole groups of slots are tested, so that the compiler makes SIMD
-/// instructions of the loop, and no remainder; what lies past the range's end is at worst a false alarm.
-bool may_hold_contacts(const PairTest& test, std::uint32_t slot, SlotRange range) {
-    constexpr std::uint32_t lanes = HashGrid::padding, crowd = 16 * lanes;
-    const std::uint32_t size = range.end - range.begin;
-    if (size > crowd) return true;
+/// Four floats in one register, and what a comparison makes of them: -1 where it holds. This is an extension
+/// of g++ and clang.
+using Lanes = float __attribute__((vector_size(16)));
+using Marks = std::int32_t __attribute__((vector_size(16)));
+constexpr std::uint32_t lane_count = 4;
+static_assert(lane_count <= HashGrid::padding);
 
-    const float x = test.x[slot], y = test.y[slot], z = test.z[slot],
-                distance_squared = test.distance_squared;
-    const float *const xs = test.x + range.begin, *const ys = test.y + range.begin,
-                       *const zs = test.z + range.begin;
-    const std::uint32_t tested = (std::max(size, 1u) + lanes - 1) / lanes * lanes;
-    std::uint32_t close = 0;
-    for (std::uint32_t k = 0; k < tested; ++k) {
-        const float dx = xs[k] - x, dy = ys[k] - y, dz = zs[k] - z;
-        close += dx * dx + dy * dy + dz * dz < distance_squared ? 1 : 0;
-    }
-    const bool with_itself = slot - range.begin < tested;
-    return close > (with_itself ? 1u : 0u);
+Lanes load(const float* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
 }
 
-/// Adds the contacts of the particle of `slot` that lie in the range; false when the list is full. Where the
-/// particle itself lies in the range, it looks outward from itself: particles crowded at one point then fill
-/// their lists with one another, not all with the same few, and stop after O(capacity) tests.
-bool add_contacts(const PairTest& test, std::uint32_t slot, SlotRange range, ContactList& list) {
-    const std::uint32_t particle = test.particles[slot];
-    const auto visit = [&](std::uint32_t other) {
-        if (!test.is_close(slot, other)) return true;
-        const std::uint32_t contact = test.particles[other];
-        return test.is_left_alone(particle, contact) || list.add(contact);
-    };
+/// False if the ranges, among which that of the particle itself, surely hold no contact of it. So it is for
+/// most particles, and here they are told from the others, without a branch that depends on the outcome. What
+/// a last group of lanes covers past a range's end is at worst a false alarm, as is a crowded range.
+template <std::size_t N>
+bool may_have_contacts(const PairTest& test, std::uint32_t slot, const std::array<SlotRange, N>& ranges) {
+    constexpr std::uint32_t crowd = 16 * lane_count;
+    const float x = test.x[slot], y = test.y[slot], z = test.z[slot],
+                distance_squared = test.distance_squared;
+    Marks close{};
+    bool crowded = false;
+    for (const SlotRange& range : ranges) {
+        const std::uint32_t end = std::min(range.end, range.begin + crowd);
+        crowded |= range.end > end;
+        std::uint32_t s = range.begin;
+        do {
+            const Lanes dx = load(test.x + s) - x, dy = load(test.y + s) - y, dz = load(test.z + s) - z;
+            close += dx * dx + dy * dy + dz * dz < distance_squared;
+            s += lane_count;
+        } while (s < end);
+    }
+    const std::int32_t count = -(close[0] + close[1] + close[2] + close[3]);
+    return crowded || count > 1;  // the particle itself is one
+}
+
+/// Shows `visit` the slots of a range, until it says false; returns what it said last. From a slot in the
+/// range it goes outward: particles crowded at one point then fill their lists with one another, not all with
+/// the same few.
+template <class Visit>
+bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     if (slot < range.begin || slot >= range.end) {
         for (std::uint32_t other = range.begin; other < range.end; ++other) {
             if (!visit(other)) return false;
@@ -117,45 +127,51 @@ bool add_contacts(const PairTest& test, std::uint32_t slot, SlotRange range, Con
     return true;
 }
 
-/// The opposite changes that a pair asks for, as i feels them. Times inverse mass they are a displacement and
-/// a change of velocity.
-struct PairResponse {
-    Vector3 push = Vector3::Zero();
-    Vector3 kick = Vector3::Zero();
-};
+/// Candidates few enough to be gathered without a branch.
+constexpr std::uint32_t few = 32;
 
-struct ResponseSettings {
-    float distance, friction, h;
-};
+std::uint32_t candidates(std::span<const SlotRange> ranges) {
+    std::uint32_t sum = 0;
+    for (const SlotRange& range : ranges) sum += range.end - range.begin;
+    return sum;
+}
 
-/// Kang, section IV, equations 8 to 10, about the pair's centre of mass and to the stated distance (equation
-/// 8 read literally doubles it). Coulomb friction is limited by the normal impulse of equation 10 alone: if
-/// it counted the push as an impulse too, layers that stay overlapped would stick together, and the more so
-/// the shorter the step. What friction changes in the velocity it changes in the step's motion too, so that
-/// layers at rest do not creep.
-///
-/// Exchanging the particles exchanges signs and nothing else, to the last bit.
-PairResponse pair_response(std::uint32_t i, std::uint32_t j, const ResponseSettings& settings,
-                           const Vec4& position_i, const Vec4& position_j, const Vec4& velocity_i,
-                           const Vec4& velocity_j) {
-    const Vector3 apart = xyz(position_i) - xyz(position_j);
-    const float length = apart.norm();
-    const bool coincident = length <= 1e-6f * settings.distance;
-    const Vector3 normal = coincident ? separating_direction(i, j) : Vector3(apart / length);
-    const float mobility = position_i.w + position_j.w;
-
-    const Vector3 relative = xyz(velocity_i) - xyz(velocity_j);
-    const float approach = -relative.dot(normal);
-    PairResponse response;
-    if (approach > 0) {
-        const Vector3 sliding = relative + approach * normal;
-        const float speed = sliding.norm(), limit = settings.friction * approach;
-        const Vector3 stopped = speed > limit ? Vector3(sliding * (limit / speed)) : sliding;
-        response.kick = (approach * normal - stopped) / mobility;
-        response.push = stopped * (-settings.h / mobility);
+void add_from_few(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
+                  ContactList list) {
+    std::array<std::uint32_t, few + 1> close;
+    std::uint32_t count = 0;
+    for (const SlotRange& range : ranges) {
+        for (std::uint32_t other = range.begin; other < range.end; ++other) {
+            close[count] = test.particles[other];
+            count += (test.is_close(slot, other) ? 1u : 0u) & (other != slot ? 1u : 0u);
+        }
     }
-    response.push += normal * (std::max(0.0f, settings.distance - length) / mobility);
-    return response;
+    const std::uint32_t particle = test.particles[slot];
+    for (const std::uint32_t contact : std::span(close).first(count)) {
+        if (!test.is_left_alone(particle, contact) && !list.add(contact)) return;
+    }
+}
+
+/// It ends when the list is full, so that even n particles at one point cost no more than n times its
+/// capacity.
+void add_from_crowd(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
+                    ContactList list) {
+    const std::uint32_t particle = test.particles[slot];
+    const auto add_if_close = [&](std::uint32_t other) {
+        if (!test.is_close(slot, other)) return true;
+        const std::uint32_t contact = test.particles[other];
+        return test.is_left_alone(particle, contact) || list.add(contact);
+    };
+    for (const SlotRange& range : ranges) {
+        if (!visit_from(slot, range, add_if_close)) return;
+    }
+}
+
+/// Adds to the list what is in contact with the particle of `slot`.
+void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
+                  ContactList list) {
+    const auto add = candidates(ranges) <= few ? add_from_few : add_from_crowd;
+    add(test, slot, ranges, list);
 }
 
 }  // namespace
@@ -170,12 +186,12 @@ SelfContacts::SelfContacts(std::uint32_t particle_count, int /*width*/)
 
 void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
                         const RestFilter& filter, float distance, SelfCollisionSearch search) {
+    std::fill_n(counts_.data(), counts_.size(), std::uint8_t{0});
     if (search == SelfCollisionSearch::exact) {
         grid_.build_rows(parallel, positions, bounds, distance);
         search_rows(parallel, filter, distance);
         return;
     }
-    std::fill_n(counts_.data(), counts_.size(), std::uint8_t{0});
     for (const float shift : {0.0f, 0.5f}) {
         grid_.build_cubes(parallel, positions, bounds, distance, shift);
         search_buckets(parallel, filter, distance);
@@ -184,15 +200,26 @@ void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, con
 
 void SelfContacts::search_rows(Parallel& parallel, const RestFilter& filter, float distance) {
     const PairTest test(grid_, filter, distance);
+    const auto list_of = [&](std::uint32_t particle) {
+        return ContactList(&contacts_[particle * capacity], counts_[particle]);
+    };
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
+        HashGrid::Runs runs;
+        grid_.runs_of(block, runs);
+
+        std::array<std::uint32_t, block_size> suspects;
+        std::uint32_t suspect_count = 0;
         for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
-            const std::uint32_t particle = test.particles[slot];
-            counts_[particle] = 0;
-            ContactList list(&contacts_[particle * capacity], counts_[particle]);
+            const std::uint32_t k = slot - block.begin;
+            const std::array<SlotRange, 4> ranges{grid_.run(runs[0][k]), grid_.run(runs[1][k]),
+                                                  grid_.run(runs[2][k]), grid_.run(runs[3][k])};
+            const std::uint32_t last = std::max({runs[0][k], runs[1][k], runs[2][k], runs[3][k]});
+            suspects[suspect_count] = slot;
+            suspect_count += grid_.wraps(last) || may_have_contacts(test, slot, ranges) ? 1 : 0;
+        }
+        for (const std::uint32_t slot : std::span(suspects).first(suspect_count)) {
             const HashGrid::Near near = grid_.near(test.x[slot], test.y[slot], test.z[slot]);
-            for (const SlotRange& range : std::span(near.ranges.data(), near.count)) {
-                if (may_hold_contacts(test, slot, range) && !add_contacts(test, slot, range, list)) break;
-            }
+            add_contacts(test, slot, std::span(near.ranges).first(near.count), list_of(test.particles[slot]));
         }
     });
 }
@@ -200,77 +227,21 @@ void SelfContacts::search_rows(Parallel& parallel, const RestFilter& filter, flo
 /// Kang, section IV: each particle against its own bucket.
 void SelfContacts::search_buckets(Parallel& parallel, const RestFilter& filter, float distance) {
     const PairTest test(grid_, filter, distance);
+    const auto list_of = [&](std::uint32_t particle) {
+        return ContactList(&contacts_[particle * capacity], counts_[particle]);
+    };
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
         for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
-            const std::uint32_t particle = test.particles[slot];
-            if (counts_[particle] == overflowed) continue;
-            const SlotRange bucket = grid_.own_bucket(test.x[slot], test.y[slot], test.z[slot]);
-            if (!may_hold_contacts(test, slot, bucket)) continue;
-            ContactList list(&contacts_[particle * capacity], counts_[particle]);
-            add_contacts(test, slot, bucket, list);
+            const std::array bucket{grid_.own_bucket(test.x[slot], test.y[slot], test.z[slot])};
+            if (!may_have_contacts(test, slot, bucket) || counts_[test.particles[slot]] == overflowed)
+                continue;
+            add_contacts(test, slot, bucket, list_of(test.particles[slot]));
         }
     });
 }
 
 std::span<const std::uint32_t> SelfContacts::contacts(std::uint32_t particle) const noexcept {
     return {&contacts_[particle * capacity], std::min<std::uint32_t>(counts_[particle], capacity)};
-}
-
-/// A pair is resolved if each is in the other's list, so that what one gains the other loses. Only a list
-/// that had no room for all can lack a contact.
-bool SelfContacts::is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept {
-    if (counts_[contact] != overflowed) return true;
-    const auto list = contacts(contact);
-    return std::binary_search(list.begin(), list.end(), particle);
-}
-
-// Every pair's response is scaled by 1 / (contacts of the one of its particles that has more): a particle
-// takes no more than the mean of what its contacts ask for, and both particles of a pair take the same share.
-SelfContactCounts SelfContacts::respond(Parallel& parallel, float distance, float friction, float h,
-                                        std::span<Vec4> positions, std::span<Vec4> velocities) {
-    const ResponseSettings settings{distance, friction, h};
-
-    const auto gather = [&](std::uint32_t i, SelfContactCounts& counts) {
-        Vector3 displacement = Vector3::Zero(), velocity_change = Vector3::Zero();
-        const auto list = contacts(i);
-        for (const std::uint32_t j : list) {
-            if (positions[i].w + positions[j].w <= 0 || !is_mutual(i, j)) continue;
-            const PairResponse response =
-                pair_response(i, j, settings, positions[i], positions[j], velocities[i], velocities[j]);
-            const float share =
-                positions[i].w / static_cast<float>(std::max(list.size(), contacts(j).size()));
-            displacement += response.push * share;
-            velocity_change += response.kick * share;
-            counts.pairs += i < j ? 1 : 0;
-        }
-        displacements_[i] = to_vec4(displacement, 0);
-        velocity_changes_[i] = to_vec4(velocity_change, 0);
-        counts.dropped += counts_[i] == overflowed ? 1 : 0;
-        counts.peak = std::max(counts.peak, static_cast<std::uint32_t>(list.size()));
-    };
-    const auto gather_block = [&](const BlockRange& block) {
-        SelfContactCounts counts;
-        for (std::uint32_t i = block.begin; i < block.end; ++i) {
-            if (counts_[i] > 0) gather(i, counts);
-        }
-        return counts;
-    };
-    const auto add = [](const SelfContactCounts& a, const SelfContactCounts& b) {
-        return SelfContactCounts{a.pairs + b.pairs, a.dropped + b.dropped, std::max(a.peak, b.peak)};
-    };
-
-    const auto n = static_cast<std::uint32_t>(positions.size());
-    const SelfContactCounts counts =
-        parallel.reduce(n, block_counts_.span(), SelfContactCounts{}, gather_block, add);
-    if (counts.pairs == 0) return counts;
-    parallel.ranges(n, [&](const BlockRange& block) {
-        for (std::uint32_t i = block.begin; i < block.end; ++i) {
-            if (counts_[i] == 0) continue;
-            set_xyz(positions[i], xyz(positions[i]) + xyz(displacements_[i]));
-            set_xyz(velocities[i], xyz(velocities[i]) + xyz(velocity_changes_[i]));
-        }
-    });
-    return counts;
 }
 
 std::size_t SelfContacts::bytes() const noexcept {

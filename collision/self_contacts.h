@@ -39,10 +39,11 @@ class SelfContacts {
     void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
               const RestFilter& filter, float distance, SelfCollisionSearch search);
 
-    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching, Coulomb
-    /// friction. positions.w is the inverse mass. What a pair's particles get is opposite and along the line between
-    /// them, so linear and angular momentum are kept; friction, which acts across that line, keeps linear momentum.
-    /// Precondition: the positions are those given to find(). h: length of the substep [s].
+    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching,
+    /// Coulomb friction. positions.w is the inverse mass. What a pair's particles get is opposite and along
+    /// the line between them, so linear and angular momentum are kept; friction, which acts across that line,
+    /// keeps linear momentum. Precondition: the positions are those given to find(). h: length of the substep
+    /// [s].
     SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h,
                               std::span<Vec4> positions, std::span<Vec4> velocities);
 
