@@ -46,6 +46,11 @@ void Cloth::apply(const ClothSettings& changed) {
     }
 }
 
+void Cloth::set_gusts(bool on) {
+    const std::size_t needed = on ? model.triangles.size() : 0;
+    if (air_velocities.size() != needed) air_velocities = AlignedBuffer<Vec4>(needed);
+}
+
 float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
     const float m = mass(particle);
     return m > 0 ? 1.0f / m : 0.0f;
@@ -92,7 +97,8 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     info.bytes = bytes_of(model) + state.bytes() + system.bytes() + mean_motion.bytes() +
                  (self_contacts ? self_contacts->bytes() : 0) + triangle_scratch.bytes() +
-                 partial_sums.bytes() + partial_counts.bytes() + partial_surveys.bytes();
+                 air_velocities.bytes() + partial_sums.bytes() + partial_counts.bytes() +
+                 partial_surveys.bytes();
     return info;
 }
 

@@ -28,6 +28,8 @@ struct Cloth {
 
     /// Takes validated settings over; makes or frees what self-collision needs.
     void apply(const ClothSettings& settings);
+    /// Makes or frees what gusts need.
+    void set_gusts(bool on);
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
@@ -52,6 +54,7 @@ struct Cloth {
     std::vector<Pin> pins;                      ///< in ascending order of particles
 
     AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
+    AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each triangle [m/s]; empty without gusts
     AlignedBuffer<double> partial_sums;
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;

@@ -40,7 +40,8 @@ struct Simulation {
     explicit Simulation(const WorldSettings& settings);
     void apply(const WorldSettings& settings);
 
-    /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step.
+    /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step, and memory
+    /// for gusts.
     void prepare(Cloth& cloth);
     /// The frame. Precondition: dt is in (0, 1].
     void step(float dt);
@@ -59,7 +60,7 @@ struct Simulation {
   private:
     void begin(float dt);
     void move_colliders(int substep);
-    void blow(float h);
+    void feel_wind(Cloth& cloth);
     void forces(Cloth& cloth, float h);
     void solve(Cloth& cloth);
     void advance(Cloth& cloth, float h, bool first_substep);
@@ -67,7 +68,7 @@ struct Simulation {
     void avoid_self_collision(Cloth& cloth, float h);
     void guard(Cloth& cloth);
     void finish(Cloth& cloth);
-    void end();
+    void end(float dt);
 
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }

@@ -24,6 +24,7 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 void Simulation::step(float dt) {
     begin(dt);
     const float h = dt / static_cast<float>(settings.substeps);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { feel_wind(*cloth); });
     for (int substep = 0; substep < settings.substeps; ++substep) {
         move_colliders(substep);
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
@@ -33,18 +34,12 @@ void Simulation::step(float dt) {
             collide_with_colliders(*cloth, h);
             avoid_self_collision(*cloth, h);
         });
-        blow(h);
     }
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         guard(*cloth);
         finish(*cloth);
     });
-    end();
-}
-
-void Simulation::prepare(Cloth& cloth) {
-    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-    compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    end(dt);
 }
 
 void Simulation::begin(float dt) {
@@ -69,19 +64,19 @@ void Simulation::move_colliders(int substep) {
     });
 }
 
-void Simulation::blow(float h) {
-    const Vec3& wind = settings.wind.velocity;
-    wind_path[0] += double{wind.x} * double{h};
-    wind_path[1] += double{wind.y} * double{h};
-    wind_path[2] += double{wind.z} * double{h};
-    time += double{h};
+// Gusts change little in a step: they are sampled once, at its start, and felt in every substep.
+void Simulation::feel_wind(Cloth& cloth) {
+    if (!air_is_on() || cloth.air_velocities.size() == 0) return;
+    const auto timer = timed(Stage::wind);
+    sample_wind(parallel, cloth.model, cloth.state, WindField(settings.wind, wind_path, time),
+                cloth.air_velocities.span());
 }
 
 void Simulation::forces(Cloth& cloth, float h) {
     if (air_is_on()) {
         const auto timer = timed(Stage::wind);
-        compute_air_forces(parallel, cloth.model, cloth.state, settings.wind,
-                           WindField(settings.wind, wind_path, time), cloth.triangle_scratch.span());
+        compute_air_forces(parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
+                           cloth.triangle_scratch.span());
     }
     const auto timer = timed(Stage::assemble);
     const ExternalForces external{.gravity = to_vector(settings.gravity),
@@ -184,7 +179,12 @@ void Simulation::finish(Cloth& cloth) {
     if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
 }
 
-void Simulation::end() {
+void Simulation::end(float dt) {
+    const Vec3& wind = settings.wind.velocity;
+    wind_path[0] += double{wind.x} * double{dt};
+    wind_path[1] += double{wind.y} * double{dt};
+    wind_path[2] += double{wind.z} * double{dt};
+    time += double{dt};
     colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
     profiler.end_step();
     report.milliseconds = profiler.last_ms(static_cast<std::uint32_t>(stage_names.size()));

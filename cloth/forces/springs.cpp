@@ -1,9 +1,6 @@
 #include "cloth/forces/springs.h"
 
 #include <cmath>
-
-#include "engine/separating_direction.h"
-
 namespace weft {
 
 namespace {
@@ -22,21 +19,6 @@ struct Row {
 };
 
 }  // namespace
-
-// Kang, section III: K = k [(1 - L/l)(I - n n^T) + n n^T], whose first term turns negative, and unbounded as
-// l -> 0, in compression; there the derivative (not the force) takes L := l, which leaves k n n^T.
-SpringTerms spring_terms(const Vector3& separation, float rest_length, float stiffness, std::uint32_t i,
-                         std::uint32_t j) {
-    const float squared = separation.squaredNorm();
-    const float length = std::sqrt(squared);
-    const bool has_direction = squared > 1e-24f;
-    const Vector3 n = has_direction ? Vector3(separation / length) : separating_direction(j, i);
-    const float isotropic = length > rest_length ? stiffness * (1.0f - rest_length / length) : 0.0f;
-    return {.force = stiffness * (length - rest_length) * n,
-            .direction = n,
-            .isotropic = isotropic,
-            .axial = stiffness - isotropic};
-}
 
 // Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
 // implicitly too:

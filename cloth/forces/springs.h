@@ -2,6 +2,7 @@
 // Springs: their forces, the derivatives of these, and the system that backward Euler makes of them.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -9,6 +10,7 @@
 #include "cloth/implicit/system.h"
 #include "cloth/state.h"
 #include "engine/parallel_blocks.h"
+#include "engine/separating_direction.h"
 #include "weft/settings.h"
 
 namespace weft {
@@ -22,10 +24,24 @@ struct SpringTerms {
     float axial;        ///< b [N/m]
 };
 
-/// The spring from particle i at the origin to particle j at `separation`. Both ends compute the same floats
-/// with opposite signs, so that momentum is kept to the last bit.
-[[nodiscard]] SpringTerms spring_terms(const Vector3& separation, float rest_length, float stiffness,
-                                       std::uint32_t i, std::uint32_t j);
+/// The spring from particle i to particle j, which is at `separation` from it. Both ends compute the same
+/// floats with opposite signs, so that momentum is kept to the last bit.
+///
+/// Kang, section III: K = k [(1 - L/l)(I - n n^T) + n n^T], whose first term turns negative, and unbounded as
+/// l -> 0, in compression; there the derivative (not the force) takes L := l, which leaves k n n^T.
+[[nodiscard]] inline SpringTerms spring_terms(const Vector3& separation, float rest_length, float stiffness,
+                                              std::uint32_t i, std::uint32_t j) {
+    const float squared = separation.squaredNorm();
+    const float length = std::sqrt(squared);
+    const float inverse_length = 1.0f / length;
+    const bool has_direction = squared > 1e-24f;
+    const Vector3 n = has_direction ? Vector3(separation * inverse_length) : separating_direction(j, i);
+    const float isotropic = length > rest_length ? stiffness * (1.0f - rest_length * inverse_length) : 0.0f;
+    return {.force = stiffness * (length - rest_length) * n,
+            .direction = n,
+            .isotropic = isotropic,
+            .axial = stiffness - isotropic};
+}
 
 /// What acts on the particles besides springs.
 struct ExternalForces {

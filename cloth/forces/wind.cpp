@@ -4,6 +4,12 @@
 
 namespace weft {
 
+namespace {
+
+constexpr float third = 1.0f / 3.0f;
+
+}  // namespace
+
 // With u the relative velocity, n the normal on the side to which the air streams and c = u.n / |u| >= 0:
 //   drag  = 1/2 rho A c |u| Cd u               along the stream, by the area that faces it
 //   lift  = 1/2 rho A c |u| Cl (|u| n - c u)   across it, greatest at 45 degrees, none head-on or edge-on
@@ -22,18 +28,32 @@ PlateForce plate_force(const Vector3& u, const Vector3& area_normal, const Wind&
     return {force, wind.air_density * area * speed * (wind.drag + wind.lift)};
 }
 
-void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
-                        const Wind& wind, const WindField& field, std::span<Vec4> triangle_forces) {
-    constexpr float third = 1.0f / 3.0f;
+void sample_wind(Parallel& parallel, const CookedCloth& model, const ClothState& state,
+                 const WindField& field, std::span<Vec4> air_velocities) {
     parallel.ranges(static_cast<std::uint32_t>(model.triangles.size()), [&](const BlockRange& range) {
         for (std::uint32_t t = range.begin; t < range.end; ++t) {
             const auto [a, b, c] = model.triangles[t];
-            const Vector3 xa = xyz(state.positions[a]), xb = xyz(state.positions[b]),
-                          xc = xyz(state.positions[c]);
+            const Vector3 centroid =
+                third * (xyz(state.positions[a]) + xyz(state.positions[b]) + xyz(state.positions[c]));
+            air_velocities[t] = to_vec4(field.velocity(centroid), 0);
+        }
+    });
+}
+
+void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
+                        const Wind& wind, std::span<const Vec4> air_velocities,
+                        std::span<Vec4> triangle_forces) {
+    const Vector3 mean = to_vector(wind.velocity);
+    parallel.ranges(static_cast<std::uint32_t>(model.triangles.size()), [&](const BlockRange& range) {
+        for (std::uint32_t t = range.begin; t < range.end; ++t) {
+            const auto [a, b, c] = model.triangles[t];
+            const Vector3 xa = xyz(state.positions[a]);
+            const Vector3 area_normal =
+                0.5f * (xyz(state.positions[b]) - xa).cross(xyz(state.positions[c]) - xa);
             const Vector3 velocity =
                 third * (xyz(state.velocities[a]) + xyz(state.velocities[b]) + xyz(state.velocities[c]));
-            const Vector3 air = field.velocity(third * (xa + xb + xc));
-            const PlateForce plate = plate_force(air - velocity, 0.5f * (xb - xa).cross(xc - xa), wind);
+            const Vector3 air = air_velocities.empty() ? mean : xyz(air_velocities[t]);
+            const PlateForce plate = plate_force(air - velocity, area_normal, wind);
             triangle_forces[t] = to_vec4(third * plate.force, third * plate.slope);
         }
     });

@@ -20,8 +20,14 @@ struct PlateForce {
 [[nodiscard]] PlateForce plate_force(const Vector3& relative_velocity, const Vector3& area_normal,
                                      const Wind& wind);
 
-/// A third of each triangle's air force, for each of its corners, and of its slope in w.
+/// The air's velocity at each triangle's centroid [m/s].
+void sample_wind(Parallel& parallel, const CookedCloth& model, const ClothState& state,
+                 const WindField& field, std::span<Vec4> air_velocities);
+
+/// A third of each triangle's air force, for each of its corners, and of its slope in w. `air_velocities`: as
+/// sampled, or empty where the mean wind blows everywhere.
 void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
-                        const Wind& wind, const WindField& field, std::span<Vec4> triangle_forces);
+                        const Wind& wind, std::span<const Vec4> air_velocities,
+                        std::span<Vec4> triangle_forces);
 
 }  // namespace weft

@@ -84,8 +84,7 @@ TEST(AirForces, AreTheSameForEachCornerAndScaleWithRelativeVelocity) {
     for (Vec4& v : cloth.state.velocities.span()) v = {0, -2, 0, 0};
     Parallel serial(1);
     const Wind still = plain;
-    compute_air_forces(serial, cloth.model, cloth.state, still, WindField(still, {}, 0),
-                       cloth.triangle_scratch.span());
+    compute_air_forces(serial, cloth.model, cloth.state, still, {}, cloth.triangle_scratch.span());
     Vector3 total = Vector3::Zero();
     for (const Vec4& corner : cloth.triangle_scratch.span()) total += 3 * xyz(corner);
     // A sheet of 1 m^2 that falls flat at 2 m/s: drag upward, close to 1/2 rho v^2 A Cd.
@@ -93,8 +92,7 @@ TEST(AirForces, AreTheSameForEachCornerAndScaleWithRelativeVelocity) {
 
     Wind carried = plain;
     carried.velocity = {0, -2, 0};
-    compute_air_forces(serial, cloth.model, cloth.state, carried, WindField(carried, {}, 0),
-                       cloth.triangle_scratch.span());
+    compute_air_forces(serial, cloth.model, cloth.state, carried, {}, cloth.triangle_scratch.span());
     for (const Vec4& corner : cloth.triangle_scratch.span()) EXPECT_EQ(xyz(corner), Vector3(0, 0, 0));
 }
 
