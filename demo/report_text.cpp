@@ -12,6 +12,9 @@ std::string flags_text(StepFlags flags) {
     if (has(flags, StepFlags::contacts_dropped)) {
         text += "Contact lists were full: lower the self-collision distance.\n";
     }
+    if (has(flags, StepFlags::speed_limited)) {
+        text += "Particles were held to the largest speed: look for a pin or a collider that jumps.\n";
+    }
     return text;
 }
 

@@ -80,21 +80,24 @@ void stage_table(std::span<const StageTime> stages) {
     ImGui::EndTable();
 }
 
+void troubles(const StepReport& report, const Playback& playback) {
+    ImGui::PushTextWrapPos(0);
+    if (playback.behind_real_time) ImGui::TextUnformatted("Slower than real time: time was dropped.");
+    if (report.flags != StepFlags::none) ImGui::TextUnformatted(flags_text(report.flags).c_str());
+    ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback) {
-    begin_panel("Time of a step", {-panel_margin, -panel_margin}, {340, 416});
+    begin_panel("Time of a step", {-panel_margin, -panel_margin}, {340, 390});
     const StepReport& report = simulation.world().report();
     ImGui::Text("%u particles, %d substeps, residual %.2g", report.particles, report.substeps,
                 static_cast<double>(report.residual));
     ImGui::Text("%u collider contacts, %u self contacts", report.collider_contacts, report.self_contacts);
-    plot_stages(history, {ImGui::GetContentRegionAvail().x, 96});
+    troubles(report, playback);
+    plot_stages(history, {ImGui::GetContentRegionAvail().x, 76});
     if (const auto stages = simulation.world().profile(); !stages.empty()) stage_table(stages);
-
-    ImGui::PushTextWrapPos(0);
-    if (playback.behind_real_time) ImGui::TextUnformatted("Slower than real time: time was dropped.");
-    ImGui::TextUnformatted(flags_text(report.flags).c_str());
-    ImGui::PopTextWrapPos();
     ImGui::End();
 }
 

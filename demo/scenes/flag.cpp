@@ -50,7 +50,7 @@ class Flag final : public Scene {
         SceneContent content;
         content.cloths.push_back({cloth_, mesh_, {.stripe_width = 0.25f}});
         content.drawn_colliders = {*pole};
-        content.camera = {.target = {0.6f, 1.85f, 0}, .distance = 3.1f, .yaw = 0.35f, .pitch = 0.04f};
+        content.camera = {.target = {0.65f, 1.8f, 0}, .distance = 3.4f, .yaw = 0.35f, .pitch = 0.04f};
         return content;
     }
 

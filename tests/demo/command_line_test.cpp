@@ -1,0 +1,136 @@
+// The program itself, run as people run it.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "weft/mesh.h"
+
+namespace weft::demo {
+namespace {
+
+std::string content_of(const std::filesystem::path& file) {
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+struct Ran {
+    int status;
+    std::string out, err;
+};
+
+class Program : public testing::Test {
+  protected:
+    Program() { std::filesystem::remove_all(folder()); }
+    ~Program() override { std::filesystem::remove_all(folder()); }
+
+    /// One folder for each test: CTest runs them at the same time.
+    static std::filesystem::path folder() {
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        return std::filesystem::path(testing::TempDir()) / ("weft_command_line_" + name);
+    }
+
+    static Ran run(const std::string& arguments) {
+        std::filesystem::create_directories(folder());
+        const auto out = folder() / "stdout.txt", err = folder() / "stderr.txt";
+        const std::string command =
+            std::string(WEFT_DEMO_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+    }
+
+    static Ran run_headless(const std::string& arguments, const std::string& out = "out") {
+        return run("--headless --particles 600 --size 160x100 --out " + (folder() / out).string() + " " +
+                   arguments);
+    }
+
+    static std::string hash_of(const Ran& ran) {
+        std::smatch found;
+        const std::regex line("(^|\n)hash: ([0-9a-f]{16})\n");
+        EXPECT_TRUE(std::regex_search(ran.out, found, line)) << ran.out << ran.err;
+        return found.empty() ? "" : found[2].str();
+    }
+
+    static void expect_refusal(const Ran& ran, const std::string& named) {
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_EQ(ran.out, "");
+        EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+        EXPECT_NE(ran.err.find(named), std::string::npos) << ran.err;
+    }
+};
+
+TEST_F(Program, ListsItsScenes) {
+    const Ran ran = run("--list");
+    EXPECT_EQ(ran.status, 0);
+    for (const char* scene : {"flag", "curtain", "sheet", "ribbon", "garment"}) {
+        EXPECT_NE(ran.out.find(scene), std::string::npos) << ran.out;
+    }
+}
+
+TEST_F(Program, ExplainsItself) {
+    const Ran ran = run("--help");
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_NE(ran.out.find("--scene"), std::string::npos);
+}
+
+TEST_F(Program, RefusesWhatIsNotThere) {
+    expect_refusal(run("--headless --scene atlantis"), "atlantis");
+    expect_refusal(run("--headless --scene garment"), "--garment");
+    expect_refusal(run("--headless --garment /no/such/shirt.obj"), "/no/such/shirt.obj");
+    expect_refusal(run("--headless --particles -3"), "--particles");
+    expect_refusal(run("--headless --frames 1 --out /dev/null/here"), "/dev/null/here");
+}
+
+TEST_F(Program, RefusesABrokenGarment) {
+    std::filesystem::create_directories(folder());
+    const auto file = folder() / "broken.obj";
+    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n";
+    expect_refusal(run("--headless --garment " + file.string()), "broken.obj");
+}
+
+TEST_F(Program, LeavesPictureTableMeshAndHash) {
+    const Ran ran = run_headless("--frames 5 --trace " + (folder() / "trace.json").string());
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    hash_of(ran);
+    const std::string png = content_of(folder() / "out/final.png");
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+
+    const std::string csv = content_of(folder() / "out/frame_times.csv");
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 5) << "a heading and a row for each frame";
+    EXPECT_EQ(csv.substr(0, 6), "frame,");
+
+    const auto mesh = load_obj(folder() / "out/final.obj");
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_NEAR(static_cast<double>(mesh->positions.size()), 600, 60);
+    EXPECT_GT(std::filesystem::file_size(folder() / "trace.json"), 100u);
+}
+
+TEST_F(Program, TakesAPictureOfEveryNthFrame) {
+    const Ran ran = run_headless("--frames 5 --every 2 --panels");
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000002.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000004.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder() / "out/final.png"));
+}
+
+TEST_F(Program, GivesTheSameHashWheneverItRunsOnAnyThreads) {
+    const std::string once = hash_of(run_headless("--scene ribbon --frames 12 --threads 1"));
+    EXPECT_EQ(hash_of(run_headless("--scene ribbon --frames 12 --threads 1")), once);
+    EXPECT_EQ(hash_of(run_headless("--scene ribbon --frames 12 --threads 2")), once);
+    EXPECT_NE(hash_of(run_headless("--scene ribbon --frames 13 --threads 2")), once);
+}
+
+TEST_F(Program, HeedsTheWind) {
+    const std::string calm = hash_of(run_headless("--frames 3 --wind 0,0,0"));
+    EXPECT_NE(hash_of(run_headless("--frames 3 --wind -4,0,1")), calm);
+}
+
+}  // namespace
+}  // namespace weft::demo

@@ -1,0 +1,117 @@
+// The mouse, played frame by frame against a scene.
+
+#include "demo/interaction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "demo/pick.h"
+#include "engine/vector.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float aspect = 1.6f;
+
+class Mouse : public testing::Test {
+  protected:
+    Mouse() : simulation(make()), camera(simulation.content().camera) {}
+
+    static Simulation make() {
+        SceneOptions options;
+        options.particles = 400;
+        return std::move(*Simulation::create(*find_scene("flag"), options, {}));
+    }
+
+    void press(float x, float y) { drag(x, y, 0, 0); }
+    void drag(float x, float y, float right, float down) {
+        Pointer pointer;
+        pointer.x = x;
+        pointer.y = y;
+        pointer.right = right;
+        pointer.down = down;
+        pointer.left_button = true;
+        interaction.update(pointer, aspect, simulation, camera);
+    }
+    void release() { interaction.update({}, aspect, simulation, camera); }
+
+    /// Some place of the picture where there is cloth.
+    std::optional<Vec2> cloth_in_picture() {
+        const auto view = simulation.world().cloth(simulation.content().cloths.front().id);
+        for (float x = 0.05f; x < 1; x += 0.05f) {
+            for (float y = 0.05f; y < 1; y += 0.05f) {
+                const auto hit = first_hit(*view, camera.ray(x, y, aspect));
+                if (hit && view->positions[hit->particle].w > 0) return Vec2{x, y};
+            }
+        }
+        return std::nullopt;
+    }
+
+    Simulation simulation;
+    render::OrbitCamera camera;
+    Interaction interaction;
+};
+
+TEST_F(Mouse, DragsClothUntilTheButtonIsUp) {
+    const auto place = cloth_in_picture();
+    ASSERT_TRUE(place);
+    const render::OrbitCamera before = camera;
+    press(place->x, place->y);
+    ASSERT_TRUE(interaction.grab().active());
+    const Vec3 start = interaction.grab().hand();
+    for (int i = 0; i < 60; ++i) {
+        drag(place->x + 0.05f, place->y, 0.01f, 0);
+        interaction.before_step(simulation, 1.0f / 60.0f);
+        simulation.step(1.0f / 60.0f);
+    }
+    EXPECT_GT((to_vector(interaction.grab().hand()) - to_vector(start)).norm(), 0.02f);
+    EXPECT_EQ(camera.yaw, before.yaw) << "the camera stays while cloth is dragged";
+    release();
+    EXPECT_FALSE(interaction.grab().active());
+}
+
+TEST_F(Mouse, OrbitsBesideTheCloth) {
+    const render::OrbitCamera before = camera;
+    press(0.01f, 0.01f);
+    EXPECT_FALSE(interaction.grab().active());
+    drag(0.1f, 0.01f, 0.1f, 0);
+    EXPECT_LT(camera.yaw, before.yaw) << "the scene turns with the pointer";
+    EXPECT_EQ(camera.distance, before.distance);
+    // A drag that began beside the cloth never grabs, wherever it goes.
+    const auto place = cloth_in_picture();
+    ASSERT_TRUE(place);
+    drag(place->x, place->y, 0, 0);
+    EXPECT_FALSE(interaction.grab().active());
+}
+
+TEST_F(Mouse, PansWithTheOtherButtonAndZoomsWithTheWheel) {
+    const render::OrbitCamera before = camera;
+    Pointer pointer;
+    pointer.other_button = true;
+    pointer.right = 0.1f;
+    interaction.update(pointer, aspect, simulation, camera);
+    EXPECT_GT((to_vector(camera.target) - to_vector(before.target)).norm(), 0.01f);
+    release();
+
+    pointer = {};
+    pointer.wheel = 1;
+    interaction.update(pointer, aspect, simulation, camera);
+    EXPECT_LT(camera.distance, before.distance);
+}
+
+TEST_F(Mouse, LeavesToPanelsWhatBeginsOnThem) {
+    const render::OrbitCamera before = camera;
+    Pointer pointer;
+    pointer.left_button = pointer.over_panel = true;
+    pointer.wheel = 1;
+    interaction.update(pointer, aspect, simulation, camera);
+    drag(0.1f, 0.1f, 0.2f, 0.2f);
+    EXPECT_EQ(camera.yaw, before.yaw);
+    EXPECT_EQ(camera.distance, before.distance);
+    EXPECT_FALSE(interaction.grab().active());
+}
+
+}  // namespace
+}  // namespace weft::demo

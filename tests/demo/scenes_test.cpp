@@ -1,0 +1,96 @@
+// Every scene's own check, after as many steps as it asks for.
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "demo/simulation.h"
+#include "tests/demo/garments.h"
+
+namespace weft::demo {
+namespace {
+
+/// Runs the scene and returns what its check finds.
+Result<void> run_and_check(const SceneEntry& entry, const SceneOptions& options) {
+    auto simulation = Simulation::create(entry, options, {});
+    if (!simulation) return simulation.error();
+    const int steps = simulation->scene().check_steps();
+    for (int i = 0; i < steps; ++i) {
+        const StepReport& report = simulation->step(1.0f / 60.0f);
+        EXPECT_FALSE(has(report.flags, StepFlags::state_restored)) << "in step " << i;
+    }
+    return simulation->scene().check(simulation->world());
+}
+
+class SceneCheck : public testing::TestWithParam<const char*> {};
+
+TEST_P(SceneCheck, Holds) {
+    const SceneEntry* entry = find_scene(GetParam());
+    ASSERT_NE(entry, nullptr);
+    const auto checked = run_and_check(*entry, {});
+    EXPECT_TRUE(checked.ok()) << checked.error().message;
+}
+
+std::vector<const char*> scenes_without_files() {
+    std::vector<const char*> names;
+    for (const SceneEntry& entry : all_scenes()) {
+        if (!entry.needs_garment) names.push_back(entry.name);
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneCheck, testing::ValuesIn(scenes_without_files()),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+class GarmentCheck : public testing::TestWithParam<const char*> {};
+
+TEST_P(GarmentCheck, Holds) {
+    WEFT_NEEDS_DATA();
+    SceneOptions options;
+    options.garment = data_folder() / "garments" / (std::string(GetParam()) + ".obj");
+    const auto checked = run_and_check(*find_scene("garment"), options);
+    EXPECT_TRUE(checked.ok()) << checked.error().message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, GarmentCheck,
+                         testing::Values("tshirt-iso", "skirt-iso", "dress-victor-iso-draped"),
+                         [](const auto& garment) {
+                             const std::string name = garment.param;
+                             return name.substr(0, name.find('-'));
+                         });
+
+TEST(Scenes, AreFoundByTheirNamesAndNoOthers) {
+    std::set<std::string> names;
+    for (const SceneEntry& entry : all_scenes()) {
+        EXPECT_EQ(find_scene(entry.name), &entry);
+        EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " is listed twice";
+    }
+    EXPECT_EQ(find_scene("no such scene"), nullptr);
+    EXPECT_EQ(find_scene(""), nullptr);
+}
+
+TEST(Scenes, AskForAGarmentThatIsMissing) {
+    const auto without = Simulation::create(*find_scene("garment"), {}, {});
+    ASSERT_FALSE(without.ok());
+    EXPECT_NE(without.error().message.find("--garment"), std::string::npos) << without.error().message;
+}
+
+class ScaledScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(ScaledScene, HasAboutAsManyParticlesAsAskedFor) {
+    for (const std::uint32_t particles : {400u, 4096u, 16384u}) {
+        SceneOptions options;
+        options.particles = particles;
+        auto simulation = Simulation::create(*find_scene(GetParam()), options, {});
+        ASSERT_TRUE(simulation.ok()) << simulation.error().message;
+        const auto info = simulation->world().cloth_info(simulation->content().cloths.front().id);
+        EXPECT_NEAR(info->particles, particles, 0.12 * particles);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ScaledScene, testing::ValuesIn(scenes_without_files()),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+}  // namespace
+}  // namespace weft::demo

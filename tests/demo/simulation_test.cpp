@@ -1,0 +1,85 @@
+#include "demo/simulation.h"
+
+#include <gtest/gtest.h>
+
+namespace weft::demo {
+namespace {
+
+Simulation small_flag(const Overrides& overrides = {}) {
+    SceneOptions options;
+    options.particles = 300;
+    auto simulation = Simulation::create(*find_scene("flag"), options, overrides);
+    EXPECT_TRUE(simulation.ok());
+    return std::move(*simulation);
+}
+
+std::uint64_t hash_after(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) simulation.step(1.0f / 60.0f);
+    return simulation.world().state_hash();
+}
+
+TEST(Simulation, TakesOverrides) {
+    Overrides overrides;
+    overrides.wind = Vec3{1, 2, 3};
+    overrides.iterations = 3;
+    overrides.substeps = 5;
+    overrides.self_collision = false;
+    overrides.threads = 2;
+    const Simulation simulation = small_flag(overrides);
+    const WorldSettings& world = simulation.world().settings();
+    EXPECT_EQ(world.wind.velocity.x, 1);
+    EXPECT_EQ(world.wind.velocity.y, 2);
+    EXPECT_EQ(world.wind.velocity.z, 3);
+    EXPECT_EQ(world.substeps, 5);
+    EXPECT_EQ(world.threads, 2);
+    const auto cloth = simulation.world().cloth_settings(simulation.content().cloths.front().id);
+    EXPECT_EQ(cloth->solver.iterations, 3);
+    EXPECT_FALSE(cloth->self_collision.enabled);
+}
+
+TEST(Simulation, RefusesWhatTheWorldRefuses) {
+    Overrides overrides;
+    overrides.substeps = 0;
+    EXPECT_FALSE(Simulation::create(*find_scene("flag"), {}, overrides).ok());
+    overrides = {};
+    overrides.iterations = -1;
+    EXPECT_FALSE(Simulation::create(*find_scene("flag"), {}, overrides).ok());
+}
+
+TEST(Simulation, RunsTheSameWayAfterARestart) {
+    Simulation simulation = small_flag();
+    const std::uint64_t first = hash_after(simulation, 20);
+    ASSERT_TRUE(simulation.restart().ok());
+    EXPECT_EQ(simulation.time(), 0);
+    EXPECT_EQ(hash_after(simulation, 20), first);
+}
+
+TEST(Simulation, KeepsSettingsOverARestart) {
+    Simulation simulation = small_flag();
+    WorldSettings world = simulation.world().settings();
+    world.wind.gust = 0.125f;
+    ASSERT_TRUE(simulation.world().set_settings(world).ok());
+    ClothSettings cloth = *simulation.world().cloth_settings(simulation.content().cloths.front().id);
+    cloth.fabric.stretch = 123;
+    ASSERT_TRUE(simulation.world().set_cloth_settings(simulation.content().cloths.front().id, cloth).ok());
+
+    ASSERT_TRUE(simulation.restart().ok());
+    EXPECT_EQ(simulation.world().settings().wind.gust, 0.125f);
+    EXPECT_EQ(simulation.world().cloth_settings(simulation.content().cloths.front().id)->fabric.stretch, 123);
+}
+
+TEST(Simulation, WritesItsClothsAsOneMesh) {
+    Simulation simulation = small_flag();
+    const Mesh before = current_mesh(simulation.world(), simulation.content());
+    const Mesh& start = simulation.content().cloths.front().mesh;
+    ASSERT_EQ(before.positions.size(), start.positions.size());
+    EXPECT_EQ(before.triangles, start.triangles);
+    for (std::size_t i = 0; i < start.positions.size(); ++i) {
+        EXPECT_EQ(before.positions[i].x, start.positions[i].x);
+        EXPECT_EQ(before.positions[i].y, start.positions[i].y);
+        EXPECT_EQ(before.positions[i].z, start.positions[i].z);
+    }
+}
+
+}  // namespace
+}  // namespace weft::demo
