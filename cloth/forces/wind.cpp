@@ -13,7 +13,7 @@ constexpr float third = 1.0f / 3.0f;
 // With u the relative velocity, n the normal on the side to which the air streams and c = u.n / |u| >= 0:
 //   drag  = 1/2 rho A c |u| Cd u               along the stream, by the area that faces it
 //   lift  = 1/2 rho A c |u| Cl (|u| n - c u)   across it, greatest at 45 degrees, none head-on or edge-on
-// (the flat-plate model of Keckeisen et al. 2004, "Physically based wind fields", with lift that vanishes
+// (the flat-plate model of Keckeisen et al. 2004, "Modelling effects of wind fields in cloth animations", with lift that vanishes
 // edge-on, so that the force is continuous where the side that faces the wind changes).
 PlateForce plate_force(const Vector3& u, const Vector3& area_normal, const Wind& wind) {
     const float speed = u.norm();

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fixtures.h"
+#include "meshes.h"
 
 namespace weft::test {
 namespace {
@@ -153,15 +154,7 @@ TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
 }
 
 TEST(MeanMotion, LeavesPinnedComponentsAlone) {
-    Mesh two = sheet(3, 3);
-    const Mesh other = sheet(4, 4);
-    for (const Vec3& x : other.positions) two.positions.push_back({x.x, x.y + 1, x.z});
-    for (Triangle t : other.triangles) {
-        for (std::uint32_t& v : t) v += 9;
-        two.triangles.push_back(t);
-    }
-    two.texcoords.clear();
-    two.rows = two.columns = 0;
+    const Mesh two = joined(loose_sheet(3, 3), loose_sheet(4, 4), {0, 1, 0});
     Cloth cloth = crumpled(two, 0.01f, 60.0f);
     ASSERT_EQ(cloth.model.info.components, 2u);
     cloth.pin(9);
