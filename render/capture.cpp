@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "render/render_targets.h"
@@ -10,18 +9,17 @@
 
 namespace weft::render {
 
-/// OpenGL's first row is the lowest, an Image's is the highest.
 Image CaptureTarget::read() const {
-    Image image{width_, height_, {}};
-    const auto row = 3 * static_cast<std::size_t>(width_);
-    std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height_));
+    const std::size_t row = 3 * static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
+    Image image{width_, height_, std::vector<std::uint8_t>(row * height)};
+    std::uint8_t* pixels = image.rgb.data();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.data());
-    image.rgb.resize(upside_down.size());
-    for (auto from = upside_down.end(), to = image.rgb.begin(); from != upside_down.begin();
-         from -= row, to += row)
-        std::copy(from - row, from, to);
+    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels);
+
+    // OpenGL's first row is the lowest, an Image's is the highest.
+    for (std::size_t y = 0; y < height / 2; ++y)
+        std::swap_ranges(pixels + y * row, pixels + (y + 1) * row, pixels + (height - 1 - y) * row);
     return image;
 }
 

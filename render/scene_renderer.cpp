@@ -54,8 +54,8 @@ Matrix4f clip_from_world(const OrbitCamera& camera, float aspect) {
 
 /// A host or its panels may have left anything set.
 void set_known_state() {
-    for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
-        glDisable(off);
+    for (const int off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
+        glDisable(static_cast<GLenum>(off));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);

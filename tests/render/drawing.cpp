@@ -8,18 +8,10 @@
 
 #include "render/matrices.h"
 
-#if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define WEFT_THREAD_SANITIZER
-#endif
-#elif defined(__SANITIZE_THREAD__)
-#define WEFT_THREAD_SANITIZER
-#endif
-
 namespace weft::render {
 
 void Drawing::SetUp() {
-#ifdef WEFT_THREAD_SANITIZER
+#ifdef WEFT_NO_DRAWING
     GTEST_SKIP() << "OpenGL drivers are not instrumented for the thread sanitizer";
 #else
     auto made = Context::offscreen();
