@@ -57,7 +57,7 @@ bool world_sliders(WorldSettings& settings) {
 }  // namespace
 
 void cloth_panel(Simulation& simulation) {
-    begin_panel("Cloth", {-panel_margin, panel_margin}, {340, 376});
+    begin_panel("Cloth", {-panel_margin, panel_margin}, {340, 370});
     World& world = simulation.world();
     ImGui::PushItemWidth(190);
     auto cloth = world.cloth_settings(simulation.content().cloths.front().id);

@@ -90,7 +90,7 @@ void troubles(const StepReport& report, const Playback& playback) {
 }  // namespace
 
 void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback) {
-    begin_panel("Time of a step", {-panel_margin, -panel_margin}, {340, 390});
+    begin_panel("Time of a step", {-panel_margin, -panel_margin}, {340, 398});
     const StepReport& report = simulation.world().report();
     ImGui::Text("%u particles, %d substeps, residual %.2g", report.particles, report.substeps,
                 static_cast<double>(report.residual));

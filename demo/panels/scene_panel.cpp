@@ -7,7 +7,7 @@ namespace weft::demo {
 
 void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
                  PanelRequests& requests) {
-    begin_panel("Scene", {panel_margin, panel_margin}, {300, 236});
+    begin_panel("Scene", {panel_margin, panel_margin}, {300, 264});
     int key = 0;
     for (const SceneEntry& entry : all_scenes()) {
         char label[64];

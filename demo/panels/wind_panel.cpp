@@ -77,7 +77,7 @@ bool wind_dial(WindControl& wind, const DialFrame& frame) {
 }  // namespace
 
 void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera) {
-    begin_panel("Wind", {panel_margin, 260}, {300, 262});
+    begin_panel("Wind", {panel_margin, 286}, {300, 264});
     WorldSettings settings = simulation.world().settings();
 
     ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - dial_size));

@@ -63,7 +63,7 @@ class Flag final : public Scene {
             checks.pinned_at(*view, row * mesh_.columns, mesh_.positions[row * mesh_.columns]);
         }
         const Stretch stretch = structural_stretch(mesh_, *view);
-        checks.at_most("worst stretch", stretch.worst, 1.25f);
+        checks.at_most("worst stretch", stretch.worst, 1.5f);
         checks.at_most("mean stretch", stretch.mean, 1.03f);
 
         Vector3 free_edge = Vector3::Zero();

@@ -49,7 +49,7 @@ class Sheet final : public Scene {
              mesh_,
              {.front = {0.62f, 0.45f, 0.16f}, .back = {0.55f, 0.42f, 0.2f}, .stripe_width = 0.18f}});
         content.drawn_colliders = {*ball};
-        content.camera = {.target = {0, 0.32f, 0}, .distance = 2.7f, .yaw = 0.6f, .pitch = 0.45f};
+        content.camera = {.target = {0, 0.32f, 0}, .distance = 3.1f, .yaw = 0.6f, .pitch = 0.45f};
         return content;
     }
 
@@ -75,7 +75,7 @@ class Sheet final : public Scene {
                        (centre - summit).norm(), 0.1f);
 
         const Stretch stretch = structural_stretch(mesh_, *view);
-        checks.at_most("worst stretch", stretch.worst, 1.3f);
+        checks.at_most("worst stretch", stretch.worst, 1.15f);
         checks.at_most("mean stretch", stretch.mean, 1.02f);
         const float corner = vertex_position(*view, 0).y();
         checks.at_most("a corner's height above the ground [m]", corner, 0.1f);
