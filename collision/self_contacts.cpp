@@ -127,7 +127,7 @@ bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     return true;
 }
 
-/// Candidates few enough to be gathered without a branch.
+/// So many candidates at most are gathered without a branch that depends on the outcome.
 constexpr std::uint32_t few = 32;
 
 std::uint32_t candidates(std::span<const SlotRange> ranges) {

@@ -112,15 +112,23 @@ TEST(HashGrid, NearRangesCoverClosePairsFarFromTheOriginAndWhenOneParticleFlewOf
     expect_covers_brute_force(cloud, 0.12f, 2048);
 }
 
-TEST(HashGrid, ExactAtCellBorders) {
-    std::vector<Vec4> lattice;  // pairs a rounding error under and over the distance, on every cell border
-    for (std::uint32_t k = 0; k < 500; ++k) {
-        const float x = 0.1f * static_cast<float>(k);
-        lattice.push_back({x, -x, 2 * x, 1});
-        lattice.push_back({std::nextafter(x, 100.0f), -x, 2 * x, 1});
-        lattice.push_back({x, std::nextafter(-x + 0.1f, -100.0f), 2 * x, 1});
+TEST(HashGrid, ExactWhereRoundingDecidesTheCell) {
+    // A particle far away makes (coordinate - origin) coarser than the coordinates are. Around the borders of
+    // cells just as wide as the distance, that rounding would put many a pair two cells apart.
+    const float distance = 0.1f, far = -1000.03f;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto on_axis = [&](float coordinate) {
+            return Vec4{axis == 0 ? coordinate : 0, axis == 1 ? coordinate : 0, axis == 2 ? coordinate : 0,
+                        1};
+        };
+        std::vector<Vec4> line{on_axis(far)};
+        for (int cell = 9990; cell < 10020; ++cell) {
+            const double border = static_cast<double>(far) + static_cast<double>(distance) * cell;
+            for (int step = -30; step <= 30; ++step)
+                line.push_back(on_axis(static_cast<float>(border + 4e-6 * step)));
+        }
+        expect_covers_brute_force(line, distance, 1u << 16);
     }
-    expect_covers_brute_force(lattice, 0.1f, 4096);
 }
 
 TEST(HashGrid, CoordinatesThatAreNotFiniteNeitherOverflowNorCrowdOneBucket) {
