@@ -53,7 +53,7 @@ void set_style(float scale) {
     style.WindowPadding = {12, 10};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 6};
-    style.GrabMinSize = 12;
+    style.GrabMinSize = 10;
     style.WindowTitleAlign = {0.5f, 0.5f};
 
     ImVec4* colors = style.Colors;
@@ -72,7 +72,7 @@ void set_style(float scale) {
     colors[ImGuiCol_Header] = accent(0.22f);
     colors[ImGuiCol_HeaderHovered] = accent(0.40f);
     colors[ImGuiCol_HeaderActive] = accent(0.60f);
-    colors[ImGuiCol_SliderGrab] = accent(0.80f);
+    colors[ImGuiCol_SliderGrab] = accent(0.50f);
     colors[ImGuiCol_SliderGrabActive] = colors[ImGuiCol_CheckMark] = accent(1);
     colors[ImGuiCol_Separator] = gray(0.45f, 0.25f);
     colors[ImGuiCol_PlotLines] = colors[ImGuiCol_PlotHistogram] = accent(0.90f);

@@ -63,7 +63,6 @@ void set_known_state() {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glClearDepth(1.0);
     glFrontFace(GL_CCW);
-    glCullFace(GL_BACK);
 }
 
 void set_look_uniforms(const Program& program, const FabricLook& look) {
@@ -102,7 +101,7 @@ struct SceneRenderer::Impl {
     [[nodiscard]] Box scene_bounds() const;
     void upload_frame(const View& view, const Matrix4f& clip, const LightFrame& sun, const LightFrame& sky,
                       const Box& bounds) const;
-    void draw_depth(const DepthMap& map, const LightFrame& light, float alpha) const;
+    void draw_depth(const DepthMap& map, const LightFrame& light, float alpha, GLenum hidden_side) const;
     void draw_sky() const;
     void draw_ground() const;
     void draw_solids(const Program& program, const Matrix4f& clip) const;
@@ -122,8 +121,10 @@ void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned
     set_known_state();
     picture.resize(width, height);
 
-    draw_depth(sun_map, sun, view.alpha);
-    draw_depth(sky_map, sky, view.alpha);
+    // The sun meets a solid's lit side; from above its underside counts, which tells how close it is to the
+    // ground.
+    draw_depth(sun_map, sun, view.alpha, GL_BACK);
+    draw_depth(sky_map, sky, view.alpha, GL_FRONT);
     sun_map.bind(unit::sun_depth, unit::sun_compare);
     sky_map.bind(unit::sky_depth);
 
@@ -171,12 +172,16 @@ void SceneRenderer::Impl::upload_frame(const View& view, const Matrix4f& clip, c
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_uniforms.id());
 }
 
-void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& light, float alpha) const {
+void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& light, float alpha,
+                                     GLenum hidden_side) const {
     map.begin();
     // Slopes are pushed away from the light, against stripes of shadow on lit surfaces.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
+    glCullFace(hidden_side);
+    glEnable(GL_CULL_FACE);
     draw_solids(programs.solid_depth, light.clip_from_world);
+    glDisable(GL_CULL_FACE);
     programs.cloth_depth.use();
     programs.cloth_depth.set("clip", to_matrix4(light.clip_from_world));
     for (const auto& [handle, cloth] : cloths) cloth.draw(programs.cloth_depth, alpha);
@@ -193,6 +198,7 @@ void SceneRenderer::Impl::draw_sky() const {
 
 /// From below the ground is not there, so that it never hides the scene.
 void SceneRenderer::Impl::draw_ground() const {
+    glCullFace(GL_BACK);
     glEnable(GL_CULL_FACE);
     programs.ground.use();
     glBindVertexArray(no_attributes.id());

@@ -2,7 +2,7 @@
 in vec3 point;
 out vec4 color;
 
-const vec3 floor_color = vec3(0.42, 0.42, 0.42);
+const vec3 floor_color = vec3(0.47, 0.465, 0.455);
 const vec3 arrow_color = vec3(0.02, 0.26, 0.50);
 
 // Share of a pixel that lines of `width` [m], one each metre, cover; the width never falls below a pixel, its

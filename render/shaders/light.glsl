@@ -25,15 +25,26 @@ float quad_average(float value) {
     return value - dFdy(value) * odd.y;
 }
 
-// Soft shadow whose edge widens with the distance of what casts it (Fernando 2005). `normal` faces the sun or not:
-// either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
+// How the sun's depth changes along the surface, per unit of the map: taps aside follow the surface, which therefore
+// does not shadow itself (Isidoro 2006). Bounded, since a surface along the light has no such slope.
+vec2 surface_slope(vec3 normal) {
+    vec3 scale = vec3(frame.sun_extent.x, frame.sun_extent.x, frame.sun_extent.y);
+    vec3 n = mat3(frame.sun_from_world) * normal * scale * scale;
+    vec2 slope = -n.xy / (abs(n.z) > 1e-6 ? n.z : 1e-6);
+    float steepest = 6.0 * scale.x / scale.z;
+    return slope * min(1.0, steepest / max(length(slope), 1e-6));
+}
+
+// Soft shadow whose edge widens with the distance of what casts it (Fernando 2005). `normal` may face away from the
+// sun: either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
 float sun_visibility(vec3 point, vec3 normal) {
     const float sun_size = 0.035;  // a softer sun than the real one: width of the edge per distance
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
     vec3 lifted = point + normal * sign(facing) * texel * (1.0 + 1.5 * (1.0 - abs(facing)));
     vec3 p = (frame.sun_from_world * vec4(lifted, 1.0)).xyz;
-    float bias = (0.5 * texel) / frame.sun_extent.y;
+    float bias = texel / frame.sun_extent.y;
+    vec2 slope = surface_slope(normal);
     int count = inside_map(p.xy) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
 
     vec2 search = pixel_direction() * min(0.20 * frame.sun_extent.y * sun_size, 0.12) / frame.sun_extent.x;
@@ -41,19 +52,20 @@ float sun_visibility(vec3 point, vec3 normal) {
     float found = 0.0;
     for (int i = 0; i < 8 * count; ++i) {
         search = golden_turn * search;
-        float depth = textureLod(sun_depth, p.xy + search * tap_radius(i, 8.0), 0.0).r;
-        float blocked = step(depth, p.z - bias);
-        gap += blocked * (p.z - depth);
-        found += blocked;
+        vec2 aside = search * tap_radius(i, 8.0);
+        float distance_ = p.z + dot(slope, aside) - bias - textureLod(sun_depth, p.xy + aside, 0.0).r;
+        gap += max(distance_, 0.0);
+        found += step(0.0, distance_);
     }
     float blocker_distance = frame.sun_extent.y * gap / max(found, 1.0);
 
-    vec2 offset = pixel_direction() * max(blocker_distance * sun_size, 1.5 * texel) / frame.sun_extent.x;
+    vec2 offset = pixel_direction() * max(blocker_distance * sun_size, 2.5 * texel) / frame.sun_extent.x;
     float seen = 0.0;
-    float reference = min(p.z, 1.0) - bias;
     for (int i = 0; i < 16 * count; ++i) {
         offset = golden_turn * offset;
-        seen += textureLod(sun_compare, vec3(p.xy + offset * tap_radius(i, 16.0), reference), 0.0);
+        vec2 aside = offset * tap_radius(i, 16.0);
+        float reference = min(p.z + dot(slope, aside), 1.0) - bias;
+        seen += textureLod(sun_compare, vec3(p.xy + aside, reference), 0.0);
     }
     return quad_average(count == 0 ? 1.0 : seen / 16.0);
 }
@@ -77,9 +89,9 @@ float sky_visibility(vec3 point) {
     return quad_average(1.0 - 0.85 * hidden / float(taps));
 }
 
-// Light from the whole sky and the ground on a surface that faces `normal`.
+// Light from the sky, and from the ground that it falls on, on a surface that faces `normal`.
 vec3 ambient_light(vec3 normal, float sky_seen) {
-    return mix(ground_light, sky_light, 0.5 + 0.5 * normal.y) * sky_seen;
+    return mix(ground_light * (0.4 + 0.6 * sky_seen), sky_light * sky_seen, 0.5 + 0.5 * normal.y);
 }
 
 // Microfacets (Walter 2007, Schlick 1994) with a fixed reflectance of 4 %.

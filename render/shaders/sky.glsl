@@ -1,7 +1,7 @@
 // The colours of the day: linear light, in units in which a white surface facing the sun is a little over 1.
-const vec3 sun_light = vec3(1.80, 1.56, 1.22);
-const vec3 sky_light = vec3(0.36, 0.44, 0.57);
-const vec3 ground_light = vec3(0.31, 0.265, 0.225);
+const vec3 sun_light = vec3(1.60, 1.40, 1.12);
+const vec3 sky_light = vec3(0.38, 0.425, 0.50);
+const vec3 ground_light = vec3(0.42, 0.37, 0.315);
 
 const vec3 horizon_color = vec3(1.00, 1.08, 1.13);
 const vec3 zenith_color = vec3(0.04, 0.24, 0.72);

@@ -61,8 +61,8 @@ struct View {
     OrbitCamera camera;
     float alpha = 1;  ///< blend of previous and current positions, in [0, 1]
     bool ground = true;
-    float ground_height = 0;                ///< [m]
-    Vec3 sun_direction{0.45f, 0.8f, 0.4f};  ///< towards the sun, need not be unit
+    float ground_height = 0;                  ///< [m]
+    Vec3 sun_direction{-0.5f, 0.75f, 0.45f};  ///< towards the sun, need not be unit
     bool wireframe = false;
     std::span<const DrawnSphere> spheres;
     std::span<const DrawnCapsule> capsules;
