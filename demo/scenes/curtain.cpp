@@ -45,7 +45,7 @@ class Curtain final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        if (auto made = make_mesh(options.particles == 0 ? 4096 : options.particles); !made)
+        if (auto made = make_mesh(options.particles == 0 ? 3000 : options.particles); !made)
             return made.error();
 
         ClothSettings settings;

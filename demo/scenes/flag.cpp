@@ -21,7 +21,7 @@ class Flag final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 4096 : options.particles, length, height);
+        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, length, height);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
                                 .origin = {0, top, 0},

@@ -30,7 +30,7 @@ class Garment final : public Scene {
         settings.wind.velocity = {0.3f, 0, 0.8f};
         settings.wind.gust = 0.7f;
         settings.wind.gust_length = 0.5f;
-        settings.substeps = 8;
+        settings.substeps = 5;
         return settings;
     }
 

@@ -21,7 +21,7 @@ class Sheet final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 4096 : options.particles, side, side);
+        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, side, side);
         auto mesh =
             make_sheet({.rows = grid.rows,
                         .columns = grid.columns,
