@@ -42,7 +42,7 @@ void Cloth::apply(const ClothSettings& changed) {
         self_contacts.reset();
         self_counts = {};
     } else if (!self_contacts) {
-        self_contacts.emplace(model.particle_count, 1);
+        self_contacts.emplace(model.particle_count);
     }
 }
 

@@ -176,7 +176,7 @@ void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const Slot
 
 }  // namespace
 
-SelfContacts::SelfContacts(std::uint32_t particle_count, int /*width*/)
+SelfContacts::SelfContacts(std::uint32_t particle_count)
     : grid_(particle_count),
       contacts_(particle_count * capacity),
       counts_(particle_count),

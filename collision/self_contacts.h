@@ -33,7 +33,7 @@ class SelfContacts {
   public:
     static constexpr std::uint32_t capacity = 16;  ///< contacts kept per particle
 
-    explicit SelfContacts(std::uint32_t particle_count, int width);
+    explicit SelfContacts(std::uint32_t particle_count);
 
     /// Finds all pairs closer than `distance`. Each is in both particles' lists, in a fixed order.
     void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,

@@ -41,7 +41,7 @@ Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float 
             SelfCollisionSearch search, int threads = 1) {
     const auto n = static_cast<std::uint32_t>(positions.size());
     Parallel parallel(threads);
-    SelfContacts contacts(n, threads);
+    SelfContacts contacts(n);
     contacts.find(parallel, positions, bounds_of(positions), filter, distance, search);
     Lists lists;
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -221,7 +221,7 @@ TEST(SelfContacts, RestFilterLeavesSpringNeighboursAndRestNeighboursAlone) {
 }
 
 TEST(SelfContacts, BytesGrowWithTheNumberOfParticles) {
-    const std::size_t small = SelfContacts(1024, 1).bytes(), large = SelfContacts(4096, 8).bytes();
+    const std::size_t small = SelfContacts(1024).bytes(), large = SelfContacts(4096).bytes();
     EXPECT_GE(small, 1024 * SelfContacts::capacity * sizeof(std::uint32_t));
     EXPECT_NEAR(static_cast<double>(large), 4.0 * static_cast<double>(small),
                 0.01 * static_cast<double>(large));

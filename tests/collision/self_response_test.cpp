@@ -19,7 +19,7 @@ struct Particles {
 SelfContactCounts avoid(Particles& particles, float distance, float friction, int threads = 1) {
     const auto n = static_cast<std::uint32_t>(particles.positions.size());
     Parallel parallel(threads);
-    SelfContacts contacts(n, threads);
+    SelfContacts contacts(n);
     contacts.find(parallel, particles.positions, bounds_of(particles.positions), {}, distance,
                   SelfCollisionSearch::exact);
     return contacts.respond(parallel, distance, friction, h, particles.positions, particles.velocities);
