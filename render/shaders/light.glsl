@@ -16,6 +16,8 @@ vec2 pixel_direction() {
 const mat2 golden_turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 float tap_radius(int i, float count) { return sqrt((float(i) + 0.5) / count); }
 
+const float nothing = 0.99999;  // depth where a map saw nothing, while the ground may lie deeper than the map
+
 bool inside_map(vec2 p) { return all(greaterThan(p, vec2(0.0))) && all(lessThan(p, vec2(1.0))); }
 
 // Average over the 2 x 2 pixels that are shaded together, whose angles differ: four times as many taps at no cost.
@@ -47,15 +49,18 @@ float sun_visibility(vec3 point, vec3 normal) {
     vec2 slope = surface_slope(normal);
     int count = inside_map(p.xy) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
 
-    vec2 search = pixel_direction() * min(0.20 * frame.sun_extent.y * sun_size, 0.12) / frame.sun_extent.x;
+    // What casts a shadow here lies no farther off than the map's near side.
+    vec2 search = pixel_direction() * min(p.z * frame.sun_extent.y * sun_size, 0.25) / frame.sun_extent.x;
     float gap = 0.0;
     float found = 0.0;
     for (int i = 0; i < 8 * count; ++i) {
         search = golden_turn * search;
         vec2 aside = search * tap_radius(i, 8.0);
-        float distance_ = p.z + dot(slope, aside) - bias - textureLod(sun_depth, p.xy + aside, 0.0).r;
-        gap += max(distance_, 0.0);
-        found += step(0.0, distance_);
+        float depth = textureLod(sun_depth, p.xy + aside, 0.0).r;
+        float before = p.z + dot(slope, aside) - bias - depth;
+        float blocked = step(0.0, before) * step(depth, nothing);
+        gap += blocked * before;
+        found += blocked;
     }
     float blocker_distance = frame.sun_extent.y * gap / max(found, 1.0);
 
@@ -84,7 +89,7 @@ float sky_visibility(vec3 point) {
         float depth = textureLod(sky_depth, p.xy + offset * radius, 0.0).r;
         float above = max((p.z - depth) * frame.sky_extent.y - frame.sky_extent.z, 0.0);
         float fall_off = reach * reach / (reach * reach + above * above);
-        hidden += fall_off * above / (above + 0.25 * reach * radius + 1e-4);
+        hidden += step(depth, nothing) * fall_off * above / (above + 0.25 * reach * radius + 1e-4);
     }
     return quad_average(1.0 - 0.85 * hidden / float(taps));
 }

@@ -19,9 +19,9 @@ Weave weave(vec2 p) {
     float tint = 0.92 + 0.16 * hash(mod(thread, 977.0));
 
     vec2 pixel = fwidth(p);
-    float coarse = 1.0 - smoothstep(0.25, 0.75, max(pixel.x, pixel.y));
+    float coarse = 1.0 - smoothstep(0.10, 0.50, max(pixel.x, pixel.y));
     Weave result;
-    result.slope = coarse * 0.45 * (warp_on_top ? slope.xy : slope.yx);
-    result.light = mix(1.0, (0.62 + 0.60 * height) * tint, coarse);
+    result.slope = coarse * 0.30 * (warp_on_top ? slope.xy : slope.yx);
+    result.light = mix(1.0, (0.78 + 0.36 * height) * tint, coarse);
     return result;
 }
