@@ -11,6 +11,16 @@ namespace weft {
 using Vector3 = Eigen::Vector3f;
 using Matrix3 = Eigen::Matrix3f;
 
+/// A row as one SIMD register. In kernels that use it w is a fourth lane that costs nothing; say what it
+/// holds.
+using Vector4 = Eigen::Vector4f;
+inline Vector4 load(const Vec4& v) {
+    return Eigen::Map<const Vector4, Eigen::Aligned16>(&v.x);
+}
+inline void store(Vec4& target, const Vector4& v) {
+    Eigen::Map<Vector4, Eigen::Aligned16>(&target.x) = v;
+}
+
 inline Vector3 xyz(const Vec4& v) {
     return {v.x, v.y, v.z};
 }

@@ -21,14 +21,14 @@ void first_guess(Parallel& parallel, ImplicitSystem& system) {
 void iterate(Parallel& parallel, const CookedCloth& model, ImplicitSystem& system) {
     parallel.ranges(model.particle_count, [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            Vector3 sum = xyz(system.right_side[i]);
+            // Lane w of every dv is 0, so that c . dv is d . dv; what lane w of the sum gathers is dropped.
+            Vector4 sum = load(system.right_side[i]);
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-                const Vec4& coefficient = system.coefficients[e];
-                const Vector3 d = xyz(coefficient);
-                const Vector3 dv = xyz(system.velocity_change[model.neighbours[e]]);
-                sum += coefficient.w * dv + d * d.dot(dv);
+                const Vector4 c = load(system.coefficients[e]);
+                const Vector4 dv = load(system.velocity_change[model.neighbours[e]]);
+                sum += c.w() * dv + c.dot(dv) * c;
             }
-            system.scratch[i] = to_vec4(system.inverse_diagonal[i] * sum, 0);
+            system.scratch[i] = to_vec4(system.inverse_diagonal[i] * sum.head<3>(), 0);
         }
     });
     std::swap(system.velocity_change, system.scratch);
