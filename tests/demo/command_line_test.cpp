@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
 
@@ -51,11 +50,15 @@ class Program : public testing::Test {
                    arguments);
     }
 
+    /// The sixteen digits of the line "hash: ...".
     static std::string hash_of(const Ran& ran) {
-        std::smatch found;
-        const std::regex line("(^|\n)hash: ([0-9a-f]{16})\n");
-        EXPECT_TRUE(std::regex_search(ran.out, found, line)) << ran.out << ran.err;
-        return found.empty() ? "" : found[2].str();
+        const std::string lines = "\n" + ran.out, heading = "\nhash: ";
+        const std::size_t found = lines.find(heading);
+        const std::string rest = found == std::string::npos ? "" : lines.substr(found + heading.size());
+        const std::string digits = rest.substr(0, rest.find_first_not_of("0123456789abcdef"));
+        EXPECT_EQ(digits.size(), 16u) << ran.out << ran.err;
+        EXPECT_EQ(rest.substr(digits.size(), 1), "\n");
+        return digits;
     }
 
     static void expect_refusal(const Ran& ran, const std::string& named) {
