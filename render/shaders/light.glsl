@@ -62,7 +62,8 @@ float sun_visibility(vec3 point, vec3 normal) {
         gap += blocked * before;
         found += blocked;
     }
-    float blocker_distance = frame.sun_extent.y * gap / max(found, 1.0);
+    // Of all four pixels: at the edge's fringe one of them alone may find the blocker, and would stand out.
+    float blocker_distance = frame.sun_extent.y * quad_average(gap) / max(quad_average(found), 0.25);
 
     vec2 offset = pixel_direction() * max(blocker_distance * sun_size, 2.5 * texel) / frame.sun_extent.x;
     float seen = 0.0;
