@@ -40,7 +40,7 @@ vec2 surface_slope(vec3 normal) {
 // Soft shadow whose edge widens with the distance of what casts it (Fernando 2005). `normal` may face away from the
 // sun: either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
 float sun_visibility(vec3 point, vec3 normal) {
-    const float sun_size = 0.035;  // a softer sun than the real one: width of the edge per distance
+    const float sun_size = 0.09;  // a far softer sun than the real one: width of the edge per distance
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
     vec3 lifted = point + normal * sign(facing) * texel * (1.0 + 1.5 * (1.0 - abs(facing)));
@@ -65,7 +65,9 @@ float sun_visibility(vec3 point, vec3 normal) {
     // Of all four pixels: at the edge's fringe one of them alone may find the blocker, and would stand out.
     float blocker_distance = frame.sun_extent.y * quad_average(gap) / max(quad_average(found), 0.25);
 
-    vec2 offset = pixel_direction() * max(blocker_distance * sun_size, 2.5 * texel) / frame.sun_extent.x;
+    // Where light grazes the cloth its triangles show in the edge, unless the edge is as wide as they are.
+    float least = (3.0 + 9.0 * (1.0 - abs(facing))) * texel;
+    vec2 offset = pixel_direction() * max(blocker_distance * sun_size, least) / frame.sun_extent.x;
     float seen = 0.0;
     for (int i = 0; i < 16 * count; ++i) {
         offset = golden_turn * offset;
