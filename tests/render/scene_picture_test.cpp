@@ -71,6 +71,7 @@ TEST_F(ScenePicture, TheGroundIsDarkerCloseUnderABodyEvenInTheSun) {
 TEST_F(ScenePicture, ABodyHighAboveTheGroundDarkensItNowhereButInItsShadow) {
     const DrawnSphere sphere{{0, 2, 0}, 0.2f};
     View view = from_above();
+    view.sun_direction = {0, 1, 1};  // its shadow lies about z = -2
     const Image bare = renderer().capture(view, width, height);
     view.spheres = {&sphere, 1};
     const Image image = renderer().capture(view, width, height);
