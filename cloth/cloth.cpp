@@ -47,7 +47,7 @@ void Cloth::apply(const ClothSettings& changed) {
 }
 
 void Cloth::set_gusts(bool on) {
-    const std::size_t needed = on ? model.triangles.size() : 0;
+    const std::size_t needed = on ? model.particle_count : 0;
     if (air_velocities.size() != needed) air_velocities = AlignedBuffer<Vec4>(needed);
 }
 

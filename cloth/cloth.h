@@ -54,7 +54,7 @@ struct Cloth {
     std::vector<Pin> pins;                      ///< in ascending order of particles
 
     AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
-    AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each triangle [m/s]; empty without gusts
+    AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each particle [m/s]; empty without gusts
     AlignedBuffer<double> partial_sums;
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;

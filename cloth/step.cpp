@@ -68,7 +68,7 @@ void Simulation::move_colliders(int substep) {
 void Simulation::feel_wind(Cloth& cloth) {
     if (!air_is_on() || cloth.air_velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    sample_wind(parallel, cloth.model, cloth.state, WindField(settings.wind, wind_path, time),
+    sample_wind(parallel, cloth.state, WindField(settings.wind, wind_path, time),
                 cloth.air_velocities.span());
 }
 

@@ -13,8 +13,9 @@ constexpr float third = 1.0f / 3.0f;
 // With u the relative velocity, n the normal on the side to which the air streams and c = u.n / |u| >= 0:
 //   drag  = 1/2 rho A c |u| Cd u               along the stream, by the area that faces it
 //   lift  = 1/2 rho A c |u| Cl (|u| n - c u)   across it, greatest at 45 degrees, none head-on or edge-on
-// (the flat-plate model of Keckeisen et al. 2004, "Modelling effects of wind fields in cloth animations", with lift that vanishes
-// edge-on, so that the force is continuous where the side that faces the wind changes).
+// (the flat-plate model of Keckeisen et al. 2004, "Modelling effects of wind fields in cloth animations",
+// with lift that vanishes edge-on, so that the force is continuous where the side that faces the wind
+// changes).
 PlateForce plate_force(const Vector3& u, const Vector3& area_normal, const Wind& wind) {
     const float speed = u.norm();
     const float area = area_normal.norm();
@@ -28,14 +29,11 @@ PlateForce plate_force(const Vector3& u, const Vector3& area_normal, const Wind&
     return {force, wind.air_density * area * speed * (wind.drag + wind.lift)};
 }
 
-void sample_wind(Parallel& parallel, const CookedCloth& model, const ClothState& state,
-                 const WindField& field, std::span<Vec4> air_velocities) {
-    parallel.ranges(static_cast<std::uint32_t>(model.triangles.size()), [&](const BlockRange& range) {
-        for (std::uint32_t t = range.begin; t < range.end; ++t) {
-            const auto [a, b, c] = model.triangles[t];
-            const Vector3 centroid =
-                third * (xyz(state.positions[a]) + xyz(state.positions[b]) + xyz(state.positions[c]));
-            air_velocities[t] = to_vec4(field.velocity(centroid), 0);
+void sample_wind(Parallel& parallel, const ClothState& state, const WindField& field,
+                 std::span<Vec4> air_velocities) {
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            air_velocities[i] = to_vec4(field.velocity(xyz(state.positions[i])), 0);
         }
     });
 }
@@ -43,17 +41,19 @@ void sample_wind(Parallel& parallel, const CookedCloth& model, const ClothState&
 void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
                         const Wind& wind, std::span<const Vec4> air_velocities,
                         std::span<Vec4> triangle_forces) {
-    const Vector3 mean = to_vector(wind.velocity);
+    const auto mean_of = [](std::span<const Vec4> values, const Triangle& t) -> Vector3 {
+        return third * (xyz(values[t[0]]) + xyz(values[t[1]]) + xyz(values[t[2]]));
+    };
+    const std::span<const Vec4> velocities = state.velocities.span();
+    const Vector3 mean_wind = to_vector(wind.velocity);
     parallel.ranges(static_cast<std::uint32_t>(model.triangles.size()), [&](const BlockRange& range) {
         for (std::uint32_t t = range.begin; t < range.end; ++t) {
-            const auto [a, b, c] = model.triangles[t];
-            const Vector3 xa = xyz(state.positions[a]);
-            const Vector3 area_normal =
-                0.5f * (xyz(state.positions[b]) - xa).cross(xyz(state.positions[c]) - xa);
-            const Vector3 velocity =
-                third * (xyz(state.velocities[a]) + xyz(state.velocities[b]) + xyz(state.velocities[c]));
-            const Vector3 air = air_velocities.empty() ? mean : xyz(air_velocities[t]);
-            const PlateForce plate = plate_force(air - velocity, area_normal, wind);
+            const Triangle& triangle = model.triangles[t];
+            const Vector3 a = xyz(state.positions[triangle[0]]), b = xyz(state.positions[triangle[1]]),
+                          c = xyz(state.positions[triangle[2]]);
+            const Vector3 air = air_velocities.empty() ? mean_wind : mean_of(air_velocities, triangle);
+            const PlateForce plate =
+                plate_force(air - mean_of(velocities, triangle), 0.5f * (b - a).cross(c - a), wind);
             triangle_forces[t] = to_vec4(third * plate.force, third * plate.slope);
         }
     });

@@ -20,9 +20,9 @@ struct PlateForce {
 [[nodiscard]] PlateForce plate_force(const Vector3& relative_velocity, const Vector3& area_normal,
                                      const Wind& wind);
 
-/// The air's velocity at each triangle's centroid [m/s].
-void sample_wind(Parallel& parallel, const CookedCloth& model, const ClothState& state,
-                 const WindField& field, std::span<Vec4> air_velocities);
+/// The air's velocity at each particle [m/s].
+void sample_wind(Parallel& parallel, const ClothState& state, const WindField& field,
+                 std::span<Vec4> air_velocities);
 
 /// A third of each triangle's air force, for each of its corners, and of its slope in w. `air_velocities`: as
 /// sampled, or empty where the mean wind blows everywhere.
