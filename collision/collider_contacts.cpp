@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/coulomb.h"
 #include "engine/error_text.h"
 
 namespace weft {
@@ -28,10 +29,8 @@ UnitPlane unit(const Plane& plane) {
     return {to_vector(plane.normal).stableNormalized(), plane.offset};
 }
 
-// ---- Shapes over one substep
-// ----------------------------------------------------------------------------------------- Each answers, for
-// a point p: how far is the surface at the substep's end (negative inside), and, for a point near it, which
-// way is out and how fast does the surface move there.
+// Shapes over one substep. Each answers, for a point p: how far is the surface at the substep's end (negative
+// inside), and, for a point near it, which way is out and how fast does the surface move there.
 
 struct Surface {
     Vector3 normal;    // of unit length, outward
@@ -115,9 +114,6 @@ void with_shape(const ColliderMotion& motion, float h, const F& f) {
                motion.end.shape);
 }
 
-// ---- Response
-// --------------------------------------------------------------------------------------------------------
-
 /// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
 /// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
 /// rest.
@@ -128,8 +124,7 @@ void respond(const Surface& surface, float penetration, float friction, float h,
     const float approach = -relative.dot(surface.normal);
     if (approach > 0) {
         const Vector3 sliding = relative + approach * surface.normal;
-        const float speed = sliding.norm(), limit = friction * approach;
-        const Vector3 stopped = speed > limit ? Vector3(sliding * (limit / speed)) : sliding;
+        const Vector3 stopped = stopped_by_friction(sliding, friction * approach);
         set_xyz(velocity, xyz(velocity) + approach * surface.normal - stopped);
         displacement -= h * stopped;
     }
@@ -154,9 +149,6 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thi
     }
     return static_cast<std::uint32_t>(std::count(met.begin(), met.end(), true));
 }
-
-// ---- Validation and blending
-// -----------------------------------------------------------------------------------------
 
 Result<void> validate_point(const char* name, const Vec3& point) {
     if (!is_finite(point)) return out_of_range(name, point, "finite");

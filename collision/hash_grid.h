@@ -109,11 +109,10 @@ class HashGrid {
 
     Cells cells_;
     std::uint32_t bucket_bits_;
-    AlignedBuffer<std::uint32_t> starts_;  // bucket b is the slots [starts_[b], starts_[b + 1])
-    AlignedBuffer<Entry> entries_;         // by block; inside a block by part, then by particle
-    AlignedBuffer<std::uint16_t>
-        part_starts_;  // per block, where each part's entries start, relative to the block
-    AlignedBuffer<std::uint32_t> particles_;  // by slot, as all below
+    AlignedBuffer<std::uint32_t> starts_;       // bucket b is the slots [starts_[b], starts_[b + 1])
+    AlignedBuffer<Entry> entries_;              // by block; inside a block by part, then by particle
+    AlignedBuffer<std::uint16_t> part_starts_;  // per block, where each part's entries start in it
+    AlignedBuffer<std::uint32_t> particles_;    // by slot, as all below
     AlignedBuffer<float> x_, y_, z_;
 };
 

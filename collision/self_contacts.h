@@ -22,10 +22,9 @@ struct RestFilter {
 };
 
 struct SelfContactCounts {
-    std::uint32_t pairs = 0;  ///< contacts that were resolved
-    std::uint32_t dropped =
-        0;  ///< particles whose list was full; some of their contacts were left for the next step
-    std::uint32_t peak = 0;  ///< most contacts of one particle
+    std::uint32_t pairs = 0;    ///< contacts that were resolved
+    std::uint32_t dropped = 0;  ///< particles whose list was full; the rest of their contacts wait
+    std::uint32_t peak = 0;     ///< most contacts of one particle
 };
 
 /// Buffers for the contacts of one cloth. Made when self-collision is switched on, and for no cloth else.
@@ -52,8 +51,8 @@ class SelfContacts {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    static constexpr std::uint8_t overflowed =
-        capacity + 1;  // counts_: the list is full, and there were more
+    // In counts_: the list is full, and there were more.
+    static constexpr std::uint8_t overflowed = capacity + 1;
 
     void search_rows(Parallel& parallel, const RestFilter& filter, float distance);
     void search_buckets(Parallel& parallel, const RestFilter& filter, float distance);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "collision/coulomb.h"
 #include "collision/self_contacts.h"
 #include "engine/separating_direction.h"
 #include "engine/vector.h"
@@ -40,8 +41,7 @@ PairResponse pair_response(std::uint32_t i, std::uint32_t j, const ResponseSetti
     PairResponse response;
     if (approach > 0) {
         const Vector3 sliding = relative + approach * normal;
-        const float speed = sliding.norm(), limit = settings.friction * approach;
-        const Vector3 stopped = speed > limit ? Vector3(sliding * (limit / speed)) : sliding;
+        const Vector3 stopped = stopped_by_friction(sliding, settings.friction * approach);
         response.kick = (approach * normal - stopped) / mobility;
         response.push = stopped * (-settings.h / mobility);
     }

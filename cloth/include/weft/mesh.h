@@ -48,8 +48,7 @@ struct SheetSettings {
 
 /// What load_obj noticed and went on from.
 struct ObjReport {
-    std::uint32_t ignored_lines =
-        0;  ///< lines of kinds that a mesh does not need (normals, groups, `vv`, `t`)
+    std::uint32_t ignored_lines = 0;       ///< of kinds that a mesh does not need: normals, groups, `vv`, `t`
     std::uint32_t triangulated_faces = 0;  ///< faces of more than three corners, cut into fans
 };
 

@@ -54,10 +54,11 @@ struct Wind {
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2]
     Wind wind;
-    float max_speed =
-        100.0f;        ///< particles go no faster [m/s], > 0; a jump of a pin then cannot tear the cloth off
+    /// Particles go no faster [m/s], > 0: a pin or a collider that jumps cannot shoot the cloth off.
+    float max_speed = 100.0f;
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
-    int threads = 0;  ///< threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it
+    /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
+    int threads = 0;
     Executor executor;  ///< the host's own threads instead, where `run` is set
 };
 

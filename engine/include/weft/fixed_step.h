@@ -7,8 +7,8 @@ namespace weft {
 
 struct FixedStepSettings {
     double step = 1.0 / 60.0;  ///< length of one simulation step [s], > 0
-    int max_steps_per_frame =
-        4;  ///< >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one
+    /// >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one.
+    int max_steps_per_frame = 4;
 };
 
 /// What one rendered frame has to do.
