@@ -187,7 +187,7 @@ void Simulation::end(float dt) {
     time += double{dt};
     colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
     profiler.end_step();
-    report.milliseconds = profiler.last_ms(static_cast<std::uint32_t>(stage_names.size()));
+    report.milliseconds = profiler.last_step_ms();
 }
 
 }  // namespace weft
