@@ -93,7 +93,7 @@ float Cloth::self_collision_distance() const {
 ClothInfo Cloth::info() const {
     ClothInfo info = model.info;
     double mass_sum = 0;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += double{mass(i)};
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
     info.bytes = bytes_of(model) + state.bytes() + system.bytes() + mean_motion.bytes() +
                  (self_contacts ? self_contacts->bytes() : 0) + triangle_scratch.bytes() +

@@ -26,7 +26,7 @@ class Checks {
   private:
     void require(bool good, const char* name, float value, const std::string& requirement) {
         if (!first_ && !(good && std::isfinite(value)))
-            first_ = out_of_range(name, double{value}, requirement);
+            first_ = out_of_range(name, static_cast<double>(value), requirement);
     }
     std::optional<Error> first_;
 };
@@ -70,7 +70,8 @@ Result<void> validate_point(const char* name, const Vec3& point) {
                       std::abs(point.z) <= runaway_distance;
     if (!near)
         return out_of_range(
-            name, point, "finite and within " + number_text(double{runaway_distance}) + " m of the origin");
+            name, point,
+            "finite and within " + number_text(static_cast<double>(runaway_distance)) + " m of the origin");
     return {};
 }
 

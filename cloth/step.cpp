@@ -181,10 +181,10 @@ void Simulation::finish(Cloth& cloth) {
 
 void Simulation::end(float dt) {
     const Vec3& wind = settings.wind.velocity;
-    wind_path[0] += double{wind.x} * double{dt};
-    wind_path[1] += double{wind.y} * double{dt};
-    wind_path[2] += double{wind.z} * double{dt};
-    time += double{dt};
+    wind_path[0] += static_cast<double>(wind.x) * static_cast<double>(dt);
+    wind_path[1] += static_cast<double>(wind.y) * static_cast<double>(dt);
+    wind_path[2] += static_cast<double>(wind.z) * static_cast<double>(dt);
+    time += static_cast<double>(dt);
     colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
     profiler.end_step();
     report.milliseconds = profiler.last_step_ms();

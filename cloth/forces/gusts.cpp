@@ -51,7 +51,7 @@ constexpr float to_unit_variance = 2.2333f;
 
 /// Metres to lattice coordinates in [0, period), in double before the cast.
 float lattice_offset(double metres, float scale) {
-    const double cells = std::fmod(metres * double{scale}, double{period});
+    const double cells = std::fmod(metres * static_cast<double>(scale), static_cast<double>(period));
     return static_cast<float>(cells < 0 ? cells + period : cells);
 }
 
@@ -64,7 +64,7 @@ WindField::WindField(const Wind& wind, const std::array<double, 3>& carried, dou
       octaves_{} {
     // The octaves drift apart at a tenth of the wind's speed, across it, so that the pattern never repeats as
     // it passes.
-    const double drift = 0.1 * double{mean_.norm()} * time;
+    const double drift = 0.1 * static_cast<double>(mean_.norm()) * time;
     for (std::uint32_t o = 0; o < octaves_.size(); ++o) {
         const float scale = static_cast<float>(o + 1) / wind.gust_length;
         const double rise = o == 0 ? drift : -drift;

@@ -41,7 +41,8 @@ double sum_of_squares(Parallel& parallel, std::uint32_t n, std::span<double> par
         n, partials, 0.0,
         [&](const BlockRange& range) {
             double sum = 0;
-            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += double{term(i).squaredNorm()};
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                sum += static_cast<double>(term(i).squaredNorm());
             return sum;
         },
         std::plus<>{});

@@ -33,10 +33,10 @@ MeanMotion::Sum MeanMotion::sum_over(Parallel& parallel, std::span<const std::ui
             for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
                 const Vector3 value = term(i);
                 const float row_sum = system.right_side[i].w;
-                sum.x += double{value.x()};
-                sum.y += double{value.y()};
-                sum.z += double{value.z()};
-                sum.row_sum += double{row_sum};
+                sum.x += static_cast<double>(value.x());
+                sum.y += static_cast<double>(value.y());
+                sum.z += static_cast<double>(value.z());
+                sum.row_sum += static_cast<double>(row_sum);
                 sum.pinned |= row_sum == 0;
             }
             return sum;

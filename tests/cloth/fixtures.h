@@ -61,11 +61,12 @@ inline DenseSystem dense(const Cloth& cloth) {
             continue;
         }
         system.right_side.segment<3>(3 * i) = xyz(b).cast<double>();
-        diagonal = double{b.w} * Eigen::Matrix3d::Identity();
+        diagonal = static_cast<double>(b.w) * Eigen::Matrix3d::Identity();
         for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
             const Vec4& c = cloth.system.coefficients[e];
             const Eigen::Vector3d d = xyz(c).cast<double>();
-            const Eigen::Matrix3d a = double{c.w} * Eigen::Matrix3d::Identity() + d * d.transpose();
+            const Eigen::Matrix3d a =
+                static_cast<double>(c.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
             diagonal += a;
             const std::uint32_t j = cloth.model.neighbours[e];
             if (cloth.system.right_side[j].w != 0) system.matrix.block<3, 3>(3 * i, 3 * j) = -a;

@@ -53,8 +53,9 @@ TEST(Inverse, StaysPositiveDefiniteWhereRoundingWouldNot) {
     m.add(1.0f, 3e4f * n);
     const Symmetric3 i = inverse(m, 1.0f);
     Eigen::Matrix3d full;
-    full << double{i.xx}, double{i.xy}, double{i.xz}, double{i.xy}, double{i.yy}, double{i.yz}, double{i.xz},
-        double{i.yz}, double{i.zz};
+    full << static_cast<double>(i.xx), static_cast<double>(i.xy), static_cast<double>(i.xz),
+        static_cast<double>(i.xy), static_cast<double>(i.yy), static_cast<double>(i.yz),
+        static_cast<double>(i.xz), static_cast<double>(i.yz), static_cast<double>(i.zz);
     const Eigen::Vector3d eigenvalues = full.selfadjointView<Eigen::Lower>().eigenvalues();
     EXPECT_GE(eigenvalues.minCoeff(), -1e-6);
     EXPECT_LE(eigenvalues.maxCoeff(), 3.0)

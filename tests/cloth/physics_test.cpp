@@ -38,7 +38,7 @@ struct Motion {
 Motion motion(const ClothView& cloth) {
     Motion sum;
     for (std::size_t i = 0; i < cloth.positions.size(); ++i) {
-        const double m = 1.0 / double{cloth.positions[i].w};
+        const double m = 1.0 / static_cast<double>(cloth.positions[i].w);
         const Eigen::Vector3d x = xyz(cloth.positions[i]).cast<double>(),
                               v = xyz(cloth.velocities[i]).cast<double>();
         sum.mass += m;
@@ -105,7 +105,7 @@ TEST(AirDamping, DecaysVelocityByBackwardEuler) {
     double v = 0;
     for (int k = 0; k < 120; ++k) {
         world.step(h);
-        v = (v - 9.81 * double{h}) / (1 + 0.5 * double{h});
+        v = (v - 9.81 * static_cast<double>(h)) / (1 + 0.5 * static_cast<double>(h));
     }
     EXPECT_NEAR(world.cloth(id)->velocities[0].y, v, 1e-4);
 }
@@ -129,7 +129,8 @@ TEST(Momentum, LinearIsKeptAtAnyNumberOfIterations) {
         }
         const Motion end = motion(world.cloth(id).value());
         EXPECT_GT(peak, 0.01f) << "it must move for the test to say anything";
-        EXPECT_LT(end.momentum.norm(), 1e-5 * end.mass * double{peak}) << iterations << " iterations";
+        EXPECT_LT(end.momentum.norm(), 1e-5 * end.mass * static_cast<double>(peak))
+            << iterations << " iterations";
     }
 }
 
@@ -221,8 +222,8 @@ TEST(HungStrip, StretchesByWeightOverStiffness) {
         double weight = 0;
         for (std::uint32_t r = rows - 1; r > 0; --r) {
             const std::size_t below = r * columns + c, above = below - columns;
-            weight += 9.81 / double{cloth.positions[below].w};
-            const double edge = double{cloth.positions[above].y - cloth.positions[below].y};
+            weight += 9.81 / static_cast<double>(cloth.positions[below].w);
+            const double edge = static_cast<double>(cloth.positions[above].y - cloth.positions[below].y);
             EXPECT_NEAR(edge - 0.1, weight / 50, 0.01 * weight / 50 + 1e-5)
                 << "row " << r << ", column " << c;
         }

@@ -22,7 +22,8 @@ Eigen::Vector3d exact_force(const Eigen::Vector3d& separation, double rest_lengt
 
 Eigen::Matrix3d block(const SpringTerms& spring) {
     const Eigen::Vector3d n = spring.direction.cast<double>();
-    return double{spring.isotropic} * Eigen::Matrix3d::Identity() + double{spring.axial} * n * n.transpose();
+    return static_cast<double>(spring.isotropic) * Eigen::Matrix3d::Identity() +
+           static_cast<double>(spring.axial) * n * n.transpose();
 }
 
 class SpringDirections : public testing::TestWithParam<float> {
@@ -113,16 +114,16 @@ TEST(Springs, CoincidentEndsArePushedApartAtFullForce) {
 
 /// The forces of all springs on all particles, by a plain loop in double precision.
 Eigen::VectorXd spring_forces(const Cloth& cloth, const Eigen::VectorXd& positions) {
-    const std::array<double, 3> stiffness{double{cloth.settings.fabric.stretch},
-                                          double{cloth.settings.fabric.shear},
-                                          double{cloth.settings.fabric.bend}};
+    const std::array<double, 3> stiffness{static_cast<double>(cloth.settings.fabric.stretch),
+                                          static_cast<double>(cloth.settings.fabric.shear),
+                                          static_cast<double>(cloth.settings.fabric.bend)};
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(positions.size());
     for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
         for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
             const Eigen::Vector3d d =
                 positions.segment<3>(3 * cloth.model.neighbours[e]) - positions.segment<3>(3 * i);
             forces.segment<3>(3 * i) +=
-                exact_force(d, double{cloth.model.rest_lengths[e]},
+                exact_force(d, static_cast<double>(cloth.model.rest_lengths[e]),
                             stiffness[static_cast<std::size_t>(cloth.model.kinds[e])]);
         }
     }
@@ -158,7 +159,7 @@ TEST(Assembly, SystemIsKangsForTheExactJacobianInTension) {
     }
     Eigen::MatrixXd expected = -h * h * jacobian;
     for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
-        expected.diagonal().segment<3>(3 * i).array() += double{cloth.mass(i)};
+        expected.diagonal().segment<3>(3 * i).array() += static_cast<double>(cloth.mass(i));
     }
     EXPECT_LT((system.matrix - expected).norm() / expected.norm(), 1e-6);
 
@@ -185,10 +186,11 @@ TEST(Assembly, DampingOpposesStretchingAndNothingElse) {
     assemble_step(cloth, 1e-3f, Vector3::Zero());
     double power = 0, expected = 0;
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        power += double{xyz(cloth.system.right_side[i]).dot(xyz(cloth.state.velocities[i]))} / 1e-3;
+        power +=
+            static_cast<double>(xyz(cloth.system.right_side[i]).dot(xyz(cloth.state.velocities[i]))) / 1e-3;
         for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
             const std::array<double, 3> k{40.0, 12.0, 4.0};
-            const double rate = double{cloth.model.rest_lengths[e]};  // growth at 1/s
+            const double rate = static_cast<double>(cloth.model.rest_lengths[e]);  // growth at 1/s
             expected -= 0.5 * (0.01 + 1e-3) * k[static_cast<std::size_t>(cloth.model.kinds[e])] * rate * rate;
         }
     }
