@@ -32,9 +32,9 @@ struct Symmetric3 {
     }
 };
 
-/// The inverse of a matrix whose eigenvalues are at least `least` > 0. A direction that is so much softer than the
-/// stiffest that single precision has lost it counts as heavier instead of as lighter than it is: the inverse stays
-/// positive definite, and no larger than about 1 / least, at any stiffness.
+/// The inverse of a matrix whose eigenvalues are at least `least` > 0. A direction that is so much softer
+/// than the stiffest that single precision has lost it counts as heavier instead of as lighter than it is:
+/// the inverse stays positive definite, and no larger than about 1 / least, at any stiffness.
 [[nodiscard]] Symmetric3 inverse(const Symmetric3& m, float least);
 
 struct ImplicitSystem {
