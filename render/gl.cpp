@@ -4,67 +4,6 @@
 
 namespace weft::render {
 
-GLuint BufferKind::make() {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    return id;
-}
-void BufferKind::release(GLuint id) {
-    glDeleteBuffers(1, &id);
-}
-
-GLuint TextureKind::make() {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    return id;
-}
-void TextureKind::release(GLuint id) {
-    glDeleteTextures(1, &id);
-}
-
-GLuint SamplerKind::make() {
-    GLuint id = 0;
-    glGenSamplers(1, &id);
-    return id;
-}
-void SamplerKind::release(GLuint id) {
-    glDeleteSamplers(1, &id);
-}
-
-GLuint VertexArrayKind::make() {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return id;
-}
-void VertexArrayKind::release(GLuint id) {
-    glDeleteVertexArrays(1, &id);
-}
-
-GLuint FramebufferKind::make() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return id;
-}
-void FramebufferKind::release(GLuint id) {
-    glDeleteFramebuffers(1, &id);
-}
-
-GLuint RenderbufferKind::make() {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    return id;
-}
-void RenderbufferKind::release(GLuint id) {
-    glDeleteRenderbuffers(1, &id);
-}
-
-GLuint ProgramKind::make() {
-    return glCreateProgram();
-}
-void ProgramKind::release(GLuint id) {
-    glDeleteProgram(id);
-}
-
 namespace {
 
 class Shader {

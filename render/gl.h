@@ -38,42 +38,28 @@ class Handle {
     GLuint id_ = 0;
 };
 
-// glad's functions are pointers filled at run time, so they cannot be template arguments themselves.
-struct BufferKind {
-    static GLuint make();
-    static void release(GLuint id);
-};
-struct TextureKind {
-    static GLuint make();
-    static void release(GLuint id);
-};
-struct SamplerKind {
-    static GLuint make();
-    static void release(GLuint id);
-};
-struct VertexArrayKind {
-    static GLuint make();
-    static void release(GLuint id);
-};
-struct FramebufferKind {
-    static GLuint make();
-    static void release(GLuint id);
-};
-struct RenderbufferKind {
-    static GLuint make();
-    static void release(GLuint id);
+/// Names that OpenGL makes and deletes in arrays. glad's functions are pointers that are filled at run time,
+/// so it is their addresses that are template arguments.
+template <auto* generate, auto* destroy>
+struct ArrayKind {
+    static GLuint make() {
+        GLuint id = 0;
+        (*generate)(1, &id);
+        return id;
+    }
+    static void release(GLuint id) { (*destroy)(1, &id); }
 };
 struct ProgramKind {
-    static GLuint make();
-    static void release(GLuint id);
+    static GLuint make() { return glCreateProgram(); }
+    static void release(GLuint id) { glDeleteProgram(id); }
 };
 
-using Buffer = Handle<BufferKind>;
-using Texture = Handle<TextureKind>;
-using Sampler = Handle<SamplerKind>;
-using VertexArray = Handle<VertexArrayKind>;
-using Framebuffer = Handle<FramebufferKind>;
-using Renderbuffer = Handle<RenderbufferKind>;
+using Buffer = Handle<ArrayKind<&glGenBuffers, &glDeleteBuffers>>;
+using Texture = Handle<ArrayKind<&glGenTextures, &glDeleteTextures>>;
+using Sampler = Handle<ArrayKind<&glGenSamplers, &glDeleteSamplers>>;
+using VertexArray = Handle<ArrayKind<&glGenVertexArrays, &glDeleteVertexArrays>>;
+using Framebuffer = Handle<ArrayKind<&glGenFramebuffers, &glDeleteFramebuffers>>;
+using Renderbuffer = Handle<ArrayKind<&glGenRenderbuffers, &glDeleteRenderbuffers>>;
 
 /// A linked vertex and fragment shader. use() comes before set().
 class Program {
