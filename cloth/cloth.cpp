@@ -34,15 +34,15 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
 }
 
 void Cloth::apply(const ClothSettings& changed) {
+    // Memory first: if there is none, nothing has changed yet.
+    if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.particle_count);
+    if (!changed.self_collision.enabled) {
+        self_contacts.reset();
+        self_counts = {};
+    }
     settings = changed;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         set_inverse_mass(i, find_pin(i) == nullptr ? inverse_mass_when_free(i) : 0.0f);
-    }
-    if (!settings.self_collision.enabled) {
-        self_contacts.reset();
-        self_counts = {};
-    } else if (!self_contacts) {
-        self_contacts.emplace(model.particle_count);
     }
 }
 
@@ -82,7 +82,6 @@ void Cloth::unpin(std::uint32_t particle) {
 void Cloth::restore_start_of_step() {
     std::ranges::copy(state.previous_positions.span(), state.positions.data());
     std::ranges::fill(state.velocities.span(), Vec4{});
-    for (const Pin& pin : pins) set_xyz(state.positions[pin.particle], pin.target);
 }
 
 float Cloth::self_collision_distance() const {

@@ -38,7 +38,7 @@ struct Cloth {
     [[nodiscard]] Pin* find_pin(std::uint32_t particle);
     void pin(std::uint32_t particle);
     void unpin(std::uint32_t particle);
-    /// Puts the cloth back to where the step began, at rest, pins at their targets.
+    /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
     /// Least distance between particles that self-collision keeps [m].
     [[nodiscard]] float self_collision_distance() const;

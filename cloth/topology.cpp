@@ -49,9 +49,10 @@ Error invalid_mesh(std::string message) {
     return {ErrorCode::invalid_mesh, std::move(message)};
 }
 
+/// False for not-a-number, too.
 bool usable(float coordinate) {
     return std::abs(coordinate) <= runaway_distance;
-}  // false for NaN, too
+}
 
 template <class Point>
 Error unusable_point(const char* array, std::size_t vertex, const Point& value) {
