@@ -7,6 +7,11 @@ namespace weft {
 
 namespace {
 
+/// Whether what a solver is made from differs; all else it reads at each step.
+bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
+    return a.method.index() != b.method.index() || a.finite_elements.enabled != b.finite_elements.enabled;
+}
+
 std::size_t bytes_of(const CookedCloth& model) {
     return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
@@ -22,10 +27,8 @@ std::size_t bytes_of(const CookedCloth& model) {
 Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
       state(model.particle_count),
-      system(model.particle_count, model.neighbours.size()),
-      mean_motion(model),
+      velocity_change(model.particle_count),
       triangle_scratch(model.triangles.size()),
-      partial_sums(block_count(model.particle_count)),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     std::ranges::copy(model.positions.span(), state.positions.data());
@@ -35,7 +38,11 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
 
 void Cloth::apply(const ClothSettings& changed) {
     // Memory first: if there is none, nothing has changed yet.
+    if (!solver || needs_another_solver(settings, changed)) solver = make_solver(model, changed);
     if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.particle_count);
+    const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
+    if (second_order && !history) history.emplace(model.particle_count);
+    if (!second_order) history.reset();
     if (!changed.self_collision.enabled) {
         self_contacts.reset();
         self_counts = {};
@@ -46,9 +53,13 @@ void Cloth::apply(const ClothSettings& changed) {
     }
 }
 
-void Cloth::set_gusts(bool on) {
-    const std::size_t needed = on ? model.particle_count : 0;
-    if (air_velocities.size() != needed) air_velocities = AlignedBuffer<Vec4>(needed);
+void Cloth::set_air(bool on, bool gusts) {
+    const auto provide = [&](AlignedBuffer<Vec4>& buffer, bool needed) {
+        const std::size_t size = needed ? model.particle_count : 0;
+        if (buffer.size() != size) buffer = AlignedBuffer<Vec4>(size);
+    };
+    provide(air_forces, on);
+    provide(air_velocities, on && gusts);
 }
 
 float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
@@ -59,6 +70,7 @@ float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
 void Cloth::set_inverse_mass(std::uint32_t particle, float inverse_mass) {
     state.positions[particle].w = inverse_mass;
     state.previous_positions[particle].w = inverse_mass;
+    solver_is_prepared = false;
 }
 
 Pin* Cloth::find_pin(std::uint32_t particle) {
@@ -82,6 +94,7 @@ void Cloth::unpin(std::uint32_t particle) {
 void Cloth::restore_start_of_step() {
     std::ranges::copy(state.previous_positions.span(), state.positions.data());
     std::ranges::fill(state.velocities.span(), Vec4{});
+    if (history) history->forget();
 }
 
 float Cloth::self_collision_distance() const {
@@ -94,10 +107,10 @@ ClothInfo Cloth::info() const {
     double mass_sum = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
-    info.bytes = bytes_of(model) + state.bytes() + system.bytes() + mean_motion.bytes() +
-                 (self_contacts ? self_contacts->bytes() : 0) + triangle_scratch.bytes() +
-                 air_velocities.bytes() + partial_sums.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
+                 (history ? history->bytes() : 0) + (self_contacts ? self_contacts->bytes() : 0) +
+                 triangle_scratch.bytes() + air_velocities.bytes() + air_forces.bytes() +
+                 partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

@@ -3,12 +3,13 @@
 // a step.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "cloth/cook.h"
-#include "cloth/implicit/mean_motion.h"
-#include "cloth/implicit/system.h"
+#include "cloth/history.h"
+#include "cloth/solver.h"
 #include "cloth/state.h"
 #include "cloth/survey.h"
 #include "collision/self_contacts.h"
@@ -28,8 +29,8 @@ struct Cloth {
 
     /// Takes validated settings over; makes or frees what self-collision needs.
     void apply(const ClothSettings& settings);
-    /// Makes or frees what gusts need.
-    void set_gusts(bool on);
+    /// Makes or frees what air and its gusts need.
+    void set_air(bool on, bool gusts);
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
@@ -48,14 +49,16 @@ struct Cloth {
     CookedCloth model;
     ClothSettings settings;
     ClothState state;
-    ImplicitSystem system;
-    MeanMotion mean_motion;
+    std::unique_ptr<Solver> solver;
+    bool solver_is_prepared = false;            ///< for the present pins and masses
+    AlignedBuffer<Vec4> velocity_change;        ///< of the present substep [m/s], w 0
+    std::optional<History> history;             ///< only with BDF2
     std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
     std::vector<Pin> pins;                      ///< in ascending order of particles
 
     AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
     AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each particle [m/s]; empty without gusts
-    AlignedBuffer<double> partial_sums;
+    AlignedBuffer<Vec4> air_forces;        ///< see ExternalForces
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 

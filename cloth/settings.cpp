@@ -14,6 +14,12 @@ class Checks {
   public:
     void at_least_zero(const char* name, float value) { require(value >= 0, name, value, "finite and >= 0"); }
     void positive(const char* name, float value) { require(value > 0, name, value, "finite and > 0"); }
+    void below(const char* name, float value, float limit) {
+        require(value < limit, name, value, "below " + number_text(static_cast<double>(limit)));
+    }
+    void at_least(const char* name, float value, float least) {
+        require(value >= least, name, value, "finite and >= " + number_text(static_cast<double>(least)));
+    }
     void within(const char* name, int value, int low, int high) {
         require(value >= low && value <= high, name, static_cast<float>(value),
                 "from " + std::to_string(low) + " to " + std::to_string(high));
@@ -30,6 +36,38 @@ class Checks {
     }
     std::optional<Error> first_;
 };
+
+constexpr int most_iterations = 100000;
+
+void check(Checks& checks, const Jacobi& method) {
+    checks.within("Jacobi::iterations", method.iterations, 0, most_iterations);
+}
+void check(Checks& checks, const Chebyshev& method) {
+    checks.within("Chebyshev::iterations", method.iterations, 1, most_iterations);
+}
+void check(Checks& checks, const ConjugateGradient& method) {
+    checks.within("ConjugateGradient::iterations", method.iterations, 1, most_iterations);
+}
+void check(Checks& checks, const Multilevel& method) {
+    checks.within("Multilevel::iterations", method.iterations, 1, most_iterations);
+    checks.within("Multilevel::passes", method.passes, 1, most_iterations);
+}
+void check(Checks& checks, const Xpbd& method) {
+    checks.within("Xpbd::iterations", method.iterations, 1, most_iterations);
+}
+void check(Checks& checks, const Fibres& method) {
+    checks.within("Fibres::iterations", method.iterations, 1, most_iterations);
+}
+void check(Checks& /*checks*/, const SymplecticEuler& /*method*/) {}
+
+void check(Checks& checks, const FiniteElements& elements) {
+    checks.positive("FiniteElements::warp", elements.warp);
+    checks.positive("FiniteElements::weft", elements.weft);
+    checks.positive("FiniteElements::shear", elements.shear);
+    checks.at_least("FiniteElements::poisson", elements.poisson, 0);
+    checks.below("FiniteElements::poisson", elements.poisson, 0.5f);
+    checks.at_least("FiniteElements::bending", elements.bending, 0);
+}
 
 }  // namespace
 
@@ -56,7 +94,10 @@ Result<void> validate(const ClothSettings& settings) {
     checks.at_least_zero("Fabric::shear", settings.fabric.shear);
     checks.at_least_zero("Fabric::bend", settings.fabric.bend);
     checks.at_least_zero("Fabric::damping", settings.fabric.damping);
-    checks.within("JacobiSettings::iterations", settings.solver.iterations, 0, 100000);
+    check(checks, settings.finite_elements);
+    std::visit([&](const auto& method) { check(checks, method); }, settings.method);
+    checks.within("ClothSettings::substeps", settings.substeps, 1, 1024);
+    checks.at_least("Tethers::slack", settings.tethers.slack, 1.0f);
     checks.at_least_zero("SelfCollision::distance", settings.self_collision.distance);
     checks.at_least_zero("SelfCollision::friction", settings.self_collision.friction);
     checks.at_least_zero("ClothSettings::air_damping", settings.air_damping);

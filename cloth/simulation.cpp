@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 bool has_gusts(const Wind& wind) {
-    return wind.air_density > 0 && wind.gust > 0;
+    return wind.gust > 0;
 }
 
 Parallel make_parallel(const WorldSettings& settings) {
@@ -29,13 +29,14 @@ void Simulation::apply(const WorldSettings& changed) {
         changed.threads != settings.threads || changed.executor.run != settings.executor.run ||
         changed.executor.user != settings.executor.user || changed.executor.width != settings.executor.width;
     if (other_threads) parallel = make_parallel(changed);
-    cloths.for_each(
-        [&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->set_gusts(has_gusts(changed.wind)); });
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        cloth->set_air(changed.wind.air_density > 0, has_gusts(changed.wind));
+    });
     settings = changed;
 }
 
 void Simulation::prepare(Cloth& cloth) {
-    cloth.set_gusts(has_gusts(settings.wind));
+    cloth.set_air(air_is_on(), has_gusts(settings.wind));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
 }

@@ -2,11 +2,11 @@
 // What a World holds, and the frame: how all of it advances by one step.
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "cloth/stages.h"
 #include "collision/collider_contacts.h"
 #include "engine/parallel_blocks.h"
 #include "engine/profiler.h"
@@ -14,21 +14,6 @@
 #include "weft/world.h"
 
 namespace weft {
-
-/// The stages of a step, as the profiler names them.
-enum class Stage : std::uint32_t {
-    wind,
-    assemble,
-    solve,
-    advance,
-    colliders,
-    self_search,
-    self_response,
-    guard,
-    normals
-};
-inline constexpr std::array stage_names{"wind",        "assemble",      "solve", "advance", "colliders",
-                                        "self search", "self response", "guard", "normals"};
 
 /// A collider now, and where the host wants it at the end of the next step.
 struct ColliderSlot {
@@ -59,11 +44,12 @@ struct Simulation {
 
   private:
     void begin(float dt);
-    void move_colliders(int substep);
     void feel_wind(Cloth& cloth);
-    void forces(Cloth& cloth, float h);
-    void solve(Cloth& cloth);
-    void advance(Cloth& cloth, float h, bool first_substep);
+    void move_colliders(float begin, float end);
+    void air_forces(Cloth& cloth);
+    [[nodiscard]] StepEquation equation_of(Cloth& cloth, float h);
+    void solve(Cloth& cloth, const StepEquation& equation);
+    void advance(Cloth& cloth, const StepEquation& equation, bool first_substep);
     void collide_with_colliders(Cloth& cloth, float h);
     void avoid_self_collision(Cloth& cloth, float h);
     void guard(Cloth& cloth);

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/forces/springs.h"
 #include "cloth/forces/wind.h"
-#include "cloth/implicit/jacobi.h"
 #include "cloth/normals.h"
 #include "cloth/simulation.h"
 
@@ -23,16 +21,20 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 
 void Simulation::step(float dt) {
     begin(dt);
-    const float h = dt / static_cast<float>(settings.substeps);
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { feel_wind(*cloth); });
     for (int substep = 0; substep < settings.substeps; ++substep) {
-        move_colliders(substep);
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-            forces(*cloth, h);
-            solve(*cloth);
-            advance(*cloth, h, substep == 0);
-            collide_with_colliders(*cloth, h);
-            avoid_self_collision(*cloth, h);
+            const int own = cloth->settings.substeps;
+            const float all = static_cast<float>(settings.substeps * own);
+            for (int s = substep * own; s < (substep + 1) * own; ++s) {
+                move_colliders(static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
+                air_forces(*cloth);
+                const StepEquation equation = equation_of(*cloth, dt / all);
+                solve(*cloth, equation);
+                advance(*cloth, equation, s == 0);
+                collide_with_colliders(*cloth, equation.h);
+                avoid_self_collision(*cloth, equation.h);
+            }
         });
     }
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
@@ -53,14 +55,10 @@ void Simulation::begin(float dt) {
     });
 }
 
-void Simulation::move_colliders(int substep) {
-    const auto fraction = [&](int done) {
-        return static_cast<float>(done) / static_cast<float>(settings.substeps);
-    };
+void Simulation::move_colliders(float begin, float end) {
     motions.clear();
     colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        motions.push_back({blend(slot.current, slot.target, fraction(substep)),
-                           blend(slot.current, slot.target, fraction(substep + 1))});
+        motions.push_back({blend(slot.current, slot.target, begin), blend(slot.current, slot.target, end)});
     });
 }
 
@@ -72,50 +70,63 @@ void Simulation::feel_wind(Cloth& cloth) {
                 cloth.air_velocities.span());
 }
 
-void Simulation::forces(Cloth& cloth, float h) {
-    if (air_is_on()) {
-        const auto timer = timed(Stage::wind);
-        compute_air_forces(parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
-                           cloth.triangle_scratch.span());
-    }
-    const auto timer = timed(Stage::assemble);
-    const ExternalForces external{.gravity = to_vector(settings.gravity),
-                                  .air_damping = cloth.settings.air_damping,
-                                  .triangle_air_forces = air_is_on()
-                                                             ? std::as_const(cloth.triangle_scratch).span()
-                                                             : std::span<const Vec4>{}};
-    assemble(parallel, cloth.model, cloth.state, cloth.settings.fabric, external, h, cloth.system);
+void Simulation::air_forces(Cloth& cloth) {
+    if (!air_is_on()) return;
+    const auto timer = timed(Stage::wind);
+    compute_air_forces(parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
+                       cloth.triangle_scratch.span(), cloth.air_forces.span());
 }
 
-void Simulation::solve(Cloth& cloth) {
-    const auto timer = timed(Stage::solve);
-    // Cloth that lies on something is held by it: its mean motion is not free.
-    const bool free_to_fall = cloth.settings.solver.exact_mean_motion && cloth.collider_contacts == 0;
-    if (free_to_fall) {
-        cloth.mean_motion.take_out(parallel, cloth.model, cloth.system);
-    } else {
-        cloth.mean_motion.clear();
+StepEquation Simulation::equation_of(Cloth& cloth, float h) {
+    const ClothState& state = cloth.state;
+    const bool second_order = cloth.history && cloth.history->holds(h);
+    if (second_order) {
+        const auto timer = timed(Stage::assemble);
+        cloth.history->begin(parallel, state);
     }
-    const float residual = solve_jacobi(parallel, cloth.model, cloth.settings.solver.iterations, cloth.system,
-                                        cloth.partial_sums.span());
-    if (free_to_fall) cloth.mean_motion.put_back(parallel, cloth.model, cloth.system);
+    return {.settings = cloth.settings,
+            .h = h,
+            .gamma = second_order ? History::gamma(h) : h,
+            .positions = state.positions.span(),
+            .velocities = state.velocities.span(),
+            .base_positions = second_order ? cloth.history->base_positions() : state.positions.span(),
+            .base_velocities = second_order ? cloth.history->base_velocities() : state.velocities.span(),
+            .external = {.gravity = to_vector(settings.gravity),
+                         .air_damping = cloth.settings.air_damping,
+                         .air = std::as_const(cloth.air_forces).span()}};
+}
+
+void Simulation::solve(Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.solver_is_prepared) {
+        cloth.solver->prepare(cloth.model, cloth.settings, cloth.state);
+        cloth.solver_is_prepared = true;
+    }
+    const float residual = cloth.solver->solve({.parallel = parallel,
+                                                .profiler = profiler,
+                                                .model = cloth.model,
+                                                .settings = cloth.settings,
+                                                .equation = equation,
+                                                .touches_collider = cloth.collider_contacts > 0,
+                                                .velocity_change = cloth.velocity_change.span()});
     report.residual = std::max(report.residual, residual);
 }
 
-// Kang, eq. 1: v += dv, then x += h v. The first substep writes the new positions over the previous ones and
-// swaps the two, so that the start of the step stays behind for the renderer's blend and for guard().
-void Simulation::advance(Cloth& cloth, float h, bool first_substep) {
+// v += dv, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h). The first substep
+// writes the new positions over the previous ones and swaps the two, so that the start of the step stays
+// behind for the renderer's blend and for guard().
+void Simulation::advance(Cloth& cloth, const StepEquation& equation, bool first_substep) {
     const auto timer = timed(Stage::advance);
     ClothState& state = cloth.state;
     AlignedBuffer<Vec4>& target = first_substep ? state.previous_positions : state.positions;
+    if (cloth.history) cloth.history->set_step(equation.h);
     parallel.ranges(state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vec4 x = state.positions[i];
-            const Vector3 v = limited(xyz(state.velocities[i]) + xyz(cloth.system.velocity_change[i]) +
-                                          cloth.mean_motion.velocity_change(i),
-                                      settings.max_speed);
+            const Vector3 v_before = xyz(state.velocities[i]);
+            const Vector3 v = limited(v_before + xyz(cloth.velocity_change[i]), settings.max_speed);
             set_xyz(state.velocities[i], v);
-            target[i] = to_vec4(xyz(x) + h * v, x.w);
+            target[i] = to_vec4(xyz(equation.base_positions[i]) + equation.gamma * v, x.w);
+            if (cloth.history) cloth.history->record(i, xyz(target[i]) - xyz(x), v - v_before, target[i]);
         }
     });
     if (first_substep) std::swap(state.positions, state.previous_positions);

@@ -6,11 +6,20 @@
 namespace weft::demo {
 namespace {
 
+/// For methods that iterate; the others have nothing to set.
+void set_iterations(Method& method, int iterations) {
+    std::visit(
+        [&](auto& each) {
+            if constexpr (requires { each.iterations; }) each.iterations = iterations;
+        },
+        method);
+}
+
 Result<void> apply_to_cloths(World& world, const SceneContent& content, const Overrides& overrides) {
     for (const SceneCloth& cloth : content.cloths) {
         auto settings = world.cloth_settings(cloth.id);
         if (!settings) return settings.error();
-        settings->solver.iterations = overrides.iterations.value_or(settings->solver.iterations);
+        if (overrides.iterations) set_iterations(settings->method, *overrides.iterations);
         settings->self_collision.enabled =
             overrides.self_collision.value_or(settings->self_collision.enabled);
         if (auto set = world.set_cloth_settings(cloth.id, *settings); !set) return set.error();

@@ -1,5 +1,8 @@
 #pragma once
 // Memory for per-particle data: cache-line aligned, sized once, never grown behind the solver's back.
+//
+// Invariant: behind the last element lie as many of value T{} as fill its group of 16. Kernels that work on
+// groups read and write them, and nobody else does.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,14 +20,12 @@ class AlignedBuffer {
 
   public:
     static constexpr std::size_t alignment = 64;
+    static constexpr std::size_t group = 16;
 
     AlignedBuffer() = default;
     /// `size` elements, all of value T{}.
-    explicit AlignedBuffer(std::size_t size)
-        : data_(size == 0 ? nullptr
-                          : static_cast<T*>(::operator new[](size * sizeof(T), std::align_val_t{alignment}))),
-          size_(size) {
-        std::uninitialized_fill_n(data_.get(), size, T{});
+    explicit AlignedBuffer(std::size_t size) : data_(allocate(padded(size))), size_(size) {
+        std::uninitialized_fill_n(data_.get(), padded(size), T{});
     }
 
     AlignedBuffer(AlignedBuffer&& other) noexcept
@@ -38,13 +39,18 @@ class AlignedBuffer {
     [[nodiscard]] T* data() noexcept { return data_.get(); }
     [[nodiscard]] const T* data() const noexcept { return data_.get(); }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(T); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return padded(size_) * sizeof(T); }
     T& operator[](std::size_t i) noexcept { return data_.get()[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_.get()[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data(), size_}; }
     [[nodiscard]] std::span<const T> span() const noexcept { return {data(), size_}; }
 
   private:
+    static constexpr std::size_t padded(std::size_t size) { return (size + group - 1) / group * group; }
+    static T* allocate(std::size_t count) {
+        if (count == 0) return nullptr;
+        return static_cast<T*>(::operator new[](count * sizeof(T), std::align_val_t{alignment}));
+    }
     struct Free {
         void operator()(T* p) const noexcept { ::operator delete[](p, std::align_val_t{alignment}); }
     };

@@ -1,16 +1,12 @@
 #pragma once
-// Springs: their forces, the derivatives of these, and the system that backward Euler makes of them.
+// Springs: their forces, and the derivatives of these.
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
-#include "cloth/cook.h"
-#include "cloth/implicit/system.h"
-#include "cloth/state.h"
-#include "engine/parallel_blocks.h"
 #include "engine/separating_direction.h"
+#include "engine/vector.h"
 #include "weft/settings.h"
 
 namespace weft {
@@ -43,16 +39,9 @@ struct SpringTerms {
             .axial = stiffness - isotropic};
 }
 
-/// What acts on the particles besides springs.
-struct ExternalForces {
-    Vector3 gravity;    ///< [m/s^2]
-    float air_damping;  ///< [1/s]
-    std::span<const Vec4>
-        triangle_air_forces;  ///< per triangle and corner: force [N], w slope of drag [N s/m]; empty: no air
-};
-
-/// Fills the system of the step of length h from the present positions and velocities.
-void assemble(Parallel& parallel, const CookedCloth& model, const ClothState& state, const Fabric& fabric,
-              const ExternalForces& external, float h, ImplicitSystem& system);
+/// Stiffness of each SpringKind [N/m].
+[[nodiscard]] inline std::array<float, 3> stiffnesses(const Fabric& fabric) {
+    return {fabric.stretch, fabric.shear, fabric.bend};
+}
 
 }  // namespace weft

@@ -40,7 +40,7 @@ void sample_wind(Parallel& parallel, const ClothState& state, const WindField& f
 
 void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
                         const Wind& wind, std::span<const Vec4> air_velocities,
-                        std::span<Vec4> triangle_forces) {
+                        std::span<Vec4> triangle_scratch, std::span<Vec4> particle_forces) {
     const auto mean_of = [](std::span<const Vec4> values, const Triangle& t) -> Vector3 {
         return third * (xyz(values[t[0]]) + xyz(values[t[1]]) + xyz(values[t[2]]));
     };
@@ -54,7 +54,16 @@ void compute_air_forces(Parallel& parallel, const CookedCloth& model, const Clot
             const Vector3 air = air_velocities.empty() ? mean_wind : mean_of(air_velocities, triangle);
             const PlateForce plate =
                 plate_force(air - mean_of(velocities, triangle), 0.5f * (b - a).cross(c - a), wind);
-            triangle_forces[t] = to_vec4(third * plate.force, third * plate.slope);
+            triangle_scratch[t] = to_vec4(third * plate.force, third * plate.slope);
+        }
+    });
+    parallel.ranges(model.particle_count, [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            Vector4 sum = Vector4::Zero();
+            for (std::uint32_t c = model.corner_offsets[i]; c < model.corner_offsets[i + 1]; ++c) {
+                sum += load(triangle_scratch[model.corner_triangles[c]]);
+            }
+            particle_forces[i] = to_vec4(sum.head<3>(), sum.w());
         }
     });
 }

@@ -24,10 +24,11 @@ struct PlateForce {
 void sample_wind(Parallel& parallel, const ClothState& state, const WindField& field,
                  std::span<Vec4> air_velocities);
 
-/// A third of each triangle's air force, for each of its corners, and of its slope in w. `air_velocities`: as
-/// sampled, or empty where the mean wind blows everywhere.
+/// The air's force on each particle, and its slope in w: a third of that on each of its triangles.
+/// `air_velocities`: as sampled, or empty where the mean wind blows everywhere. `triangle_scratch`: one a
+/// triangle.
 void compute_air_forces(Parallel& parallel, const CookedCloth& model, const ClothState& state,
                         const Wind& wind, std::span<const Vec4> air_velocities,
-                        std::span<Vec4> triangle_forces);
+                        std::span<Vec4> triangle_scratch, std::span<Vec4> particle_forces);
 
 }  // namespace weft

@@ -15,24 +15,18 @@ std::span<const std::uint32_t> particles_of(const CookedCloth& model, std::uint3
 }  // namespace
 
 MeanMotion::MeanMotion(const CookedCloth& model)
-    : component_of_(model.particle_count),
-      component_change_(model.component_offsets.size() - 1),
-      partials_(block_count(model.particle_count)) {
-    for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
-        for (const std::uint32_t i : particles_of(model, c)) component_of_[i] = c;
-    }
-}
+    : component_change_(model.component_offsets.size() - 1), partials_(block_count(model.particle_count)) {}
 
 template <class Term>
 MeanMotion::Sum MeanMotion::sum_over(Parallel& parallel, std::span<const std::uint32_t> particles,
-                                     const ImplicitSystem& system, const Term& term) {
+                                     std::span<const Vec4> right_side, const Term& term) {
     return parallel.reduce(
         static_cast<std::uint32_t>(particles.size()), partials_.span(), Sum{},
         [&](const BlockRange& range) {
             Sum sum;
             for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
                 const Vector3 value = term(i);
-                const float row_sum = system.right_side[i].w;
+                const float row_sum = right_side[i].w;
                 sum.x += static_cast<double>(value.x());
                 sum.y += static_cast<double>(value.y());
                 sum.z += static_cast<double>(value.z());
@@ -46,11 +40,11 @@ MeanMotion::Sum MeanMotion::sum_over(Parallel& parallel, std::span<const std::ui
         });
 }
 
-void MeanMotion::take_out(Parallel& parallel, const CookedCloth& model, ImplicitSystem& system) {
+void MeanMotion::take_out(Parallel& parallel, const CookedCloth& model, std::span<Vec4> right_side) {
     for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
         const auto particles = particles_of(model, c);
         const Sum sum =
-            sum_over(parallel, particles, system, [&](std::uint32_t i) { return xyz(system.right_side[i]); });
+            sum_over(parallel, particles, right_side, [&](std::uint32_t i) { return xyz(right_side[i]); });
         component_change_[c] = {};
         if (sum.pinned) continue;
 
@@ -58,29 +52,32 @@ void MeanMotion::take_out(Parallel& parallel, const CookedCloth& model, Implicit
         component_change_[c] = to_vec4(u, 1);
         parallel.ranges(static_cast<std::uint32_t>(particles.size()), [&](const BlockRange& range) {
             for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
-                Vec4& b = system.right_side[i];
+                Vec4& b = right_side[i];
                 set_xyz(b, xyz(b) - b.w * u);
             }
         });
     }
 }
 
-void MeanMotion::put_back(Parallel& parallel, const CookedCloth& model, const ImplicitSystem& system) {
+void MeanMotion::put_back(Parallel& parallel, const CookedCloth& model, std::span<const Vec4> right_side,
+                          std::span<Vec4> velocity_change) {
     for (std::uint32_t c = 0; c < component_change_.size(); ++c) {
         if (component_change_[c].w == 0) continue;
-        const Sum sum = sum_over(parallel, particles_of(model, c), system, [&](std::uint32_t i) {
-            return Vector3(system.right_side[i].w * xyz(system.velocity_change[i]));
+        const auto particles = particles_of(model, c);
+        const Sum sum = sum_over(parallel, particles, right_side, [&](std::uint32_t i) {
+            return Vector3(right_side[i].w * xyz(velocity_change[i]));
         });
-        set_xyz(component_change_[c], xyz(component_change_[c]) - sum.mean());
+        const Vector3 u = xyz(component_change_[c]) - sum.mean();
+        parallel.ranges(static_cast<std::uint32_t>(particles.size()), [&](const BlockRange& range) {
+            for (const std::uint32_t i : particles.subspan(range.begin, range.end - range.begin)) {
+                set_xyz(velocity_change[i], xyz(velocity_change[i]) + u);
+            }
+        });
     }
 }
 
-void MeanMotion::clear() {
-    std::ranges::fill(component_change_.span(), Vec4{});
-}
-
 std::size_t MeanMotion::bytes() const noexcept {
-    return component_of_.bytes() + component_change_.bytes() + partials_.bytes();
+    return component_change_.bytes() + partials_.bytes();
 }
 
 }  // namespace weft

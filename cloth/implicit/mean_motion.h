@@ -5,9 +5,9 @@
 #include <span>
 
 #include "cloth/cook.h"
-#include "cloth/implicit/system.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/vector.h"
 
 namespace weft {
 
@@ -22,17 +22,12 @@ class MeanMotion {
     explicit MeanMotion(const CookedCloth& model);
 
     /// Before the iteration: computes u of every component in which no particle is pinned, and subtracts r_i
-    /// u from b_i. Components with a pin are left as they are, and their velocity_change() is zero.
-    void take_out(Parallel& parallel, const CookedCloth& model, ImplicitSystem& system);
-    /// After the iteration: its own mean, which the exact solution does not have, is taken off u.
-    void put_back(Parallel& parallel, const CookedCloth& model, const ImplicitSystem& system);
-    /// Instead of both, for a cloth that is not free: velocity_change() is zero.
-    void clear();
-
-    /// What is to be added to the solver's dv of particle i [m/s].
-    [[nodiscard]] Vector3 velocity_change(std::uint32_t particle) const {
-        return xyz(component_change_[component_of_[particle]]);
-    }
+    /// u from b_i. Components with a pin are left as they are.
+    void take_out(Parallel& parallel, const CookedCloth& model, std::span<Vec4> right_side);
+    /// After the iteration: adds u to dv, less the iteration's own mean, which the exact solution does not
+    /// have.
+    void put_back(Parallel& parallel, const CookedCloth& model, std::span<const Vec4> right_side,
+                  std::span<Vec4> velocity_change);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -48,9 +43,8 @@ class MeanMotion {
     /// Sums term(i), a Vector3, and the row sums over some particles.
     template <class Term>
     [[nodiscard]] Sum sum_over(Parallel& parallel, std::span<const std::uint32_t> particles,
-                               const ImplicitSystem& system, const Term& term);
+                               std::span<const Vec4> right_side, const Term& term);
 
-    AlignedBuffer<std::uint32_t> component_of_;
     AlignedBuffer<Vec4> component_change_;  // w: 1 if the component is free, else 0
     AlignedBuffer<Sum> partials_;
 };

@@ -25,11 +25,12 @@ bool fabric_sliders(ClothSettings& settings) {
 }
 
 bool solver_sliders(ClothSettings& settings) {
-    return slider(
-        "iterations", settings.solver.iterations, 0, 200, "%d",
-        "Jacobi iterations of each substep. More carry forces further; odd counts leave less error than the "
-        "next even one.",
-        ImGuiSliderFlags_Logarithmic);
+    auto* jacobi = std::get_if<Jacobi>(&settings.method);
+    return jacobi != nullptr && slider("iterations", jacobi->iterations, 0, 200, "%d",
+                                       "Jacobi iterations of each substep. More carry forces further; odd "
+                                       "counts leave less error than the "
+                                       "next even one.",
+                                       ImGuiSliderFlags_Logarithmic);
 }
 
 bool self_collision_controls(ClothSettings& settings) {

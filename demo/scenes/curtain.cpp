@@ -49,7 +49,7 @@ class Curtain final : public Scene {
             return made.error();
 
         ClothSettings settings;
-        settings.solver.iterations = 7;
+        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

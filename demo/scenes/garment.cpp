@@ -45,7 +45,7 @@ class Garment final : public Scene {
 
         ClothSettings settings;
         settings.fabric.areal_density = 0.18f;
-        settings.solver.iterations = 7;
+        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

@@ -43,7 +43,7 @@ class Ribbon final : public Scene {
         ClothSettings settings;
         settings.fabric = {
             .areal_density = 0.2f, .stretch = 200.0f, .shear = 80.0f, .bend = 8.0f, .damping = 1e-3f};
-        settings.solver.iterations = 15;
+        settings.method = Jacobi{.iterations = 15};
         settings.air_damping = 1.0f;
         settings.self_collision = {.enabled = true, .distance = distance_, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;

@@ -32,7 +32,7 @@ class Sheet final : public Scene {
         mesh_ = std::move(*mesh);
 
         ClothSettings settings;
-        settings.solver.iterations = 7;
+        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         settings.thickness = thickness;
         const auto cloth = world.add_cloth(mesh_, settings);

@@ -6,6 +6,7 @@
 
 #include "cloth/cloth.h"
 #include "cloth/forces/springs.h"
+#include "cloth/implicit/implicit_system.h"
 #include "cloth/simulation.h"
 #include "weft/weft.h"
 
@@ -35,52 +36,60 @@ inline Cloth crumpled(const Mesh& mesh, float displacement, float stiffness, std
     return cloth;
 }
 
-/// The cloth's system of one step of length h under gravity.
-inline void assemble_step(Cloth& cloth, float h, const Vector3& gravity = {0, -9.81f, 0}) {
-    Parallel serial(1);
-    assemble(serial, cloth.model, cloth.state, cloth.settings.fabric,
-             {.gravity = gravity, .air_damping = cloth.settings.air_damping, .triangle_air_forces = {}}, h,
-             cloth.system);
+/// The equation of one step of length h of backward Euler under gravity, without air.
+inline StepEquation equation_of(const Cloth& cloth, float h, const Vector3& gravity = {0, -9.81f, 0}) {
+    return {.settings = cloth.settings,
+            .h = h,
+            .gamma = h,
+            .positions = cloth.state.positions.span(),
+            .velocities = cloth.state.velocities.span(),
+            .base_positions = cloth.state.positions.span(),
+            .base_velocities = cloth.state.velocities.span(),
+            .external = {.gravity = gravity, .air_damping = cloth.settings.air_damping, .air = {}}};
 }
 
-/// W and b of the assembled system in double precision, free particles only; row 3 i of pinned ones is the
+/// The cloth's system of that equation, linearised about the present positions.
+inline std::unique_ptr<ImplicitSystem> assembled(const Cloth& cloth, float h,
+                                                 const Vector3& gravity = {0, -9.81f, 0}) {
+    Parallel serial(1);
+    auto system = make_system(cloth.model, cloth.settings);
+    system->linearise(serial, equation_of(cloth, h, gravity), cloth.state.velocities.span(),
+                      LinearisedAbout::base);
+    return system;
+}
+
+inline Eigen::VectorXd flat(std::span<const Vec4> values) {
+    Eigen::VectorXd result(3 * static_cast<Eigen::Index>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        result.segment<3>(3 * static_cast<Eigen::Index>(i)) = xyz(values[i]).cast<double>();
+    }
+    return result;
+}
+
+/// W and b of a system in double precision, free particles only; rows of pinned ones are those of the
 /// identity.
 struct DenseSystem {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right_side;
 };
 
-inline DenseSystem dense(const Cloth& cloth) {
-    const Eigen::Index n = cloth.model.particle_count;
-    DenseSystem system{Eigen::MatrixXd::Zero(3 * n, 3 * n), Eigen::VectorXd::Zero(3 * n)};
-    for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
-        const Vec4& b = cloth.system.right_side[i];
-        auto diagonal = system.matrix.block<3, 3>(3 * i, 3 * i);
-        if (b.w == 0) {
-            diagonal.setIdentity();
-            continue;
+/// Column by column, by multiplying: for systems of any kind.
+inline DenseSystem dense(ImplicitSystem& system) {
+    Parallel serial(1);
+    const std::size_t particles = system.right_side().size();
+    const auto n = static_cast<Eigen::Index>(3 * particles);
+    AlignedBuffer<Vec4> unit(particles), column(particles);
+    DenseSystem result{Eigen::MatrixXd::Identity(n, n), flat(system.right_side().span())};
+    for (std::size_t i = 0; i < particles; ++i) {
+        if (system.right_side()[i].w == 0) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            unit[i] = to_vec4(Vector3::Unit(axis), 0);
+            system.multiply(serial, unit.span(), column.span());
+            result.matrix.col(3 * static_cast<Eigen::Index>(i) + axis) = flat(column.span());
         }
-        system.right_side.segment<3>(3 * i) = xyz(b).cast<double>();
-        diagonal = static_cast<double>(b.w) * Eigen::Matrix3d::Identity();
-        for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
-            const Vec4& c = cloth.system.coefficients[e];
-            const Eigen::Vector3d d = xyz(c).cast<double>();
-            const Eigen::Matrix3d a =
-                static_cast<double>(c.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
-            diagonal += a;
-            const std::uint32_t j = cloth.model.neighbours[e];
-            if (cloth.system.right_side[j].w != 0) system.matrix.block<3, 3>(3 * i, 3 * j) = -a;
-        }
+        unit[i] = {};
     }
-    return system;
-}
-
-inline Eigen::VectorXd solution(const Cloth& cloth) {
-    Eigen::VectorXd dv(3 * static_cast<Eigen::Index>(cloth.model.particle_count));
-    for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
-        dv.segment<3>(3 * i) = xyz(cloth.system.velocity_change[i]).cast<double>();
-    }
-    return dv;
+    return result;
 }
 
 }  // namespace weft::test

@@ -6,16 +6,31 @@
 
 #include <random>
 
+#include "cloth/implicit/symmetric3.h"
 #include "fixtures.h"
 #include "meshes.h"
 
 namespace weft::test {
 namespace {
 
-float solve(Cloth& cloth, int iterations) {
-    Parallel serial(1);
-    return solve_jacobi(serial, cloth.model, iterations, cloth.system, cloth.partial_sums.span());
-}
+/// A cloth's assembled system, and what Jacobi iterations make of it.
+struct Problem {
+    explicit Problem(const Cloth& cloth, float h = 1.0f / 60, const Vector3& gravity = {0, -9.81f, 0})
+        : system(assembled(cloth, h, gravity)),
+          dv(cloth.model.particle_count),
+          scratch(cloth.model.particle_count),
+          partials(block_count(cloth.model.particle_count)) {}
+
+    float solve(int iterations) {
+        Parallel serial(1);
+        return solve_jacobi(serial, *system, iterations, scratch, partials.span(), dv.span());
+    }
+    [[nodiscard]] Eigen::VectorXd solution() const { return flat(dv.span()); }
+
+    std::unique_ptr<ImplicitSystem> system;
+    AlignedBuffer<Vec4> dv, scratch;
+    AlignedBuffer<double> partials;
+};
 
 /// Block Jacobi's iteration matrix G = I - D^-1 W.
 Eigen::MatrixXd iteration_matrix(const DenseSystem& system) {
@@ -66,26 +81,26 @@ TEST(Jacobi, ManyIterationsEqualADenseSolve) {
     for (const std::uint32_t pinned : {0u, 3u}) {
         Cloth cloth = crumpled(sheet(6, 7), 0.03f, 60.0f);
         for (std::uint32_t p = 0; p < pinned; ++p) cloth.pin(5 * p);
-        assemble_step(cloth, 1.0f / 60);
-        const DenseSystem system = dense(cloth);
+        Problem problem(cloth);
+        const DenseSystem system = dense(*problem.system);
         const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
-        const float residual = solve(cloth, 4000);
-        EXPECT_LT((solution(cloth) - exact).norm() / exact.norm(), 2e-5) << pinned << " pinned";
+        const float residual = problem.solve(4000);
+        EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5) << pinned << " pinned";
         EXPECT_LT(residual, 1e-5f);
     }
 }
 
 TEST(Jacobi, ErrorAfterKIterationsIsTheIterationMatrixToTheKPlusOne) {
     Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
-    assemble_step(cloth, 1.0f / 60);
-    const DenseSystem system = dense(cloth);
+    Problem problem(cloth);
+    const DenseSystem system = dense(*problem.system);
     const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
     const Eigen::MatrixXd g = iteration_matrix(system);
     Eigen::VectorXd error = -exact;  // of dv = 0
     for (int k = 0; k <= 16; ++k) {
         error = g * error;
-        solve(cloth, k);
-        EXPECT_LT((solution(cloth) - exact - error).norm(), 1e-5 * exact.norm()) << "k = " << k;
+        problem.solve(k);
+        EXPECT_LT((problem.solution() - exact - error).norm(), 1e-5 * exact.norm()) << "k = " << k;
     }
 }
 
@@ -95,8 +110,7 @@ TEST(Jacobi, ConvergesForAnyStiffnessAndStep) {
     for (const float stiffness : {1.0f, 1e3f, 1e6f}) {
         for (const float h : {1e-4f, 1.0f / 60, 1.0f}) {
             Cloth cloth = crumpled(sheet(4, 5), 0.1f, stiffness);
-            assemble_step(cloth, h);
-            const Eigen::MatrixXd w = dense(cloth).matrix;
+            const Eigen::MatrixXd w = dense(*assembled(cloth, h)).matrix;
             Eigen::MatrixXd d = Eigen::MatrixXd::Zero(w.rows(), w.cols());
             for (Eigen::Index i = 0; i < w.rows(); i += 3) d.block<3, 3>(i, i) = w.block<3, 3>(i, i);
             const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(w, d,
@@ -116,11 +130,11 @@ TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         cloth.state.positions[i].x += ((i / 8 + i % 8) % 2 == 0 ? 1e-3f : -1e-3f);
     }
-    assemble_step(cloth, 1.0f / 60, Vector3::Zero());
-    const DenseSystem system = dense(cloth);
+    Problem problem(cloth, 1.0f / 60, Vector3::Zero());
+    const DenseSystem system = dense(*problem.system);
     const auto correction = [&](int k) {
-        solve(cloth, k);
-        const Eigen::VectorXd dv = solution(cloth);
+        problem.solve(k);
+        const Eigen::VectorXd dv = problem.solution();
         return dv.dot(system.matrix * dv) / dv.dot(system.right_side);
     };
     for (int k = 1; k <= 15; k += 2) EXPECT_LE(correction(k), 1) << "k = " << k;
@@ -129,33 +143,30 @@ TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
 
 TEST(Jacobi, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
     Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
-    assemble_step(cloth, 1.0f / 60);
-    const DenseSystem system = dense(cloth);
+    Problem problem(cloth);
+    const DenseSystem system = dense(*problem.system);
     const Eigen::MatrixXd g = iteration_matrix(system);
-    solve(cloth, 0);
-    const Eigen::VectorXd first = solution(cloth);
+    problem.solve(0);
+    const Eigen::VectorXd first = problem.solution();
     Eigen::VectorXd residual = first;  // D^-1 (b - W dv_k) = G^k (dv_1 - dv_0) with dv_0 := 0, dv_1 := D^-1 b
     for (int k = 1; k <= 6; ++k) {
         residual = g * residual;
-        EXPECT_NEAR(solve(cloth, k), residual.norm() / first.norm(), 1e-4) << "k = " << k;
+        EXPECT_NEAR(problem.solve(k), residual.norm() / first.norm(), 1e-4) << "k = " << k;
     }
-    EXPECT_EQ(solve(cloth, 0), 1.0f);
+    EXPECT_EQ(problem.solve(0), 1.0f);
 }
 
 TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
     Cloth cloth = crumpled(sheet(5, 6), 0.03f, 60.0f);
-    assemble_step(cloth, 1.0f / 60);
-    const DenseSystem system = dense(cloth);
+    Problem problem(cloth);
+    const DenseSystem system = dense(*problem.system);
     const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
     Parallel serial(1);
-    cloth.mean_motion.take_out(serial, cloth.model, cloth.system);
-    solve(cloth, 4000);
-    cloth.mean_motion.put_back(serial, cloth.model, cloth.system);
-    Eigen::VectorXd dv = solution(cloth);
-    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        dv.segment<3>(3 * i) += cloth.mean_motion.velocity_change(i).cast<double>();
-    }
-    EXPECT_LT((dv - exact).norm() / exact.norm(), 2e-5);
+    MeanMotion mean_motion(cloth.model);
+    mean_motion.take_out(serial, cloth.model, problem.system->right_side().span());
+    problem.solve(4000);
+    mean_motion.put_back(serial, cloth.model, problem.system->right_side().span(), problem.dv.span());
+    EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5);
 }
 
 TEST(MeanMotion, LeavesPinnedComponentsAlone) {
@@ -163,11 +174,13 @@ TEST(MeanMotion, LeavesPinnedComponentsAlone) {
     Cloth cloth = crumpled(two, 0.01f, 60.0f);
     ASSERT_EQ(cloth.model.info.components, 2u);
     cloth.pin(9);
-    assemble_step(cloth, 1.0f / 60);
+    Problem problem(cloth);
     Parallel serial(1);
-    cloth.mean_motion.take_out(serial, cloth.model, cloth.system);
-    EXPECT_GT(cloth.mean_motion.velocity_change(0).norm(), 0.1f) << "9.81 m/s^2 for 1/60 s";
-    EXPECT_EQ(cloth.mean_motion.velocity_change(10), Vector3(0, 0, 0));
+    MeanMotion mean_motion(cloth.model);
+    mean_motion.take_out(serial, cloth.model, problem.system->right_side().span());
+    mean_motion.put_back(serial, cloth.model, problem.system->right_side().span(), problem.dv.span());
+    EXPECT_GT(xyz(problem.dv[0]).norm(), 0.1f) << "9.81 m/s^2 for 1/60 s";
+    EXPECT_EQ(xyz(problem.dv[10]), Vector3(0, 0, 0));
 }
 
 }  // namespace

@@ -130,14 +130,6 @@ Eigen::VectorXd spring_forces(const Cloth& cloth, const Eigen::VectorXd& positio
     return forces;
 }
 
-Eigen::VectorXd flat(std::span<const Vec4> values) {
-    Eigen::VectorXd result(3 * static_cast<Eigen::Index>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        result.segment<3>(3 * static_cast<Eigen::Index>(i)) = xyz(values[i]).cast<double>();
-    }
-    return result;
-}
-
 /// Stretches the cloth by half, so that every spring is in tension and the Jacobian is the exact one.
 void stretch(Cloth& cloth) {
     for (Vec4& x : cloth.state.positions.span()) set_xyz(x, 1.5f * xyz(x));
@@ -148,8 +140,7 @@ TEST(Assembly, SystemIsKangsForTheExactJacobianInTension) {
     cloth.settings.fabric.damping = 0;
     stretch(cloth);
     const double h = step;
-    assemble_step(cloth, static_cast<float>(h), Vector3::Zero());
-    const DenseSystem system = dense(cloth);
+    const DenseSystem system = dense(*assembled(cloth, static_cast<float>(h), Vector3::Zero()));
 
     const Eigen::VectorXd x = flat(cloth.state.positions.span()), v = flat(cloth.state.velocities.span());
     Eigen::MatrixXd jacobian(x.size(), x.size());
@@ -167,6 +158,23 @@ TEST(Assembly, SystemIsKangsForTheExactJacobianInTension) {
     EXPECT_LT((system.right_side - right_side).norm() / right_side.norm(), 1e-4);
 }
 
+TEST(Assembly, ResidualIsTheRightSideAboutTheIterate) {
+    Cloth cloth = crumpled(sheet(5, 6), 0.03f, 40.0f);
+    cloth.settings.fabric.damping = 0.01f;
+    cloth.pin(3);
+    AlignedBuffer<Vec4> iterate(cloth.model.particle_count), residual(cloth.model.particle_count);
+    for (std::uint32_t i = 0; i < iterate.size(); ++i)
+        iterate[i] = to_vec4(0.5f * xyz(cloth.state.velocities[i]), 0);
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    const StepEquation equation = equation_of(cloth, 1.0f / 60);
+    system->linearise(serial, equation, iterate.span(), LinearisedAbout::iterate);
+    system->residual(serial, equation, iterate.span(), residual.span());
+    const Eigen::VectorXd b = flat(system->right_side().span()), r = flat(residual.span());
+    EXPECT_GT(r.norm(), 1e-3);
+    EXPECT_LT((b - r).norm() / r.norm(), 1e-5);
+}
+
 TEST(Assembly, DampingOpposesStretchingAndNothingElse) {
     Cloth cloth = crumpled(sheet(4, 4), 0, 40.0f);
     cloth.settings.fabric.damping = 0.01f;
@@ -175,19 +183,18 @@ TEST(Assembly, DampingOpposesStretchingAndNothingElse) {
         const Vec4& x = cloth.state.positions[i];
         cloth.state.velocities[i] = {-x.z, 0, x.x, 0};
     }
-    assemble_step(cloth, 1e-3f, Vector3::Zero());
-    for (const Vec4& b : cloth.system.right_side.span()) EXPECT_LT(xyz(b).norm(), 1e-9f);
+    auto system = assembled(cloth, 1e-3f, Vector3::Zero());
+    for (const Vec4& b : system->right_side().span()) EXPECT_LT(xyz(b).norm(), 1e-9f);
 
     // A uniform growth: power of the damping force is c (dl/dt)^2, summed over springs, and negative.
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         const Vec4& x = cloth.state.positions[i];
         cloth.state.velocities[i] = {x.x, x.y, x.z, 0};
     }
-    assemble_step(cloth, 1e-3f, Vector3::Zero());
+    system = assembled(cloth, 1e-3f, Vector3::Zero());
     double power = 0, expected = 0;
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        power +=
-            static_cast<double>(xyz(cloth.system.right_side[i]).dot(xyz(cloth.state.velocities[i]))) / 1e-3;
+        power += static_cast<double>(xyz(system->right_side()[i]).dot(xyz(cloth.state.velocities[i]))) / 1e-3;
         for (std::uint32_t e = cloth.model.spring_offsets[i]; e < cloth.model.spring_offsets[i + 1]; ++e) {
             const std::array<double, 3> k{40.0, 12.0, 4.0};
             const double rate = static_cast<double>(cloth.model.rest_lengths[e]);  // growth at 1/s

@@ -59,7 +59,7 @@ TEST(World, RefusesClothSettingsOutOfRangeAndNamesThem) {
         {"Fabric::areal_density", [](ClothSettings& s) { s.fabric.areal_density = -2; }},
         {"Fabric::stretch", [](ClothSettings& s) { s.fabric.stretch = -3; }},
         {"Fabric::damping", [](ClothSettings& s) { s.fabric.damping = not_a_number; }},
-        {"JacobiSettings::iterations", [](ClothSettings& s) { s.solver.iterations = -1; }},
+        {"Jacobi::iterations", [](ClothSettings& s) { s.method = Jacobi{.iterations = -1}; }},
         {"SelfCollision::distance", [](ClothSettings& s) { s.self_collision.distance = -0.01f; }},
         {"ClothSettings::thickness", [](ClothSettings& s) { s.thickness = not_a_number; }},
     };

@@ -33,7 +33,7 @@ TEST(Simulation, TakesOverrides) {
     EXPECT_EQ(world.substeps, 5);
     EXPECT_EQ(world.threads, 2);
     const auto cloth = simulation.world().cloth_settings(simulation.content().cloths.front().id);
-    EXPECT_EQ(cloth->solver.iterations, 3);
+    EXPECT_EQ(std::get<Jacobi>(cloth->method).iterations, 3);
     EXPECT_FALSE(cloth->self_collision.enabled);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "weft/executor.h"
+#include "weft/methods.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
 
@@ -19,21 +20,33 @@ struct Fabric {
     float damping = 2e-4f;       ///< spring damping over stiffness, c = damping * k [s], >= 0
 };
 
-/// Kang's approximate implicit solver: Jacobi iterations on the linearised backward Euler step.
-struct JacobiSettings {
-    /// >= 0. More carry forces further in a step. Take odd counts: they never over-correct, even ones do so
-    /// up to twofold on the shortest waves.
-    int iterations = 15;
-    /// Moves a component that has no pin and touches no collider by its exact mean acceleration, so that it
-    /// falls freely however few iterations run. False: the paper's iteration alone, whose first guess makes
-    /// stiff cloth hover.
-    bool exact_mean_motion = true;
+/// Triangle finite elements in place of the springs: warp, weft and shear apart, and bending as a rigidity.
+struct FiniteElements {
+    bool enabled = false;
+    float warp = 400.0f;           ///< membrane stiffness along the pattern's first axis [N/m], > 0
+    float weft = 400.0f;           ///< along its second axis [N/m], > 0
+    float shear = 100.0f;          ///< [N/m], > 0
+    float poisson = 0.0f;          ///< lateral contraction under stretch, in [0, 0.5)
+    float bending = 1e-5f;         ///< flexural rigidity [N m], >= 0
+    bool dihedral = false;         ///< bending by dihedral angles; false: quadratic (Bergou et al. 2006)
+    bool consistent_mass = false;  ///< false: lumped at the particles
+};
+
+/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
+/// the way along the cloth, whatever the solver has left unsolved.
+struct Tethers {
+    bool enabled = false;
+    float slack = 1.0f;  ///< times the length along the cloth, >= 1
 };
 
 /// One cloth. All of it can be changed between steps.
 struct ClothSettings {
     Fabric fabric;
-    JacobiSettings solver;
+    FiniteElements finite_elements;
+    Method method = Jacobi{};
+    TimeScheme time_scheme = TimeScheme::backward_euler;
+    int substeps = 1;  ///< steps of the method within each of WorldSettings::substeps, 1 to 1024
+    Tethers tethers;
     SelfCollision self_collision;
     float air_damping = 0.2f;  ///< rate at which velocity decays [1/s], >= 0
     float thickness = 0.005f;  ///< distance kept from colliders [m], >= 0

@@ -1,4 +1,4 @@
-#include "cloth/implicit/system.h"
+#include "cloth/implicit/symmetric3.h"
 
 #include <algorithm>
 

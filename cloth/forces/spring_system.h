@@ -1,0 +1,47 @@
+#pragma once
+// Springs as the linear system of an implicit step.
+
+#include <array>
+
+#include "cloth/implicit/implicit_system.h"
+#include "cloth/implicit/symmetric3.h"
+
+namespace weft {
+
+/// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c n n^T
+/// = a I + d d^T.
+class SpringSystem final : public ImplicitSystem {
+  public:
+    explicit SpringSystem(const CookedCloth& model);
+
+    void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                   LinearisedAbout about) override;
+    void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                  std::span<Vec4> residual) override;
+    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
+    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
+               std::span<Vec4> next) override;
+    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
+    [[nodiscard]] SpringBlocks spring_blocks(Parallel& parallel) override;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  private:
+    struct Row;
+    void set_stiffnesses(const Fabric& fabric);
+    /// Where the particles are at these velocities: x_base + gamma v.
+    void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
+    [[nodiscard]] Row external_row(const StepEquation& equation, const Vec4& position,
+                                   const Vector3& velocity, std::uint32_t i) const;
+    /// (W x)_i.
+    [[nodiscard]] Vector3 row_product(std::span<const Vec4> x, std::uint32_t i) const;
+
+    const CookedCloth& model_;
+    Stencil stencil_;
+    AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 0 where the stencil is padded
+    std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
+    AlignedBuffer<float> coefficients_;              // see SpringBlocks
+    AlignedBuffer<Symmetric3> inverse_diagonal_;     // 0 for pinned particles
+    AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
+};
+
+}  // namespace weft

@@ -1,0 +1,81 @@
+#pragma once
+// The linear system of one implicit step, W dv = b, as solvers see it. Springs and finite elements each have
+// their own.
+
+#include <memory>
+#include <span>
+
+#include "cloth/cook.h"
+#include "cloth/implicit/stencil.h"
+#include "cloth/implicit/step_equation.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// Which point of the equation a system is linearised about.
+enum class LinearisedAbout {
+    base,     ///< x_base, as Kang does: the present positions, for backward Euler
+    iterate,  ///< x_base + gamma v, as Newton's method does
+};
+
+/// next_i = x_i + step D_i^-1 (b_i - (W x)_i) + momentum (x_i - next_i), next holding the iterate before x.
+/// Block Jacobi has step 1 and momentum 0; every semi-iteration of it is a sequence of such steps.
+struct Relaxation {
+    float step = 1;
+    float momentum = 0;
+};
+
+/// Off-diagonal blocks in the form a I + d d^T >= 0, one per entry of the stencil: per slot 16 a [kg], then
+/// 16 d_x, d_y, d_z [sqrt(kg)]. From these the coarse levels are made. Blocks of pinned particles' own rows
+/// may hold anything.
+struct SpringBlocks {
+    const Stencil& stencil;
+    std::span<const float> coefficients;
+};
+
+/// Vectors are one Vec4 a particle, w 0, in AlignedBuffers (kernels read whole groups of 16). W is symmetric
+/// positive definite on the free particles; rows of pinned ones (inverse mass 0) are as if they were not
+/// there: 0 comes out.
+class ImplicitSystem {
+  public:
+    explicit ImplicitSystem(std::uint32_t particles)
+        : right_side_(particles), partial_sums_(block_count(particles)) {}
+    virtual ~ImplicitSystem() = default;
+
+    /// Makes W and b such that W dv = b is the equation, linearised, for v + dv. Precondition: `velocities`
+    /// are those of the equation if it is linearised about its base.
+    virtual void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                           LinearisedAbout about) = 0;
+    /// residual = gamma f - M (v - v_base): what b is about the iterate, without making W.
+    virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                          std::span<Vec4> residual) = 0;
+
+    /// product = W x. Returns x . W x.
+    virtual double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) = 0;
+    /// One step of relaxation on W x = b.
+    virtual void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                       Relaxation relaxation, std::span<Vec4> next) = 0;
+    /// x = step D^-1 b: relaxation from 0.
+    virtual void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) = 0;
+
+    /// The spring nearest to each off-diagonal block; the blocks themselves, for springs.
+    [[nodiscard]] virtual SpringBlocks spring_blocks(Parallel& parallel) = 0;
+
+    /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
+    [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }
+    [[nodiscard]] const AlignedBuffer<Vec4>& right_side() const noexcept { return right_side_; }
+    [[nodiscard]] virtual std::size_t bytes() const noexcept {
+        return right_side_.bytes() + partial_sums_.bytes();
+    }
+
+  protected:
+    AlignedBuffer<Vec4> right_side_;
+    AlignedBuffer<double> partial_sums_;
+};
+
+/// The system of the settings' force model.
+[[nodiscard]] std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model,
+                                                          const ClothSettings& settings);
+
+}  // namespace weft

@@ -1,0 +1,41 @@
+#pragma once
+// One implicit step as an equation for the velocities v at its end.
+
+#include <cstdint>
+#include <span>
+
+#include "engine/parallel_blocks.h"
+#include "engine/vector.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// What acts on the particles besides the fabric.
+struct ExternalForces {
+    Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
+    float air_damping = 0;              ///< [1/s]
+    std::span<const Vec4> air;          ///< per particle: force [N], w slope of drag [N s/m]; empty: no air
+};
+
+///     M (v - v_base) = gamma f(x_base + gamma v, v)
+///
+/// Backward Euler: gamma = h, the bases are the present positions and velocities. BDF2 (Curtiss and
+/// Hirschfelder 1952) is the same equation with gamma = 2h/3, x_base = (4 x_n - x_n-1) / 3, v_base = (4 v_n -
+/// v_n-1) / 3. A pinned particle's base is such that x_base + gamma v is where it will be. The air's force is
+/// that at `velocities`, with its slope.
+struct StepEquation {
+    const ClothSettings& settings;
+    float h;                               ///< [s]
+    float gamma;                           ///< [s]
+    std::span<const Vec4> positions;       ///< present, w inverse mass
+    std::span<const Vec4> velocities;      ///< present
+    std::span<const Vec4> base_positions;  ///< w inverse mass
+    std::span<const Vec4> base_velocities;
+    ExternalForces external;
+};
+
+/// Velocities once external forces alone have acted for h, drag taken implicitly: where explicit and
+/// positional methods begin. Pinned particles keep theirs. `predicted` may be the velocities.
+void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted);
+
+}  // namespace weft

@@ -1,0 +1,32 @@
+#pragma once
+// Symmetric 3x3 blocks.
+
+#include "engine/vector.h"
+
+namespace weft {
+
+/// A symmetric 3x3 matrix.
+struct Symmetric3 {
+    float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+    [[nodiscard]] Vector3 operator*(const Vector3& v) const {
+        return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
+                xz * v.x() + yz * v.y() + zz * v.z()};
+    }
+    /// Adds a I + d d^T.
+    void add(float a, const Vector3& d) {
+        xx += a + d.x() * d.x();
+        yy += a + d.y() * d.y();
+        zz += a + d.z() * d.z();
+        xy += d.x() * d.y();
+        xz += d.x() * d.z();
+        yz += d.y() * d.z();
+    }
+};
+
+/// The inverse of a matrix whose eigenvalues are at least `least` > 0. A direction that is so much softer
+/// than the stiffest that single precision has lost it counts as heavier instead of as lighter than it is:
+/// the inverse stays positive definite, and no larger than about 1 / least, at any stiffness.
+[[nodiscard]] Symmetric3 inverse(const Symmetric3& m, float least);
+
+}  // namespace weft

@@ -1,0 +1,73 @@
+#pragma once
+// How a cloth is stepped: one struct a method, each named after what its paper calls it. The chart in the
+// README says what each costs and how wrong it is.
+
+#include <variant>
+
+namespace weft {
+
+/// Kang's approximate implicit solver: Jacobi iterations on the linearised step. Few iterations leave the
+/// long waves unsolved: stiff cloth sags and lags.
+struct Jacobi {
+    /// >= 0. More carry forces further in a step. Take odd counts: they never over-correct, even ones do so
+    /// up to twofold on the shortest waves.
+    int iterations = 15;
+    /// Moves a component that has no pin and touches no collider by its exact mean acceleration, so that it
+    /// falls freely however few iterations run. False: the paper's iteration alone, whose first guess makes
+    /// stiff cloth hover.
+    bool exact_mean_motion = true;
+};
+
+/// Chebyshev semi-iteration of block Jacobi on the interval [2 / kappa, 2] (Golub and Varga 1961).
+struct Chebyshev {
+    int iterations = 16;            ///< >= 1
+    bool exact_mean_motion = true;  ///< as in Jacobi
+};
+
+/// Conjugate gradients with the block diagonal as preconditioner and pins filtered (Baraff and Witkin 1998).
+struct ConjugateGradient {
+    int iterations = 32;  ///< >= 1
+};
+
+/// Multigrid on any mesh, with exact Galerkin coarse operators; what it costs does not grow with stiffness.
+struct Multilevel {
+    enum class Use {
+        nonlinear_conjugate_gradient,  ///< one linearisation; a cycle preconditions each true gradient
+        passes,                        ///< linearise, solve by preconditioned conjugate gradients, and again
+    };
+    Use use = Use::nonlinear_conjugate_gradient;
+    int iterations = 4;  ///< of the conjugate gradients [in each pass], >= 1
+    int passes = 1;      ///< linearisations, >= 1; one: the linearly implicit step. Of `passes` only
+};
+
+/// Extended position based dynamics (Macklin, Mueller, Chentanez 2016), coloured Gauss-Seidel. Raise
+/// ClothSettings::substeps rather than iterations (Macklin et al. 2019).
+struct Xpbd {
+    int iterations = 1;  ///< >= 1, per substep
+};
+
+/// Position based dynamics with fibres and sets: chains of constraints, each solved as a whole.
+struct Fibres {
+    enum class SetSolver {
+        gauss_seidel,  ///< constraint by constraint along the fibre: cheap and stretchy
+        ldlt,          ///< the fibre's tridiagonal system, factorised: converges some ten times faster
+    };
+    int iterations = 4;                    ///< >= 1, per substep
+    SetSolver vertical = SetSolver::ldlt;  ///< stretch along the fibres that carry the weight
+    SetSolver horizontal = SetSolver::gauss_seidel;
+    SetSolver shear = SetSolver::gauss_seidel;
+};
+
+/// Explicit: v += h f / m, x += h v. Stable only for h < 2 / omega of the stiffest mode: substeps in the
+/// hundreds.
+struct SymplecticEuler {};
+
+using Method = std::variant<Multilevel, Jacobi, Chebyshev, ConjugateGradient, Xpbd, Fibres, SymplecticEuler>;
+
+/// Order of accuracy in time of the implicit methods; the others have their own.
+enum class TimeScheme {
+    backward_euler,  ///< first order; damps most
+    bdf2,            ///< second order; first where contacts or pins have just changed a particle's path
+};
+
+}  // namespace weft

@@ -1,0 +1,33 @@
+#include "cloth/solver.h"
+
+#include <stdexcept>
+
+#include "cloth/forces/spring_system.h"
+#include "cloth/implicit/jacobi.h"
+
+namespace weft {
+
+namespace {
+
+template <class... Makers>
+struct Overload : Makers... {
+    using Makers::operator()...;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings) {
+    using Made = std::unique_ptr<Solver>;
+    return std::visit(
+        Overload{
+            [&](const Jacobi&) -> Made { return std::make_unique<JacobiSolver>(model, settings); },
+            [&](const auto&) -> Made { throw std::logic_error("this method is not built yet"); },
+        },
+        settings.method);
+}
+
+std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model, const ClothSettings& /*settings*/) {
+    return std::make_unique<SpringSystem>(model);
+}
+
+}  // namespace weft

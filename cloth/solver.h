@@ -1,0 +1,48 @@
+#pragma once
+// A method as the frame sees it.
+
+#include <memory>
+#include <span>
+
+#include "cloth/cook.h"
+#include "cloth/implicit/step_equation.h"
+#include "cloth/stages.h"
+#include "cloth/state.h"
+#include "engine/parallel_blocks.h"
+#include "engine/profiler.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// One step of one cloth, for its solver. `settings.method` is the solver's own alternative.
+struct SolverStep {
+    Parallel& parallel;
+    Profiler& profiler;
+    const CookedCloth& model;
+    const ClothSettings& settings;
+    const StepEquation& equation;
+    bool touches_collider;            ///< a component without pins that touches nothing falls freely
+    std::span<Vec4> velocity_change;  ///< what the solver is to find, w 0
+
+    [[nodiscard]] auto timed(Stage stage) const { return profiler.time(static_cast<std::uint32_t>(stage)); }
+};
+
+/// Owns all memory that its method needs; nothing of it grows in a step.
+class Solver {
+  public:
+    virtual ~Solver() = default;
+    /// Fills velocity_change; 0 for pinned particles. Returns what is left of the linear system,
+    /// |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0.
+    virtual float solve(const SolverStep& step) = 0;
+    /// Before the first step, and before any step that follows a change of pins or masses. May allocate.
+    virtual void prepare(const CookedCloth& /*model*/, const ClothSettings& /*settings*/,
+                         const ClothState& /*state*/) {}
+    /// Whether it solves the equation in any time scheme; else it takes h, positions and velocities from it.
+    [[nodiscard]] virtual bool is_implicit() const noexcept { return true; }
+    [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
+};
+
+/// The solver of settings.method.
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings);
+
+}  // namespace weft
