@@ -1,0 +1,15 @@
+#pragma once
+// What weft_study does. Each returns the program's exit status: 0, or 1 after a message on standard error.
+
+#include "demo/study/options.h"
+
+namespace weft::study {
+
+/// Speed against accuracy: every method over its settings, compared with the references.
+int run_accuracy(const StudyOptions& options);
+/// Where methods fail: stiffness against step, from flat, crumpled and collapsed starts.
+int run_stability(const StudyOptions& options);
+/// Charts from what the others wrote.
+int run_plot(const PlotOptions& options);
+
+}  // namespace weft::study

@@ -1,0 +1,81 @@
+// weft_study: what each method costs, how wrong it is and where it fails.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "demo/study/commands.h"
+
+namespace {
+
+using namespace weft::study;
+
+void describe_measuring(CLI::App& command, StudyOptions& options) {
+    command.add_option("--csv", options.csv, "File for the rows")->required()->type_name("FILE");
+    command.add_flag("--quick", options.quick, "Two minutes in all: smaller sheets, fewer settings");
+    command.add_flag("--resume", options.resume, "Keep the file's rows and measure only those missing");
+    command.add_option("--threads", options.threads, "Threads of the simulation (default: one per core)")
+        ->check(CLI::Range(1, 256));
+    command.add_option("--only", options.only, "Methods whose name contains this")->type_name("TEXT");
+    command.add_option("--sizes", options.sizes, "Particles per side of the sheets")
+        ->delimiter(',')
+        ->check(CLI::Range(4u, 1024u))
+        ->type_name("N,N...");
+}
+
+void describe_accuracy(CLI::App& command, StudyOptions& options) {
+    describe_measuring(command, options);
+    command.add_option("--scenes", options.scenes, "hanging, wind, tshirt, dress (default: all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"hanging", "wind", "tshirt", "dress"}))
+        ->type_name("NAME,NAME...");
+    command.add_option("--cache", options.cache, "Folder of reference states (default: beside the CSV)")
+        ->type_name("DIR");
+    command
+        .add_option("--garments", options.garments,
+                    "Folder that holds tshirt-iso.obj and dress-victor-iso-draped.obj (default: garments in "
+                    "the folder that WEFT_DATA names)")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR");
+}
+
+void describe_plot(CLI::App& command, PlotOptions& options) {
+    command.add_option("--csv", options.csv, "Files that the other commands wrote")
+        ->required()
+        ->check(CLI::ExistingFile)
+        ->type_name("FILE...");
+    command.add_option("--out", options.out, "Folder for the charts (default: charts)")->type_name("DIR");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
+    app.require_subcommand(1);
+    StudyOptions accuracy, stability;
+    PlotOptions plot;
+    CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
+    CLI::App* const stability_command =
+        app.add_subcommand("stability", "Stiffness against step from hard starts, as CSV");
+    CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
+    describe_accuracy(*accuracy_command, accuracy);
+    describe_measuring(*stability_command, stability);
+    describe_plot(*plot_command, plot);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::fputs(app.help().c_str(), stdout);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        std::fprintf(stderr, "weft_study: %s (--help lists the options)\n", error.what());
+        return 2;
+    }
+    try {
+        if (accuracy_command->parsed()) return run_accuracy(accuracy);
+        if (stability_command->parsed()) return run_stability(stability);
+        return run_plot(plot);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "weft_study: %s\n", error.what());
+        return 1;
+    }
+}

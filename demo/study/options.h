@@ -1,0 +1,32 @@
+#pragma once
+// What the commands of weft_study are asked to do.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace weft::study {
+
+/// Of the commands that measure.
+struct StudyOptions {
+    std::filesystem::path csv;         ///< rows are appended as they are measured
+    bool quick = false;                ///< two minutes in all: smaller sheets, fewer settings
+    bool resume = false;               ///< rows that the file already holds are kept and not measured again
+    int threads = 0;                   ///< of the simulation; 0: one per core
+    std::string only;                  ///< methods whose name contains this; empty: all
+    std::filesystem::path cache;       ///< reference states; empty: a folder beside the CSV
+    std::filesystem::path garments;    ///< folder of the OBJ files; empty: none are run
+    std::vector<std::uint32_t> sizes;  ///< particles per side; empty: the command's own
+    std::vector<std::string> scenes;   ///< empty: all
+};
+
+struct PlotOptions {
+    std::vector<std::filesystem::path> csv;  ///< of any of the commands; told apart by their columns
+    std::filesystem::path out = "charts";    ///< folder for scripts, SVG and PNG
+};
+
+/// The number of threads meant by an option of 0 or more.
+[[nodiscard]] int thread_count(int threads);
+
+}  // namespace weft::study

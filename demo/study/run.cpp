@@ -1,0 +1,88 @@
+#include "demo/study/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "demo/study/options.h"
+
+namespace weft::study {
+
+namespace {
+
+CookedCloth cooked(const StudyScene& scene) {
+    Result<CookedCloth> result = cook(scene.mesh);
+    if (!result) throw std::runtime_error(scene.name + ": " + result.error().message);
+    return std::move(result).value();
+}
+
+WorldSettings with_threads(WorldSettings settings, int threads) {
+    settings.threads = threads;
+    return settings;
+}
+
+void place(const StudyScene& scene, ClothState& state) {
+    for (std::size_t i = 0; i < scene.start_positions.size(); ++i) {
+        const Vector3 x = xyz(scene.start_positions[i]);
+        set_xyz(state.positions[i], x);
+        set_xyz(state.previous_positions[i], x);
+    }
+    for (std::size_t i = 0; i < scene.start_velocities.size(); ++i)
+        set_xyz(state.velocities[i], xyz(scene.start_velocities[i]));
+}
+
+}  // namespace
+
+int thread_count(int threads) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return threads > 0 ? threads : std::clamp(cores, 1, 256);
+}
+
+Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
+    : frame_(scene.frame), simulation_(with_threads(scene.world, thread_count(threads))) {
+    auto made = std::make_unique<Cloth>(cooked(scene), point.applied_to(scene.cloth));
+    cloth_ = made.get();
+    if (point.make_solver) cloth_->solver = point.make_solver(cloth_->model, cloth_->settings);
+    place(scene, cloth_->state);
+    for (const std::uint32_t vertex : scene.pins) cloth_->pin(cloth_->model.vertex_to_particle[vertex]);
+    simulation_.prepare(*cloth_);
+    simulation_.cloths.insert(std::move(made));
+}
+
+double Run::step() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    simulation_.step(frame_);
+    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    restored_ += static_cast<int>(simulation_.report.restored_cloths);
+    return milliseconds;
+}
+
+Stretch structural_stretch(const Cloth& cloth) {
+    const CookedCloth& model = cloth.model;
+    Stretch stretch{0, 0};
+    std::size_t springs = 0;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        const Vector3 x = xyz(cloth.state.positions[i]);
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            if (model.kinds[e] != SpringKind::structural) continue;
+            const Vector3 separation = xyz(cloth.state.positions[model.neighbours[e]]) - x;
+            const double ratio = static_cast<double>(separation.norm() / model.rest_lengths[e]);
+            stretch.worst = std::max(stretch.worst, ratio);
+            stretch.mean += ratio;
+            ++springs;
+        }
+    }
+    if (springs > 0) stretch.mean /= static_cast<double>(springs);
+    return stretch;
+}
+
+double kappa(const Cloth& cloth, double frame) {
+    const ClothInfo info = cloth.info();
+    const double mass = static_cast<double>(info.mass) / info.particles;
+    return static_cast<double>(cloth.settings.fabric.stretch) * frame * frame / mass;
+}
+
+}  // namespace weft::study

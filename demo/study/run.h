@@ -1,0 +1,56 @@
+#pragma once
+// One cloth stepped by one method, and timed.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cloth/simulation.h"
+#include "demo/study/method_list.h"
+#include "weft/mesh.h"
+
+namespace weft::study {
+
+/// What is simulated, whatever the method: made once, so that every method starts from the same floats.
+struct StudyScene {
+    std::string name;            ///< "hanging"
+    std::uint32_t per_side = 0;  ///< 0: not a sheet
+    Mesh mesh;
+    ClothSettings cloth;  ///< fabric and air; the method is the point's
+    WorldSettings world;
+    std::vector<std::uint32_t> pins;     ///< vertices of the mesh
+    std::vector<Vec4> start_positions;   ///< of the particles [m]; empty: where the mesh is
+    std::vector<Vec4> start_velocities;  ///< [m/s]; empty: at rest
+    float frame = 1.0f / 60;             ///< [s]
+};
+
+class Run {
+  public:
+    /// Throws std::runtime_error if the mesh cannot be cooked, std::logic_error if the method is not there.
+    Run(const StudyScene& scene, const MethodPoint& point, int threads);
+
+    /// One frame. Returns its milliseconds.
+    double step();
+
+    [[nodiscard]] const Cloth& cloth() const { return *cloth_; }
+    [[nodiscard]] const StepReport& report() const { return simulation_.report; }
+    /// Frames after which the state had to be restored, since it was no longer finite.
+    [[nodiscard]] int restored_frames() const { return restored_; }
+
+  private:
+    float frame_;
+    Simulation simulation_;
+    Cloth* cloth_ = nullptr;
+    int restored_ = 0;
+};
+
+/// Worst and mean length over rest length of the structural springs.
+struct Stretch {
+    double worst, mean;
+};
+[[nodiscard]] Stretch structural_stretch(const Cloth& cloth);
+
+/// kappa = stiffness frame^2 / mean mass of a particle: how hard one step of the frame's length is.
+[[nodiscard]] double kappa(const Cloth& cloth, double frame);
+
+}  // namespace weft::study
