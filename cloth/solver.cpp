@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "cloth/forces/spring_system.h"
+#include "cloth/implicit/conjugate_gradient.h"
 #include "cloth/implicit/jacobi.h"
 
 namespace weft {
@@ -21,6 +22,9 @@ std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSetting
     return std::visit(
         Overload{
             [&](const Jacobi&) -> Made { return std::make_unique<JacobiSolver>(model, settings); },
+            [&](const ConjugateGradient&) -> Made {
+                return std::make_unique<ConjugateGradientSolver>(model, settings);
+            },
             [&](const auto&) -> Made { throw std::logic_error("this method is not built yet"); },
         },
         settings.method);
