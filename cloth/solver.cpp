@@ -2,9 +2,12 @@
 
 #include <stdexcept>
 
+#include "cloth/explicit/symplectic_euler.h"
 #include "cloth/forces/spring_system.h"
+#include "cloth/implicit/chebyshev.h"
 #include "cloth/implicit/conjugate_gradient.h"
 #include "cloth/implicit/jacobi.h"
+#include "cloth/implicit/multilevel.h"
 
 namespace weft {
 
@@ -22,9 +25,14 @@ std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSetting
     return std::visit(
         Overload{
             [&](const Jacobi&) -> Made { return std::make_unique<JacobiSolver>(model, settings); },
+            [&](const Chebyshev&) -> Made { return std::make_unique<ChebyshevSolver>(model, settings); },
+            [&](const SymplecticEuler&) -> Made {
+                return std::make_unique<SymplecticEulerSolver>(model, settings);
+            },
             [&](const ConjugateGradient&) -> Made {
                 return std::make_unique<ConjugateGradientSolver>(model, settings);
             },
+            [&](const Multilevel&) -> Made { return std::make_unique<MultilevelSolver>(model, settings); },
             [&](const auto&) -> Made { throw std::logic_error("this method is not built yet"); },
         },
         settings.method);

@@ -2,14 +2,6 @@
 
 namespace weft {
 
-namespace {
-
-void store(Vec4& target, const Vector4& value) {
-    Eigen::Map<Vector4, Eigen::Aligned16>(&target.x) = value;
-}
-
-}  // namespace
-
 std::size_t CgVectors::bytes() const noexcept {
     return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
 }
