@@ -258,6 +258,8 @@ Result<CookedCloth> cook(const Mesh& mesh) {
 
     CookedCloth cloth;
     cloth.particle_count = topology.particle_count();
+    cloth.rows = mesh.rows;
+    cloth.columns = mesh.columns;
     cloth.info = make_info(mesh, topology);
     count_springs(springs, cloth.info);
     store_positions(mesh, topology, cloth);

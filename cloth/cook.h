@@ -18,6 +18,7 @@ enum class SpringKind : std::uint8_t { structural, shear, bend };
 /// are summed.
 struct CookedCloth {
     std::uint32_t particle_count = 0;
+    std::uint32_t rows = 0, columns = 0;  ///< of a grid, as in Mesh; 0: a general mesh
     AlignedBuffer<Vec4> positions;  ///< where the cloth starts [m]; w unused
     AlignedBuffer<float>
         rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
