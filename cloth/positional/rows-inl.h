@@ -1,0 +1,95 @@
+// Vec4 rows that are fetched, changed and put back: for constraints that move their particles. Included like
+// cloth/implicit/lanes-inl.h, on which it builds.
+
+#if defined(WEFT_CLOTH_POSITIONAL_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_CLOTH_POSITIONAL_ROWS_INL_H
+#undef WEFT_CLOTH_POSITIONAL_ROWS_INL_H
+#else
+#define WEFT_CLOTH_POSITIONAL_ROWS_INL_H
+#endif
+
+#include "cloth/implicit/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+
+/// As many rows as a register has lanes, four to a lane of 128 bits: register k holds rows k, k + 4, k + 8,
+/// ..
+struct Rows {
+    Lanes r0, r1, r2, r3;
+};
+
+HWY_INLINE Rows operator-(const Rows& a, const Rows& b) {
+    return {hn::Sub(a.r0, b.r0), hn::Sub(a.r1, b.r1), hn::Sub(a.r2, b.r2), hn::Sub(a.r3, b.r3)};
+}
+HWY_INLINE Rows operator+(const Rows& a, const Rows& b) {
+    return {hn::Add(a.r0, b.r0), hn::Add(a.r1, b.r1), hn::Add(a.r2, b.r2), hn::Add(a.r3, b.r3)};
+}
+/// Row i times lane i of s, plus row i of b.
+HWY_INLINE Rows mul_add(Lanes s, const Rows& a, const Rows& b) {
+    return {hn::MulAdd(hn::Broadcast<0>(s), a.r0, b.r0), hn::MulAdd(hn::Broadcast<1>(s), a.r1, b.r1),
+            hn::MulAdd(hn::Broadcast<2>(s), a.r2, b.r2), hn::MulAdd(hn::Broadcast<3>(s), a.r3, b.r3)};
+}
+
+HWY_INLINE Rows fetch(const Vec4* rows, const std::uint32_t* nodes) {
+    const Tag d;
+    return {every_fourth_row(d, rows, nodes), every_fourth_row(d, rows, nodes + 1),
+            every_fourth_row(d, rows, nodes + 2), every_fourth_row(d, rows, nodes + 3)};
+}
+
+template <class D>
+HWY_INLINE void put_every_fourth(D d, hn::Vec<D> v, const std::uint32_t* nodes, Vec4* rows) {
+    if constexpr (hn::MaxLanes(D()) == 4) {
+        hn::Store(v, d, &rows[*nodes].x);
+    } else {
+        const hn::Half<D> half;
+        put_every_fourth(half, hn::LowerHalf(half, v), nodes, rows);
+        put_every_fourth(half, hn::UpperHalf(half, v), nodes + hn::MaxLanes(half), rows);
+    }
+}
+HWY_INLINE void put(const Rows& values, const std::uint32_t* nodes, Vec4* rows) {
+    const Tag d;
+    put_every_fourth(d, values.r0, nodes, rows);
+    put_every_fourth(d, values.r1, nodes + 1, rows);
+    put_every_fourth(d, values.r2, nodes + 2, rows);
+    put_every_fourth(d, values.r3, nodes + 3, rows);
+}
+
+/// Row i's x, y and z to lane i.
+HWY_INLINE Lanes3 lanes_of(const Rows& v) {
+    const Tag d;
+    const hn::Repartition<double, Tag> pairs;
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r0, v.r1));  // x0 x1 | y0 y1
+    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r2, v.r3));
+    const auto zw01 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r0, v.r1));  // z0 z1 | w0 w1
+    const auto zw23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r2, v.r3));
+    return {.x = hn::BitCast(d, hn::InterleaveLower(pairs, xy01, xy23)),
+            .y = hn::BitCast(d, hn::InterleaveUpper(pairs, xy01, xy23)),
+            .z = hn::BitCast(d, hn::InterleaveLower(pairs, zw01, zw23))};
+}
+/// And back, w 0.
+HWY_INLINE Rows rows_of(const Lanes3& v) {
+    const Tag d;
+    const hn::Repartition<double, Tag> pairs;
+    const Lanes zero = hn::Zero(d);
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.x, v.y));  // x0 y0 | x1 y1
+    const auto xy23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.x, v.y));
+    const auto z01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.z, zero));  // z0 0 | z1 0
+    const auto z23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.z, zero));
+    return {hn::BitCast(d, hn::InterleaveLower(pairs, xy01, z01)),
+            hn::BitCast(d, hn::InterleaveUpper(pairs, xy01, z01)),
+            hn::BitCast(d, hn::InterleaveLower(pairs, xy23, z23)),
+            hn::BitCast(d, hn::InterleaveUpper(pairs, xy23, z23))};
+}
+
+/// 1 / |d|, or 0 where two particles lie at one point.
+HWY_INLINE Lanes inverse_length(Lanes squared) {
+    const Tag d;
+    const auto apart = hn::Gt(squared, hn::Set(d, coincident));
+    return hn::IfThenElseZero(apart, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
+}
+
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
