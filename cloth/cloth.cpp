@@ -17,6 +17,7 @@ std::size_t bytes_of(const CookedCloth& model) {
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
            model.corner_offsets.bytes() + model.corner_triangles.bytes() +
            model.triangles.size() * sizeof(Triangle) +
+           model.panel_sides.size() * sizeof(model.panel_sides[0]) +
            (model.component_offsets.size() + model.component_particles.size() +
             model.vertex_to_particle.size()) *
                sizeof(std::uint32_t);

@@ -201,6 +201,17 @@ void store_rest_areas(const Mesh& mesh, const Topology& topology, CookedCloth& c
         cloth.rest_area[i] = static_cast<float>(areas[i]);
 }
 
+void store_panel_sides(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+    if (mesh.pattern.empty()) return;
+    cloth.panel_sides.reserve(topology.corners.size());
+    for (const Triangle& corners : topology.corners) {
+        const Vec2 &origin = mesh.pattern[corners[0]], &one = mesh.pattern[corners[1]],
+                   &two = mesh.pattern[corners[2]];
+        cloth.panel_sides.push_back(
+            {{{one.x - origin.x, one.y - origin.y}, {two.x - origin.x, two.y - origin.y}}});
+    }
+}
+
 void store_positions(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
     cloth.positions = AlignedBuffer<Vec4>(cloth.particle_count);
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
@@ -264,6 +275,7 @@ Result<CookedCloth> cook(const Mesh& mesh) {
     count_springs(springs, cloth.info);
     store_positions(mesh, topology, cloth);
     store_rest_areas(mesh, topology, cloth);
+    store_panel_sides(mesh, topology, cloth);
     store_springs(springs, cloth);
     cloth.triangles = std::move(topology.triangles);
     store_corners(cloth);

@@ -1,6 +1,7 @@
 #pragma once
 // Cooking: what is computed from a mesh once, and read by every step.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct CookedCloth {
     AlignedBuffer<SpringKind> kinds;
 
     std::vector<Triangle> triangles;              ///< particle indices
+    /// With a pattern: each triangle's sides from its corner 0 to corners 1 and 2, in its panel's plane [m]; else none.
+    std::vector<std::array<Vec2, 2>> panel_sides;
     AlignedBuffer<std::uint32_t> corner_offsets;  ///< triangles of each particle
     AlignedBuffer<std::uint32_t> corner_triangles;
 
