@@ -1,0 +1,30 @@
+#pragma once
+// The textbook's first integrator, which nobody should ship: for the stability maps only.
+
+#include "cloth/explicit/symplectic_euler.h"
+
+namespace weft::study {
+
+/// Explicit (forward) Euler: x += h v, v += h f(x, v) / m, both from the state at the step's start. With a
+/// mode of frequency omega and damping rate c, x'' = -c x' - omega^2 x, a step has the characteristic
+/// equation
+///     mu^2 - (2 - h c) mu + 1 - h c + h^2 omega^2 = 0,
+/// whose roots are within the unit circle for h <= c / omega^2 if the mode swings (c < 2 omega), and for h <=
+/// 4 / (c + sqrt(c^2 - 4 omega^2)) if it creeps. Without damping it gains energy at any step.
+///
+/// The frame moves positions by the new velocities. So that it moves them by the old ones, the forces of each
+/// step are handed over in the next: the velocities that the cloth shows are those of one step ago.
+class ExplicitEulerSolver final : public Solver {
+  public:
+    ExplicitEulerSolver(const CookedCloth& model, const ClothSettings& settings);
+    float solve(const SolverStep& step) override;
+    [[nodiscard]] bool is_implicit() const noexcept override { return false; }
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  private:
+    SymplecticEulerSolver forces_;
+    AlignedBuffer<Vec4> pending_;     // h f / m of the last step
+    AlignedBuffer<Vec4> velocities_;  // at the present positions
+};
+
+}  // namespace weft::study
