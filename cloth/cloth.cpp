@@ -9,7 +9,9 @@ namespace {
 
 /// Whether what a solver is made from differs; all else it reads at each step.
 bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
-    return a.method.index() != b.method.index() || a.finite_elements.enabled != b.finite_elements.enabled;
+    const FiniteElements &from = a.finite_elements, &to = b.finite_elements;
+    return a.method.index() != b.method.index() || from.enabled != to.enabled || from.dihedral != to.dihedral ||
+           (from.bending > 0) != (to.bending > 0);
 }
 
 std::size_t bytes_of(const CookedCloth& model) {

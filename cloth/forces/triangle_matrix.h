@@ -1,0 +1,36 @@
+#pragma once
+// The matrix of finite elements, whose blocks may be any 3x3 matrices, and the loops over its rows.
+
+#include <cstdint>
+
+#include "cloth/implicit/implicit_system.h"
+#include "cloth/implicit/symmetric3.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j).
+struct TriangleMatrix {
+    explicit TriangleMatrix(Stencil neighbours);
+
+    Stencil stencil;
+    AlignedBuffer<float> blocks;            ///< per slot 9 times 16 entries of A, by rows
+    AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
+
+    void set_diagonal(std::uint32_t i, float row_sum, const Symmetric3& inverse);
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return stencil.bytes() + blocks.bytes() + row_sums.bytes() + inverse_diagonal.bytes();
+    }
+};
+
+/// These do what ImplicitSystem's functions of the same name do, for one block, and return its share of x . W
+/// x.
+double multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product);
+void relax_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next);
+void precondition_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x);
+
+}  // namespace weft

@@ -1,0 +1,81 @@
+#pragma once
+// Triangle finite elements, with bending, as the linear system of an implicit step.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "cloth/forces/element_rows.h"
+#include "cloth/forces/hinge_elements.h"
+#include "cloth/forces/triangle_elements.h"
+#include "cloth/forces/triangle_matrix.h"
+#include "cloth/implicit/implicit_system.h"
+
+namespace weft {
+
+/// W = M + gamma^2 K + gamma C. K is the elements' Hessian, made positive semi-definite element by element; C
+/// is the damping times what of K resists strain, so that it lets the cloth turn.
+///
+/// Elements of p particles have K_e <= p diag(K_e), p = 3 for triangles and 4 for hinges. The diagonal that
+/// relaxation divides by is half of that sum, so that 2 D - W is positive definite, as it is for springs.
+class TriangleSystem final : public ImplicitSystem {
+  public:
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings);
+
+    void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                   LinearisedAbout about) override;
+    void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                  std::span<Vec4> residual) override;
+    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
+    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
+               std::span<Vec4> next) override;
+    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
+    [[nodiscard]] SpringBlocks spring_blocks(Parallel& parallel) override;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  private:
+    struct Elements {
+        std::vector<Hinge> hinges;
+        ElementRows rows;
+    };
+    /// A corner of a triangle at a particle, and the entries of its row for the triangle's next two corners.
+    struct Corner {
+        std::uint32_t triangle, corner;
+        std::array<std::uint32_t, 2> entries;
+    };
+
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Elements& elements);
+    void store_corners(const ElementRows& rows);
+    void store_bending(const Elements& elements, bool dihedral);
+
+    /// Where the elements are: x_base, or x_base + gamma v.
+    void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+               LinearisedAbout about);
+    /// Fills the elements' results. Stiffness: linearised; else forces alone, viscous ones among them.
+    void compute_elements(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                          bool viscous, bool stiffness);
+    [[nodiscard]] std::span<const Corner> corners(std::uint32_t particle) const;
+    /// Viscous forces of bending, too, unless `damping` is 0.
+    [[nodiscard]] Vector3 gathered_force(const StepEquation& equation, std::span<const Vec4> velocities,
+                                         float damping, std::uint32_t i) const;
+    /// What a consistent mass matrix has more than the lumped one, times (v_base - v).
+    [[nodiscard]] Vector3 consistent_impulse(const StepEquation& equation, std::span<const Vec4> velocities,
+                                             std::uint32_t i) const;
+    void clear_rows(const BlockRange& range);
+    /// Sums particle i's blocks of W into the matrix; returns what relaxation divides by, less the row sum.
+    [[nodiscard]] Matrix3 gather_blocks(const StepEquation& equation, std::uint32_t i);
+    void subtract_consistent_mass(const StepEquation& equation, std::uint32_t i);
+    /// -(W - row sums) v for particle i.
+    [[nodiscard]] Vector3 relative_impulse(std::span<const Vec4> velocities, std::uint32_t i) const;
+
+    const CookedCloth& model_;
+    TriangleElements elements_;
+    TriangleMatrix matrix_;
+    AlignedBuffer<Corner> corners_;        // by particle, as model.corner_offsets
+    AlignedBuffer<float> quadratic_;       // per entry: minus the sum of q_a q_b / area; empty without
+    std::optional<HingeElements> hinges_;  // only with dihedral bending
+    AlignedBuffer<float> spring_blocks_;   // see SpringBlocks; only for methods that ask for them
+    AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about
+};
+
+}  // namespace weft
