@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cloth/positional/half_edges.h"
+
 namespace weft {
 
 namespace {
@@ -12,12 +14,10 @@ constexpr std::uint32_t no_colour = ~0u;
 class Colouring {
   public:
     explicit Colouring(const CookedCloth& model)
-        : model_(model), twins_(model.neighbours.size()), colour_of_(model.neighbours.size(), no_colour) {
+        : model_(model), twins_(twin_half_edges(model)), colour_of_(model.neighbours.size(), no_colour) {
         std::uint32_t most_springs = 0;
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t i = 0; i < model.particle_count; ++i)
             most_springs = std::max(most_springs, row_end(i) - row_begin(i));
-            for (std::uint32_t e = row_begin(i); e < row_end(i); ++e) twins_[e] = twin(i, e);
-        }
         springs_of_.assign(most_springs, 0);
         free_at_first_.assign(most_springs, false);
         free_at_second_.assign(most_springs, false);
@@ -43,12 +43,6 @@ class Colouring {
   private:
     [[nodiscard]] std::uint32_t row_begin(std::uint32_t i) const { return model_.spring_offsets[i]; }
     [[nodiscard]] std::uint32_t row_end(std::uint32_t i) const { return model_.spring_offsets[i + 1]; }
-
-    [[nodiscard]] std::uint32_t twin(std::uint32_t i, std::uint32_t half_edge) const {
-        const std::uint32_t j = model_.neighbours[half_edge];
-        const std::uint32_t* row = model_.neighbours.data();
-        return static_cast<std::uint32_t>(std::lower_bound(row + row_begin(j), row + row_end(j), i) - row);
-    }
 
     void mark_free(std::uint32_t particle, std::vector<bool>& is_free) const {
         is_free.assign(springs_of_.size(), true);
