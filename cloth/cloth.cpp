@@ -42,10 +42,15 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
 void Cloth::apply(const ClothSettings& changed) {
     // Memory first: if there is none, nothing has changed yet.
     if (!solver || needs_another_solver(settings, changed)) solver = make_solver(model, changed);
+    if (changed.tethers.enabled && !tethers) tethers.emplace(model);
     if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.particle_count);
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
     if (second_order && !history) history.emplace(model.particle_count);
     if (!second_order) history.reset();
+    if (!changed.tethers.enabled) {
+        tethers.reset();
+        tethers_are_attached = false;
+    }
     if (!changed.self_collision.enabled) {
         self_contacts.reset();
         self_counts = {};
@@ -85,12 +90,14 @@ void Cloth::pin(std::uint32_t particle) {
     if (find_pin(particle) != nullptr) return;
     const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
     pins.insert(at, {particle, xyz(state.positions[particle])});
+    tethers_are_attached = false;
     state.velocities[particle] = {};
     set_inverse_mass(particle, 0);
 }
 
 void Cloth::unpin(std::uint32_t particle) {
     std::erase_if(pins, [&](const Pin& pin) { return pin.particle == particle; });
+    tethers_are_attached = false;
     set_inverse_mass(particle, inverse_mass_when_free(particle));
 }
 
@@ -111,7 +118,8 @@ ClothInfo Cloth::info() const {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
-                 (history ? history->bytes() : 0) + (self_contacts ? self_contacts->bytes() : 0) +
+                 (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
+                 (self_contacts ? self_contacts->bytes() : 0) +
                  triangle_scratch.bytes() + air_velocities.bytes() + air_forces.bytes() +
                  partial_counts.bytes() + partial_surveys.bytes();
     return info;

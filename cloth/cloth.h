@@ -12,6 +12,7 @@
 #include "cloth/solver.h"
 #include "cloth/state.h"
 #include "cloth/survey.h"
+#include "cloth/tethers.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
 #include "weft/settings.h"
@@ -53,6 +54,8 @@ struct Cloth {
     bool solver_is_prepared = false;            ///< for the present pins and masses
     AlignedBuffer<Vec4> velocity_change;        ///< of the present substep [m/s], w 0
     std::optional<History> history;             ///< only with BDF2
+    std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
+    bool tethers_are_attached = false;            ///< to the present pins
     std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
     std::vector<Pin> pins;                      ///< in ascending order of particles
 

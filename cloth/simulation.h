@@ -50,6 +50,7 @@ struct Simulation {
     [[nodiscard]] StepEquation equation_of(Cloth& cloth, float h);
     void solve(Cloth& cloth, const StepEquation& equation);
     void advance(Cloth& cloth, const StepEquation& equation, bool first_substep);
+    void hold_by_tethers(Cloth& cloth);
     void collide_with_colliders(Cloth& cloth, float h);
     void avoid_self_collision(Cloth& cloth, float h);
     void guard(Cloth& cloth);

@@ -8,6 +8,7 @@
 #include "cloth/implicit/conjugate_gradient.h"
 #include "cloth/implicit/jacobi.h"
 #include "cloth/implicit/multilevel.h"
+#include "cloth/positional/fibres.h"
 #include "cloth/positional/xpbd.h"
 
 namespace weft {
@@ -34,6 +35,7 @@ std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSetting
                 return std::make_unique<ConjugateGradientSolver>(model, settings);
             },
             [&](const Multilevel&) -> Made { return std::make_unique<MultilevelSolver>(model, settings); },
+            [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings); },
             [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, settings); },
             [&](const auto&) -> Made { throw std::logic_error("this method is not built yet"); },
         },

@@ -32,6 +32,7 @@ void Simulation::step(float dt) {
                 const StepEquation equation = equation_of(*cloth, dt / all);
                 solve(*cloth, equation);
                 advance(*cloth, equation, s == 0);
+                hold_by_tethers(*cloth);
                 collide_with_colliders(*cloth, equation.h);
                 avoid_self_collision(*cloth, equation.h);
             }
@@ -130,6 +131,19 @@ void Simulation::advance(Cloth& cloth, const StepEquation& equation, bool first_
         }
     });
     if (first_substep) std::swap(state.positions, state.previous_positions);
+}
+
+void Simulation::hold_by_tethers(Cloth& cloth) {
+    if (!cloth.tethers) return;
+    const auto timer = timed(Stage::tethers);
+    if (!cloth.tethers_are_attached) {
+        std::vector<std::uint32_t> particles;
+        for (const Pin& pin : cloth.pins) particles.push_back(pin.particle);
+        cloth.tethers->attach(cloth.model, particles);
+        cloth.tethers_are_attached = true;
+    }
+    cloth.tethers->hold(parallel, cloth.settings.tethers.slack, cloth.state.positions.span(),
+                        cloth.state.velocities.span());
 }
 
 void Simulation::collide_with_colliders(Cloth& cloth, float h) {
