@@ -10,8 +10,8 @@ namespace {
 /// Whether what a solver is made from differs; all else it reads at each step.
 bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
     const FiniteElements &from = a.finite_elements, &to = b.finite_elements;
-    return a.method.index() != b.method.index() || from.enabled != to.enabled || from.dihedral != to.dihedral ||
-           (from.bending > 0) != (to.bending > 0);
+    return a.method.index() != b.method.index() || from.enabled != to.enabled ||
+           from.dihedral != to.dihedral || (from.bending > 0) != (to.bending > 0);
 }
 
 std::size_t bytes_of(const CookedCloth& model) {
@@ -99,6 +99,8 @@ void Cloth::unpin(std::uint32_t particle) {
     std::erase_if(pins, [&](const Pin& pin) { return pin.particle == particle; });
     tethers_are_attached = false;
     set_inverse_mass(particle, inverse_mass_when_free(particle));
+    // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
+    if (history) history->forget();
 }
 
 void Cloth::restore_start_of_step() {

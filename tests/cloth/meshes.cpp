@@ -57,6 +57,19 @@ Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns) {
     return mesh;
 }
 
+Mesh evenly_cut(const SheetSettings& settings) {
+    Mesh mesh = must(make_sheet(settings));
+    mesh.triangles.clear();
+    for (std::uint32_t row = 0; row + 1 < settings.rows; ++row) {
+        for (std::uint32_t column = 0; column + 1 < settings.columns; ++column) {
+            const std::uint32_t a = row * settings.columns + column, b = a + 1, c = a + settings.columns;
+            mesh.triangles.push_back({a, c, b});
+            mesh.triangles.push_back({b, c, c + 1});
+        }
+    }
+    return mesh;
+}
+
 Mesh sphere(int subdivisions) {
     Mesh mesh = icosahedron();
     for (int i = 0; i < subdivisions; ++i) {

@@ -29,6 +29,9 @@ struct NamedMesh {
 /// The sheet without its rows and columns: a general mesh.
 [[nodiscard]] Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns);
 
+/// A grid whose cells are all cut along the same diagonal: all its inner particles have the same mass.
+[[nodiscard]] Mesh evenly_cut(const SheetSettings& settings);
+
 /// A closed sphere of radius 1 about the origin, triangles facing outwards: the icosahedron, each face cut in
 /// four `subdivisions` times.
 [[nodiscard]] Mesh sphere(int subdivisions);
