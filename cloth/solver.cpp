@@ -1,9 +1,8 @@
 #include "cloth/solver.h"
 
-#include <stdexcept>
-
 #include "cloth/explicit/symplectic_euler.h"
 #include "cloth/forces/spring_system.h"
+#include "cloth/forces/triangle_system.h"
 #include "cloth/implicit/chebyshev.h"
 #include "cloth/implicit/conjugate_gradient.h"
 #include "cloth/implicit/jacobi.h"
@@ -37,12 +36,12 @@ std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSetting
             [&](const Multilevel&) -> Made { return std::make_unique<MultilevelSolver>(model, settings); },
             [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings); },
             [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, settings); },
-            [&](const auto&) -> Made { throw std::logic_error("this method is not built yet"); },
         },
         settings.method);
 }
 
-std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model, const ClothSettings& /*settings*/) {
+std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model, const ClothSettings& settings) {
+    if (settings.finite_elements.enabled) return std::make_unique<TriangleSystem>(model, settings);
     return std::make_unique<SpringSystem>(model);
 }
 

@@ -13,6 +13,15 @@ struct Symmetric3 {
         return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
                 xz * v.x() + yz * v.y() + zz * v.z()};
     }
+    /// Adds `factor` times another.
+    void add_scaled(float factor, const Symmetric3& m) {
+        xx += factor * m.xx;
+        yy += factor * m.yy;
+        zz += factor * m.zz;
+        xy += factor * m.xy;
+        xz += factor * m.xz;
+        yz += factor * m.yz;
+    }
     /// Adds a I + d d^T.
     void add(float a, const Vector3& d) {
         xx += a + d.x() * d.x();

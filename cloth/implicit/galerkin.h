@@ -1,0 +1,44 @@
+#pragma once
+// Coarse operators by Galerkin's product P^T W P, as springs between coarse nodes: the spring (i, j) with
+// block K adds
+// -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). Which springs add to which is found once; each step
+// sums.
+
+#include <cstdint>
+#include <vector>
+
+#include "cloth/implicit/coarsening.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+/// A spring between two nodes, first < second.
+struct Link {
+    std::uint32_t first, second;
+};
+
+/// What the coarse springs are summed from: term by term a factor times a spring of the finer level. A link's
+/// terms are filled up to a multiple of four by terms of factor 0, so that kernels can take four at once.
+struct GalerkinLists {
+    std::vector<Link> links;                  ///< of the coarse level, ascending
+    AlignedBuffer<std::uint32_t> offsets;     ///< terms of coarse link k: [offsets[k], offsets[k + 1])
+    AlignedBuffer<std::uint32_t> fine_links;  ///< of each term
+    AlignedBuffer<float> factors;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return links.size() * sizeof(Link) + offsets.bytes() + fine_links.bytes() + factors.bytes();
+    }
+};
+
+/// Links of a graph, ascending: each spring once.
+[[nodiscard]] std::vector<Link> links_of(const SpringGraph& graph);
+
+/// `links`: the springs of the fine level.
+[[nodiscard]] GalerkinLists make_galerkin_lists(const std::vector<Link>& links,
+                                                const Interpolation& interpolation);
+
+/// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
+[[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
+                                            const std::vector<Link>& fine_links, const GalerkinLists& lists);
+
+}  // namespace weft

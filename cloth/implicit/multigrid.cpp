@@ -1,0 +1,231 @@
+#include "cloth/implicit/multigrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "cloth/implicit/vectors.h"
+
+namespace weft {
+
+namespace {
+
+constexpr float ratio = 7;                    // of nodes, from level to level
+constexpr std::uint32_t coarsest_nodes = 16;  // few enough for a dense factorisation
+constexpr std::uint32_t tied = ~0u;
+
+/// Chebyshev semi-iteration on [low, high] (Golub and Varga 1961), from its first step on.
+struct Chebyshev2 {
+    Relaxation first, second;
+};
+constexpr Chebyshev2 chebyshev2(float low, float high) {
+    const float centre = 0.5f * (high + low), sigma = (high + low) / (high - low);
+    const float rho = 1 / (2 * sigma - 1 / sigma);
+    return {{1 / centre, 0}, {2 * rho / (0.5f * (high - low)), rho / sigma}};
+}
+// The spectrum of D^-1 W ends below 2 on the finest level. On coarse ones, where blocks may be
+// indefinite, 3.4 was measured; the polynomial for [0.6, 3] damps up to 3.6.
+constexpr float finest_step = 2 / (0.4f + 2.0f);
+constexpr Chebyshev2 coarse_smoothing = chebyshev2(0.6f, 3.0f);
+
+SpringGraph graph_of(const SpringBlocks& blocks, std::span<const Vec4> positions) {
+    const Stencil& stencil = blocks.stencil;
+    SpringGraph graph;
+    graph.offsets.push_back(0);
+    for (std::uint32_t i = 0; i < stencil.nodes; ++i) {
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+            const std::uint32_t entry = s * Stencil::lanes + lane, j = stencil.neighbours[entry];
+            if (j == i) continue;
+            const float* c = &blocks.coefficients[lane_index(entry, 0, 4)];
+            graph.neighbours.push_back(j);
+            graph.stiffness.push_back(3 * c[0] + c[16] * c[16] + c[32] * c[32] + c[48] * c[48]);
+            graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
+        }
+        graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
+    }
+    return graph;
+}
+
+Eigen::Matrix3d full(const Symmetric3& m) {
+    Eigen::Matrix3f result;
+    result << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+    return result.cast<double>();
+}
+
+/// The slot of i in which j is its neighbour.
+std::uint32_t entry_of(const Stencil& stencil, const Link& link) {
+    const std::uint32_t group = link.first / Stencil::lanes, lane = link.first % Stencil::lanes;
+    std::uint32_t entry = stencil.group_slots[group] * Stencil::lanes + lane;
+    while (stencil.neighbours[entry] != link.second) entry += Stencil::lanes;
+    return entry;
+}
+
+}  // namespace
+
+Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
+    : stencil_(&system.spring_blocks(parallel).stencil),
+      smooth_(positions.size()),
+      product_(positions.size()) {
+    SpringGraph graph = graph_of(system.spring_blocks(parallel), positions);
+    links_ = links_of(graph);
+    sources_ = AlignedBuffer<std::uint32_t>(links_.size());
+    springs_ = AlignedBuffer<Vec4>(links_.size());
+
+    std::vector<Link> links = links_;
+    while (graph.nodes() > coarsest_nodes) {
+        Coarsening coarsening = coarsen(graph, ratio);
+        if (coarsening.interpolation.coarse == 0 || coarsening.interpolation.coarse == graph.nodes()) break;
+        GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation);
+        graph = make_coarse_graph(graph, coarsening, links, lists);
+        links = lists.links;
+        if (coarse_.empty()) weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
+        coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph);
+    }
+    const auto n = static_cast<Eigen::Index>(3 * (coarse_.empty() ? 0 : coarse_.back().nodes()));
+    coarsest_.resize(n, n);
+    factor_ = Eigen::LLT<Eigen::MatrixXd>(n);
+    coarsest_x_.resize(n);
+    set_pins(positions);
+}
+
+void Multigrid::set_pins(std::span<const Vec4> positions) {
+    if (coarse_.empty()) return;
+    const Interpolation& p = coarse_.front().interpolation();
+    for (std::uint32_t i = 0; i < p.fine; ++i) {
+        for (std::uint32_t e = Interpolation::width * i; e < Interpolation::width * (i + 1); ++e)
+            weights_[e] = positions[i].w == 0 ? 0 : p.weights[e];
+    }
+    ties_.clear();
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+        const Link& link = links_[k];
+        const bool first_is_pinned = positions[link.first].w == 0,
+                   second_is_pinned = positions[link.second].w == 0;
+        const auto source = static_cast<std::uint32_t>(lane_index(entry_of(*stencil_, link), 0, 4));
+        sources_[k] = first_is_pinned || second_is_pinned ? tied : source;
+        if (first_is_pinned == second_is_pinned) continue;
+        // The free particle's own half-edge: blocks of pinned rows may hold anything.
+        const Link own = second_is_pinned ? link : Link{link.second, link.first};
+        const auto own_source = static_cast<std::uint32_t>(lane_index(entry_of(*stencil_, own), 0, 4));
+        for (std::uint32_t e = Interpolation::width * own.first; e < Interpolation::width * (own.first + 1);
+             ++e) {
+            if (p.weights[e] != 0) ties_.push_back({p.nodes[e], own_source, p.weights[e]});
+        }
+    }
+    std::ranges::sort(ties_, [](const Tie& a, const Tie& b) {
+        return std::tie(a.coarse, a.source) < std::tie(b.coarse, b.source);
+    });
+}
+
+void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
+    if (coarse_.empty()) return;
+    const std::span<const float> coefficients = system.spring_blocks(parallel).coefficients;
+    parallel.ranges(static_cast<std::uint32_t>(links_.size()), [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const std::uint32_t source = sources_[k];
+            if (source == tied) {
+                springs_[k] = {};
+                continue;
+            }
+            const float* c = &coefficients[source];
+            springs_[k] = {c[16], c[32], c[48], std::sqrt(c[0])};
+        }
+    });
+    coarse_.front().sum_links(parallel, springs_.span());
+    sum_first_ground(parallel, system, coefficients);
+    coarse_.front().finish(parallel);
+    for (std::size_t k = 1; k < coarse_.size(); ++k) {
+        coarse_[k].sum(parallel, coarse_[k - 1]);
+        coarse_[k].finish(parallel);
+    }
+    factorise_coarsest();
+}
+
+void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system,
+                                 std::span<const float> coefficients) {
+    CoarseLevel& first = coarse_.front();
+    const Interpolation& p = first.interpolation();
+    parallel.ranges(p.coarse, [&](const BlockRange& range) {
+        for (std::uint32_t c = range.begin; c < range.end; ++c) {
+            float sum = 0;
+            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+                sum += p.fine_weights[e] * system.right_side()[p.fine_nodes[e]].w;
+            first.matrix().set_ground(c, {.xx = sum, .yy = sum, .zz = sum});
+        }
+    });
+    for (const Tie& tie : ties_) {
+        const float* c = &coefficients[tie.source];
+        Symmetric3 ground = first.matrix().ground_of(tie.coarse);
+        ground.add(tie.weight * c[0], std::sqrt(tie.weight) * Vector3(c[16], c[32], c[48]));
+        first.matrix().set_ground(tie.coarse, ground);
+    }
+}
+
+void Multigrid::factorise_coarsest() {
+    const CoarseMatrix& matrix = coarse_.back().matrix();
+    const std::vector<Link>& links = coarse_.back().lists().links;
+    coarsest_.setZero();
+    for (std::uint32_t i = 0; i < matrix.stencil.nodes; ++i)
+        coarsest_.block<3, 3>(3 * i, 3 * i) = full(matrix.ground_of(i));
+    for (std::size_t k = 0; k < links.size(); ++k) {
+        const auto& [diagonal, off] = matrix.links[k];
+        const Eigen::Matrix3d block = full({diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y});
+        const Eigen::Index i = 3 * links[k].first, j = 3 * links[k].second;
+        coarsest_.block<3, 3>(i, i) += block;
+        coarsest_.block<3, 3>(j, j) += block;
+        coarsest_.block<3, 3>(i, j) -= block;
+        coarsest_.block<3, 3>(j, i) -= block;
+    }
+    const double largest = coarsest_.diagonal().maxCoeff();
+    // Nodes of pinned particles alone have no rows; and W was summed in single precision.
+    coarsest_.diagonal().array() += 1e-6 * largest;
+    factor_.compute(coarsest_);
+}
+
+void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r,
+                      std::span<Vec4> z) {
+    system.precondition(parallel, r, finest_step, smooth_.span());
+    if (!coarse_.empty()) {
+        system.multiply(parallel, smooth_.span(), product_.span());
+        restrict_difference(parallel, coarse_.front().interpolation(), r, product_.span(),
+                            coarse_.front().b());
+        solve_level(parallel, 0);
+        prolong_from(parallel, coarse_.front().interpolation(), weights_.span(), coarse_.front().x(),
+                     smooth_.span());
+    }
+    system.relax(parallel, r, smooth_.span(), {.step = finest_step}, z);
+}
+
+void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
+    CoarseLevel& level = coarse_[k];
+    if (k + 1 == coarse_.size()) return solve_coarsest();
+    level.relax_from_zero(parallel, coarse_smoothing.first.step);
+    level.relax(parallel, coarse_smoothing.second);
+    level.residual(parallel, level.before());
+    const Interpolation& p = coarse_[k + 1].interpolation();
+    restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
+    solve_level(parallel, k + 1);
+    prolong_from(parallel, p, p.weights.span(), coarse_[k + 1].x(), level.x());
+    level.relax(parallel, coarse_smoothing.first);
+    level.relax(parallel, coarse_smoothing.second);
+}
+
+void Multigrid::solve_coarsest() {
+    CoarseLevel& level = coarse_.back();
+    for (std::uint32_t i = 0; i < level.nodes(); ++i)
+        coarsest_x_.segment<3>(3 * i) = xyz(level.b()[i]).cast<double>();
+    factor_.solveInPlace(coarsest_x_);
+    for (std::uint32_t i = 0; i < level.nodes(); ++i)
+        level.x()[i] = to_vec4(coarsest_x_.segment<3>(3 * i).cast<float>(), 0);
+}
+
+std::size_t Multigrid::bytes() const noexcept {
+    std::size_t sum = links_.size() * sizeof(Link) + sources_.bytes() + springs_.bytes() + weights_.bytes() +
+                      ties_.size() * sizeof(Tie) + smooth_.bytes() + product_.bytes();
+    for (const CoarseLevel& level : coarse_) sum += level.bytes();
+    return sum;
+}
+
+}  // namespace weft

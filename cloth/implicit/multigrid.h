@@ -1,0 +1,61 @@
+#pragma once
+// Multigrid on any mesh (Brandt 1977; Galerkin operators on aggregated nodes after Vanek, Mandel, Brezina
+// 1996): one symmetric V-cycle as a preconditioner for an implicit system. Levels are made once; their
+// operators at each build().
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "cloth/implicit/coarse_level.h"
+#include "cloth/implicit/implicit_system.h"
+#include "cloth/state.h"
+
+namespace weft {
+
+class Multigrid {
+  public:
+    /// Makes the levels from the system's springs as they are linearised now; `positions` give their lengths.
+    Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
+
+    /// Pinned particles (inverse mass 0) have no part in coarse motions, and springs to them hold the coarse
+    /// nodes.
+    void set_pins(std::span<const Vec4> positions);
+    /// Sums the coarse operators of the system's present W.
+    void build(Parallel& parallel, ImplicitSystem& system);
+    /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
+    void cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r, std::span<Vec4> z);
+
+    [[nodiscard]] std::size_t levels() const noexcept { return coarse_.size(); }
+    [[nodiscard]] const CoarseLevel& level(std::size_t k) const { return coarse_[k]; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// A spring from a free particle to a pinned one, and how much of it a node of the first coarse level
+    /// feels.
+    struct Tie {
+        std::uint32_t coarse, source;
+        float weight;
+    };
+    void sum_first_ground(Parallel& parallel, const ImplicitSystem& system,
+                          std::span<const float> coefficients);
+    void factorise_coarsest();
+    void solve_level(Parallel& parallel, std::size_t level);
+    void solve_coarsest();
+
+    Stencil const* stencil_;
+    std::vector<Link> links_;               // of the finest level
+    AlignedBuffer<std::uint32_t> sources_;  // of each link: where its coefficients begin, or `tied`
+    AlignedBuffer<Vec4> springs_;           // of each link: d, sqrt(a)
+    AlignedBuffer<float> weights_;          // of the first level's P, rows of pinned particles 0
+    std::vector<Tie> ties_;                 // ascending by coarse node
+    std::vector<CoarseLevel> coarse_;
+    AlignedBuffer<Vec4> smooth_, product_;
+    Eigen::MatrixXd coarsest_;
+    Eigen::LLT<Eigen::MatrixXd> factor_;
+    Eigen::VectorXd coarsest_x_;
+};
+
+}  // namespace weft

@@ -1,0 +1,33 @@
+#pragma once
+// The multilevel method: a multigrid cycle as preconditioner, of a nonlinear conjugate gradient or of linear
+// passes.
+
+#include <memory>
+
+#include "cloth/implicit/conjugate_gradient.h"
+#include "cloth/implicit/implicit_system.h"
+#include "cloth/implicit/multigrid.h"
+#include "cloth/solver.h"
+
+namespace weft {
+
+class MultilevelSolver final : public Solver {
+  public:
+    MultilevelSolver(const CookedCloth& model, const ClothSettings& settings);
+    float solve(const SolverStep& step) override;
+    void prepare(const CookedCloth& model, const ClothSettings& settings, const ClothState& state) override;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  private:
+    float solve_nonlinear(const SolverStep& step, int iterations);
+    float solve_in_passes(const SolverStep& step, const Multilevel& method);
+    void linearise(const SolverStep& step);
+
+    std::unique_ptr<ImplicitSystem> system_;
+    std::unique_ptr<Multigrid> multigrid_;  // made by the first prepare
+    AlignedBuffer<Vec4> velocities_;        // the iterate
+    CgVectors vectors_;
+    AlignedBuffer<double> partials_;
+};
+
+}  // namespace weft
