@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cloth/forces/springs.h"
+#include "cloth/implicit/symmetric3.h"
 #include "cloth/implicit/vectors.h"
 
 namespace weft {
@@ -15,25 +16,29 @@ struct SpringSystem::Row {
     Symmetric3 diagonal;
 };
 
+static void store_diagonal(SpringMatrix& matrix, std::uint32_t i, float row_sum, const Symmetric3& inverse) {
+    matrix.row_sums[i] = row_sum;
+    const float values[] = {inverse.xx, inverse.yy, inverse.zz, inverse.xy, inverse.xz, inverse.yz};
+    for (std::uint32_t k = 0; k < 6; ++k) matrix.inverse_diagonal[lane_index(i, k, 6)] = values[k];
+}
+
 SpringSystem::SpringSystem(const CookedCloth& model)
     : ImplicitSystem(model.particle_count),
       model_(model),
-      stencil_(model.spring_offsets.span(), model.neighbours.span()),
-      rest_lengths_(stencil_.neighbours.size()),
-      stiffness_(stencil_.neighbours.size()),
-      coefficients_(4 * stencil_.neighbours.size()),
-      inverse_diagonal_(model.particle_count),
+      matrix_(Stencil(model.spring_offsets.span(), model.neighbours.span())),
+      rest_lengths_(matrix_.stencil.neighbours.size()),
+      stiffness_(matrix_.stencil.neighbours.size()),
       positions_(model.particle_count) {
-    for (std::size_t e = 0; e < stencil_.entries.size(); ++e)
-        rest_lengths_[stencil_.entries[e]] = model.rest_lengths[e];
+    for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e)
+        rest_lengths_[matrix_.stencil.entries[e]] = model.rest_lengths[e];
 }
 
 void SpringSystem::set_stiffnesses(const Fabric& fabric) {
     const std::array<float, 3> of_kind = stiffnesses(fabric);
     if (of_kind == stiffness_of_kind_) return;
     stiffness_of_kind_ = of_kind;
-    for (std::size_t e = 0; e < stencil_.entries.size(); ++e) {
-        stiffness_[stencil_.entries[e]] = of_kind[static_cast<std::size_t>(model_.kinds[e])];
+    for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e) {
+        stiffness_[matrix_.stencil.entries[e]] = of_kind[static_cast<std::size_t>(model_.kinds[e])];
     }
 }
 
@@ -79,14 +84,15 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             if (positions[i].w == 0) {
                 right_side_[i] = {};
-                inverse_diagonal_[i] = {};
+                store_diagonal(matrix_, i, 0, {});
                 continue;
             }
             const Vector3 x = xyz(positions[i]), v = xyz(velocities[i]);
             Row row = external_row(equation, positions[i], v, i);
             const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-            for (std::uint32_t s = stencil_.group_slots[group]; s < stencil_.group_slots[group + 1]; ++s) {
-                const std::uint32_t entry = s * Stencil::lanes + lane, j = stencil_.neighbours[entry];
+            for (std::uint32_t s = matrix_.stencil.group_slots[group];
+                 s < matrix_.stencil.group_slots[group + 1]; ++s) {
+                const std::uint32_t entry = s * Stencil::lanes + lane, j = matrix_.stencil.neighbours[entry];
                 const float k = stiffness_[entry];
                 const SpringTerms spring = spring_terms(xyz(positions[j]) - x, rest_lengths_[entry], k, i, j);
                 const float a = gamma * gamma * spring.isotropic;
@@ -99,12 +105,13 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                 if (about_base) row.impulse += a * relative_velocity;
                 const Vector3 d = std::sqrt(axial + viscous) * n;
                 row.diagonal.add(a, d);
-                coefficients_[lane_index(entry, 0, 4)] = a;
-                for (std::uint32_t k3 = 0; k3 < 3; ++k3) coefficients_[lane_index(entry, k3 + 1, 4)] = d[k3];
+                matrix_.coefficients[lane_index(entry, 0, 4)] = a;
+                for (std::uint32_t k3 = 0; k3 < 3; ++k3)
+                    matrix_.coefficients[lane_index(entry, k3 + 1, 4)] = d[k3];
             }
             row.diagonal.add(row.row_sum, Vector3::Zero());
             right_side_[i] = to_vec4(gamma * row.force + row.impulse, row.row_sum);
-            inverse_diagonal_[i] = inverse(row.diagonal, row.row_sum);
+            store_diagonal(matrix_, i, row.row_sum, inverse(row.diagonal, row.row_sum));
         }
     });
 }
@@ -121,8 +128,9 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
             const Vector3 x = xyz(positions_[i]), v = xyz(velocities[i]);
             Row row = external_row(equation, positions_[i], v, i);
             const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-            for (std::uint32_t s = stencil_.group_slots[group]; s < stencil_.group_slots[group + 1]; ++s) {
-                const std::uint32_t entry = s * Stencil::lanes + lane, j = stencil_.neighbours[entry];
+            for (std::uint32_t s = matrix_.stencil.group_slots[group];
+                 s < matrix_.stencil.group_slots[group + 1]; ++s) {
+                const std::uint32_t entry = s * Stencil::lanes + lane, j = matrix_.stencil.neighbours[entry];
                 const float k = stiffness_[entry];
                 const SpringTerms spring =
                     spring_terms(xyz(positions_[j]) - x, rest_lengths_[entry], k, i, j);
@@ -134,56 +142,33 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
     });
 }
 
-Vector3 SpringSystem::row_product(std::span<const Vec4> x, std::uint32_t i) const {
-    const float row_sum = right_side_[i].w;
-    if (row_sum == 0) return Vector3::Zero();
-    const Vector3 x_i = xyz(x[i]);
-    Vector3 sum = row_sum * x_i;
-    const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-    for (std::uint32_t s = stencil_.group_slots[group]; s < stencil_.group_slots[group + 1]; ++s) {
-        const std::uint32_t entry = s * Stencil::lanes + lane;
-        const Vector3 difference = x_i - xyz(x[stencil_.neighbours[entry]]);
-        const float* c = &coefficients_[lane_index(entry, 0, 4)];
-        const Vector3 d(c[Stencil::lanes], c[2 * Stencil::lanes], c[3 * Stencil::lanes]);
-        sum += *c * difference + d.dot(difference) * d;
-    }
-    return sum;
-}
-
 double SpringSystem::multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-    return sum_over_particles(parallel, model_.particle_count, partial_sums_.span(), [&](std::uint32_t i) {
-        const Vector3 row = row_product(x, i);
-        product[i] = to_vec4(row, 0);
-        return static_cast<double>(row.dot(xyz(x[i])));
-    });
+    return parallel.reduce(
+        model_.particle_count, partial_sums_.span(), 0.0,
+        [&](const BlockRange& range) { return multiply_block(matrix_, range, x.data(), product.data()); },
+        std::plus<>{});
 }
 
 void SpringSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                          Relaxation relaxation, std::span<Vec4> next) {
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vector3 x_i = xyz(x[i]);
-            const Vector3 correction = inverse_diagonal_[i] * (xyz(b[i]) - row_product(x, i));
-            next[i] =
-                to_vec4(x_i + relaxation.step * correction + relaxation.momentum * (x_i - xyz(next[i])), 0);
-        }
+        relax_block(matrix_, range, b.data(), x.data(), relaxation, next.data());
     });
 }
 
 void SpringSystem::precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) {
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            x[i] = to_vec4(step * (inverse_diagonal_[i] * xyz(b[i])), 0);
+        precondition_block(matrix_, range, b.data(), step, x.data());
     });
 }
 
 SpringBlocks SpringSystem::spring_blocks(Parallel& /*parallel*/) {
-    return {stencil_, coefficients_.span()};
+    return {matrix_.stencil, matrix_.coefficients.span()};
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + stencil_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() +
-           coefficients_.bytes() + inverse_diagonal_.bytes() + positions_.bytes();
+    return ImplicitSystem::bytes() + matrix_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() +
+           positions_.bytes();
 }
 
 }  // namespace weft

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "cloth/forces/spring_matrix.h"
 #include "cloth/implicit/implicit_system.h"
-#include "cloth/implicit/symmetric3.h"
 
 namespace weft {
 
@@ -32,15 +32,11 @@ class SpringSystem final : public ImplicitSystem {
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
     [[nodiscard]] Row external_row(const StepEquation& equation, const Vec4& position,
                                    const Vector3& velocity, std::uint32_t i) const;
-    /// (W x)_i.
-    [[nodiscard]] Vector3 row_product(std::span<const Vec4> x, std::uint32_t i) const;
 
     const CookedCloth& model_;
-    Stencil stencil_;
+    SpringMatrix matrix_;
     AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 0 where the stencil is padded
     std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
-    AlignedBuffer<float> coefficients_;              // see SpringBlocks
-    AlignedBuffer<Symmetric3> inverse_diagonal_;     // 0 for pinned particles
     AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
 };
 

@@ -1,32 +1,88 @@
 #include "cloth/implicit/stencil.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace weft {
+
+namespace {
+
+/// The compressed rows that a stencil is made from.
+struct Rows {
+    std::span<const std::uint32_t> offsets, neighbours;
+
+    [[nodiscard]] std::uint32_t nodes() const { return static_cast<std::uint32_t>(offsets.size()) - 1; }
+    [[nodiscard]] std::uint32_t degree(std::uint32_t node) const {
+        return node < nodes() ? offsets[node + 1] - offsets[node] : 0;
+    }
+    /// Neighbour minus node, of half-edge e of the node.
+    [[nodiscard]] std::int64_t difference(std::uint32_t node, std::uint32_t e) const {
+        return std::int64_t{neighbours[e]} - node;
+    }
+};
+
+std::uint32_t most_neighbours(const Rows& rows, std::uint32_t group) {
+    std::uint32_t most = 0;
+    for (std::uint32_t lane = 0; lane < Stencil::lanes; ++lane)
+        most = std::max(most, rows.degree(group * Stencil::lanes + lane));
+    return most;
+}
+
+/// Every difference that occurs in a group, ascending.
+std::vector<std::int64_t> differences_in(const Rows& rows, std::uint32_t group) {
+    std::vector<std::int64_t> result;
+    const std::uint32_t end = std::min((group + 1) * Stencil::lanes, rows.nodes());
+    for (std::uint32_t node = group * Stencil::lanes; node < end; ++node)
+        for (std::uint32_t e = rows.offsets[node]; e < rows.offsets[node + 1]; ++e)
+            result.push_back(rows.difference(node, e));
+    std::ranges::sort(result);
+    result.erase(std::ranges::unique(result).begin(), result.end());
+    return result;
+}
+
+/// The node at this difference, or itself where there is none.
+std::uint32_t node_at(std::int64_t difference, std::uint32_t node, std::uint32_t nodes) {
+    const std::int64_t other = node + difference;
+    return other >= 0 && other < nodes ? static_cast<std::uint32_t>(other) : node;
+}
+
+std::uint32_t run_of(std::span<const std::uint32_t, Stencil::lanes> neighbours) {
+    for (std::uint32_t lane = 0; lane < Stencil::lanes; ++lane)
+        if (neighbours[lane] != neighbours[0] + lane) return Stencil::no_run;
+    return neighbours[0];
+}
+
+}  // namespace
 
 Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> row_neighbours)
     : nodes(static_cast<std::uint32_t>(offsets.size()) - 1),
       group_slots(groups() + 1),
       entries(row_neighbours.size()) {
-    const auto degree = [&](std::uint32_t node) {
-        return node < nodes ? offsets[node + 1] - offsets[node] : 0;
-    };
-    for (std::uint32_t g = 0; g < groups(); ++g) {
-        std::uint32_t most = 0;
-        for (std::uint32_t lane = 0; lane < lanes; ++lane) most = std::max(most, degree(g * lanes + lane));
-        group_slots[g + 1] = group_slots[g] + most;
-    }
+    const Rows rows{offsets, row_neighbours};
+    for (std::uint32_t g = 0; g < groups(); ++g)
+        group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
     neighbours = AlignedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
+    runs = AlignedBuffer<std::uint32_t>(slots());
     for (std::uint32_t g = 0; g < groups(); ++g) {
+        const std::vector<std::int64_t> differences = differences_in(rows, g);
+        const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;
+        const bool by_difference = differences.size() == slot_count;
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t node = g * lanes + lane;
-            for (std::uint32_t s = group_slots[g]; s < group_slots[g + 1]; ++s) {
-                const std::uint32_t entry = s * lanes + lane, rank = s - group_slots[g];
-                const bool used = rank < degree(node);
-                neighbours[entry] = used ? row_neighbours[offsets[node] + rank] : std::min(node, nodes - 1);
-                if (used) entries[offsets[node] + rank] = entry;
+            const std::uint32_t node = std::min(g * lanes + lane, nodes - 1);
+            std::uint32_t next = offsets[node];
+            const std::uint32_t end = next + rows.degree(g * lanes + lane);
+            for (std::uint32_t s = 0; s < slot_count; ++s) {
+                const std::uint32_t entry = (first_slot + s) * lanes + lane;
+                const bool used =
+                    next < end && (!by_difference || rows.difference(node, next) == differences[s]);
+                neighbours[entry] = used            ? row_neighbours[next]
+                                    : by_difference ? node_at(differences[s], node, nodes)
+                                                    : node;
+                if (used) entries[next++] = entry;
             }
         }
+        for (std::uint32_t s = first_slot; s < group_slots[g + 1]; ++s)
+            runs[s] = run_of(neighbours.span().subspan(std::size_t{s} * lanes).first<lanes>());
     }
 }
 

@@ -3,8 +3,12 @@
 // 2010).
 //
 // Nodes are taken in groups of 16 lanes. A group has as many slots as its best-connected node has neighbours;
-// slot s holds, lane by lane, the s'th neighbour of each. A node with fewer names itself in the slots that
-// are left, where all coefficients must be 0. Nodes past the last one likewise.
+// a slot holds, lane by lane, one neighbour of each, in ascending order. Slots that a node, or a lane past
+// the last node, does not need name some node all the same, mostly itself, and all coefficients there must be
+// 0.
+//
+// Where the nodes of a group differ from their neighbours by the same few numbers, as in a grid, each of
+// these differences has its slot, so that the slot's neighbours are consecutive and are read as they lie.
 
 #include <cstdint>
 #include <span>
@@ -17,6 +21,7 @@ namespace weft {
 struct Stencil {
     static constexpr std::uint32_t lanes = 16;
     static_assert(block_size % lanes == 0, "a block is whole groups");
+    static constexpr std::uint32_t no_run = ~0u;
 
     Stencil() = default;
     /// From compressed rows: the neighbours of node i are neighbours[offsets[i] .. offsets[i + 1]).
@@ -25,12 +30,14 @@ struct Stencil {
     std::uint32_t nodes = 0;
     AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     AlignedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
-    AlignedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
+    AlignedBuffer<std::uint32_t>
+        runs;  ///< of each slot: its first neighbour if all are consecutive, or no_run
+    AlignedBuffer<std::uint32_t> entries;  ///< of each half-edge of the rows: its slot * lanes + lane
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
     [[nodiscard]] std::uint32_t slots() const noexcept { return nodes == 0 ? 0 : group_slots[groups()]; }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return group_slots.bytes() + neighbours.bytes() + entries.bytes();
+        return group_slots.bytes() + neighbours.bytes() + runs.bytes() + entries.bytes();
     }
 };
 

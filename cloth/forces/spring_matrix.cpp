@@ -1,0 +1,108 @@
+#include "cloth/forces/spring_matrix.h"
+
+#include <numeric>
+#include <utility>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/forces/spring_matrix.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/implicit/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// (W x)_i for the lanes from particle `i` on.
+HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
+    const Stencil& stencil = matrix.stencil;
+    const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
+    Lanes3 sum = row_sum * x_i;
+    const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+        const float* slot = &matrix.coefficients[std::size_t{s} * 4 * Stencil::lanes + lane];
+        const Lanes a = load_lanes(slot);
+        const Lanes3 d = {load_lanes(slot + Stencil::lanes), load_lanes(slot + 2 * Stencil::lanes),
+                          load_lanes(slot + 3 * Stencil::lanes)};
+        const Lanes3 difference = x_i - neighbour_rows(stencil, s, lane, x);
+        sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
+    }
+    return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), sum);
+}
+
+/// D_i^-1 v for the lanes from particle `i` on.
+HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
+    const float* entries = &matrix.inverse_diagonal[std::size_t{i / Stencil::lanes} * 6 * Stencil::lanes];
+    const auto entry = [=](std::uint32_t k)
+                           HWY_ATTR { return load_lanes(entries + k * Stencil::lanes + i % Stencil::lanes); };
+    const Lanes3 row_x = {entry(0), entry(3), entry(4)};
+    const Lanes3 row_y = {entry(3), entry(1), entry(5)};
+    const Lanes3 row_z = {entry(4), entry(5), entry(2)};
+    return {dot(row_x, v), dot(row_y, v), dot(row_z, v)};
+}
+
+double multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
+    const Lanes zero = hn::Zero(Tag());
+    alignas(64) float dots[Stencil::lanes] = {};  // by lane, so that the sum is the same at any width
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes3 x_i = xyz(load_rows(x + i));
+        const Lanes3 row = row_product(matrix, i, x, x_i);
+        store_rows(row, zero, product + i);
+        float* const partial = dots + i % Stencil::lanes;
+        hn::Store(hn::Add(load_lanes(partial), dot(row, x_i)), Tag(), partial);
+    }
+    return std::accumulate(std::begin(dots), std::end(dots), 0.0);
+}
+
+void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+           const Relaxation& relaxation, Vec4* next) {
+    const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes3 x_i = xyz(load_rows(x + i));
+        const Lanes3 residual = xyz(load_rows(b + i)) - row_product(matrix, i, x, x_i);
+        const Lanes3 moved = mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i);
+        store_rows(mul_add(step, preconditioned(matrix, i, residual), moved), hn::Zero(Tag()), next + i);
+    }
+}
+
+void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes3 v = preconditioned(matrix, i, xyz(load_rows(b + i)));
+        store_rows(hn::Set(Tag(), step) * v, hn::Zero(Tag()), x + i);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(multiply);
+HWY_EXPORT(relax);
+HWY_EXPORT(precondition);
+
+SpringMatrix::SpringMatrix(Stencil neighbours)
+    : stencil(std::move(neighbours)),
+      coefficients(4 * stencil.neighbours.size()),
+      row_sums(stencil.nodes),
+      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+
+double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
+}
+
+void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next) {
+    HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next);
+}
+
+void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x) {
+    HWY_DYNAMIC_DISPATCH(precondition)(matrix, range, b, step, x);
+}
+
+}  // namespace weft
+#endif

@@ -1,0 +1,35 @@
+#pragma once
+// The matrix of springs, and the loops over its rows: a block of particles at a time, with the widest vectors
+// that the machine has.
+
+#include <cstdint>
+
+#include "cloth/implicit/implicit_system.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
+struct SpringMatrix {
+    explicit SpringMatrix(Stencil neighbours);
+
+    Stencil stencil;
+    AlignedBuffer<float> coefficients;      ///< per slot 16 a, 16 d_x, d_y, d_z: see SpringBlocks
+    AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return stencil.bytes() + coefficients.bytes() + row_sums.bytes() + inverse_diagonal.bytes();
+    }
+};
+
+/// These do what ImplicitSystem's functions of the same name do, for one block, and return its share of x . W
+/// x.
+double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product);
+void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next);
+void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x);
+
+}  // namespace weft
