@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "demo/methods.h"
+
 namespace weft::demo {
 namespace {
 
@@ -43,6 +45,12 @@ std::string parse_size(const std::string& text, Options& options) {
     return {};
 }
 
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const NamedMethod& each : all_methods()) names.emplace_back(each.name);
+    return names;
+}
+
 void describe(CLI::App& app, Options& options) {
     app.add_flag("--list", options.list, "List the scenes and exit");
     app.add_option("--scene", options.scene, "Scene to start, one of --list");
@@ -65,8 +73,13 @@ void describe(CLI::App& app, Options& options) {
            },
            "Wind [m/s]")
         ->type_name("X,Y,Z");
+    app.add_option_function<std::string>(
+           "--method",
+           [&options](const std::string& name) { options.overrides.method = find_method(name)->method; },
+           "How the cloth is stepped (default: the scene's own)")
+        ->check(CLI::IsMember(method_names()));
     app.add_option("--iterations", options.overrides.iterations,
-                   "Jacobi iterations of each substep; odd is better")
+                   "Iterations of the method in each of its substeps")
         ->check(CLI::Range(0, 10000));
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));

@@ -3,22 +3,16 @@
 #include <utility>
 #include <vector>
 
+#include "demo/methods.h"
+
 namespace weft::demo {
 namespace {
-
-/// For methods that iterate; the others have nothing to set.
-void set_iterations(Method& method, int iterations) {
-    std::visit(
-        [&](auto& each) {
-            if constexpr (requires { each.iterations; }) each.iterations = iterations;
-        },
-        method);
-}
 
 Result<void> apply_to_cloths(World& world, const SceneContent& content, const Overrides& overrides) {
     for (const SceneCloth& cloth : content.cloths) {
         auto settings = world.cloth_settings(cloth.id);
         if (!settings) return settings.error();
+        settings->method = overrides.method.value_or(settings->method);
         if (overrides.iterations) set_iterations(settings->method, *overrides.iterations);
         settings->self_collision.enabled =
             overrides.self_collision.value_or(settings->self_collision.enabled);

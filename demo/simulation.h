@@ -12,7 +12,9 @@ namespace weft::demo {
 /// What a run asks for in place of the scene's own settings.
 struct Overrides {
     std::optional<Vec3> wind;  ///< [m/s]
-    std::optional<int> iterations, substeps;
+    std::optional<Method> method;
+    std::optional<int> iterations;  ///< of the method, whichever it is
+    std::optional<int> substeps;
     std::optional<bool> self_collision;
     int threads = 0;  ///< 0: one per core
 };

@@ -24,15 +24,6 @@ bool fabric_sliders(ClothSettings& settings) {
     return changed;
 }
 
-bool solver_sliders(ClothSettings& settings) {
-    auto* jacobi = std::get_if<Jacobi>(&settings.method);
-    return jacobi != nullptr && slider("iterations", jacobi->iterations, 0, 200, "%d",
-                                       "Jacobi iterations of each substep. More carry forces further; odd "
-                                       "counts leave less error than the "
-                                       "next even one.",
-                                       ImGuiSliderFlags_Logarithmic);
-}
-
 bool self_collision_controls(ClothSettings& settings) {
     SelfCollision& self = settings.self_collision;
     bool changed = ImGui::Checkbox("self-collision", &self.enabled);
@@ -66,16 +57,13 @@ void cloth_panel(Simulation& simulation) {
     ImGui::Separator();
     cloth_changed |= self_collision_controls(*cloth);
     ImGui::Separator();
-    cloth_changed |= solver_sliders(*cloth);
     WorldSettings settings = world.settings();
     const bool world_changed = world_sliders(settings);
     ImGui::PopItemWidth();
     ImGui::End();
 
     if (world_changed) (void)world.set_settings(settings);
-    if (!cloth_changed) return;
-    for (const SceneCloth& each : simulation.content().cloths)
-        (void)world.set_cloth_settings(each.id, *cloth);
+    if (cloth_changed) set_all_cloths(simulation, *cloth);
 }
 
 }  // namespace weft::demo

@@ -39,9 +39,15 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& 
     if (!visible) return requests;
     scene_panel(simulation, message, playback, requests);
     wind_panel(simulation, wind, camera);
+    method_panel(simulation);
     cloth_panel(simulation);
     profiler_panel(simulation, history_, playback);
     return requests;
+}
+
+void set_all_cloths(Simulation& simulation, const ClothSettings& settings) {
+    for (const SceneCloth& each : simulation.content().cloths)
+        (void)simulation.world().set_cloth_settings(each.id, settings);
 }
 
 }  // namespace weft::demo

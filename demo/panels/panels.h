@@ -64,7 +64,13 @@ class Panels {
 void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
                  PanelRequests& requests);
 void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera);
+void method_panel(Simulation& simulation);
 void cloth_panel(Simulation& simulation);
 void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback);
+
+/// What the method panel shows. True if something was changed.
+bool method_controls(ClothSettings& settings);
+/// The panels show the first cloth's settings; what is changed there, all cloths get.
+void set_all_cloths(Simulation& simulation, const ClothSettings& settings);
 
 }  // namespace weft::demo

@@ -24,11 +24,11 @@ Options accepted(const std::vector<const char*>& arguments) {
 
 TEST(Options, ReadsEverything) {
     const Options o =
-        accepted({"--scene",    "curtain", "--garment",        "a.obj",      "--particles",  "5000",
-                  "--threads",  "3",       "--wind",           "-1.5,0,2e1", "--iterations", "9",
-                  "--substeps", "4",       "--self-collision", "0",          "--headless",   "--panels",
-                  "--frames",   "77",      "--every",          "7",          "--out",        "there",
-                  "--size",     "640x480", "--trace",          "t.json"});
+        accepted({"--scene",    "curtain",   "--garment",  "a.obj",      "--particles",      "5000",
+                  "--threads",  "3",         "--wind",     "-1.5,0,2e1", "--iterations",     "9",
+                  "--method",   "chebyshev", "--substeps", "4",          "--self-collision", "0",
+                  "--headless", "--panels",  "--frames",   "77",         "--every",          "7",
+                  "--out",      "there",     "--size",     "640x480",    "--trace",          "t.json"});
     EXPECT_EQ(o.scene, "curtain");
     EXPECT_EQ(o.scene_options.garment, "a.obj");
     EXPECT_EQ(o.scene_options.particles, 5000u);
@@ -38,6 +38,8 @@ TEST(Options, ReadsEverything) {
     EXPECT_EQ(o.overrides.wind->y, 0);
     EXPECT_EQ(o.overrides.wind->z, 20);
     EXPECT_EQ(o.overrides.iterations, 9);
+    ASSERT_TRUE(o.overrides.method);
+    EXPECT_TRUE(std::holds_alternative<Chebyshev>(*o.overrides.method));
     EXPECT_EQ(o.overrides.substeps, 4);
     EXPECT_EQ(o.overrides.self_collision, false);
     EXPECT_TRUE(o.headless && o.panels && !o.list);
@@ -51,7 +53,7 @@ TEST(Options, ReadsEverything) {
 
 TEST(Options, LeavesTheScenesOwnSettingsAlone) {
     const Options o = accepted({});
-    EXPECT_FALSE(o.overrides.wind || o.overrides.iterations || o.overrides.substeps ||
+    EXPECT_FALSE(o.overrides.wind || o.overrides.method || o.overrides.iterations || o.overrides.substeps ||
                  o.overrides.self_collision);
     EXPECT_EQ(o.scene_options.particles, 0u);
 }
@@ -68,15 +70,17 @@ TEST_P(BadArguments, AreRefusedInOneLine) {
 }
 
 using Bad = std::vector<const char*>;
-INSTANTIATE_TEST_SUITE_P(
-    Options, BadArguments,
-    testing::Values(Bad{"--particles", "0"}, Bad{"--particles", "-5"}, Bad{"--particles", "many"},
-                    Bad{"--particles", "1e99"}, Bad{"--threads", "0"}, Bad{"--threads", "257"},
-                    Bad{"--wind", "1,2"}, Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
-                    Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"}, Bad{"--size", "640"},
-                    Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
-                    Bad{"--substeps", "0"}, Bad{"--frames", "0"}, Bad{"--every", "0"},
-                    Bad{"--self-collision", "maybe"}, Bad{"--frames"}, Bad{"--no-such-option"}));
+INSTANTIATE_TEST_SUITE_P(Options, BadArguments,
+                         testing::Values(Bad{"--particles", "0"}, Bad{"--particles", "-5"},
+                                         Bad{"--particles", "many"}, Bad{"--particles", "1e99"},
+                                         Bad{"--threads", "0"}, Bad{"--threads", "257"}, Bad{"--wind", "1,2"},
+                                         Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
+                                         Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"},
+                                         Bad{"--size", "640"}, Bad{"--size", "0x480"},
+                                         Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
+                                         Bad{"--substeps", "0"}, Bad{"--frames", "0"}, Bad{"--every", "0"},
+                                         Bad{"--method", "magic"}, Bad{"--self-collision", "maybe"},
+                                         Bad{"--frames"}, Bad{"--no-such-option"}));
 
 TEST(Options, HelpIsNoError) {
     const auto parsed = parse({"--help"});

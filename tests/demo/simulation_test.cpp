@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "demo/methods.h"
+
 namespace weft::demo {
 namespace {
 
@@ -21,6 +23,7 @@ std::uint64_t hash_after(Simulation& simulation, int steps) {
 TEST(Simulation, TakesOverrides) {
     Overrides overrides;
     overrides.wind = Vec3{1, 2, 3};
+    overrides.method = Chebyshev{};
     overrides.iterations = 3;
     overrides.substeps = 5;
     overrides.self_collision = false;
@@ -33,7 +36,8 @@ TEST(Simulation, TakesOverrides) {
     EXPECT_EQ(world.substeps, 5);
     EXPECT_EQ(world.threads, 2);
     const auto cloth = simulation.world().cloth_settings(simulation.content().cloths.front().id);
-    EXPECT_EQ(std::get<Jacobi>(cloth->method).iterations, 3);
+    EXPECT_EQ(iterations_of(cloth->method), 3);
+    EXPECT_TRUE(std::holds_alternative<Chebyshev>(cloth->method));
     EXPECT_FALSE(cloth->self_collision.enabled);
 }
 

@@ -1,0 +1,131 @@
+#include "demo/methods.h"
+#include "demo/panels/panels.h"
+#include "demo/panels/widgets.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr ImGuiSliderFlags logarithmic = ImGuiSliderFlags_Logarithmic;
+
+/// A choice between `names`. True if another one was taken.
+bool choice(const char* label, int& chosen, std::span<const char* const> names) {
+    return ImGui::Combo(label, &chosen, names.data(), static_cast<int>(names.size()));
+}
+
+/// One taken from the list has its default settings.
+bool method_list(Method& method) {
+    bool changed = false;
+    if (ImGui::BeginCombo("method", entry_of(method).title)) {
+        for (const NamedMethod& each : all_methods()) {
+            const bool present = each.method.index() == method.index();
+            if (ImGui::Selectable(each.title, present) && !present) {
+                method = each.method;
+                changed = true;
+            }
+            tooltip(each.summary);
+        }
+        ImGui::EndCombo();
+    }
+    tooltip(entry_of(method).summary);
+    return changed;
+}
+
+bool iterations_slider(int& iterations, int least, const char* explanation) {
+    return slider("iterations", iterations, least, 500, "%d", explanation, logarithmic);
+}
+
+bool mean_motion_box(bool& exact) {
+    const bool changed = ImGui::Checkbox("exact mean motion", &exact);
+    tooltip("A cloth that nothing holds falls freely however few iterations run.");
+    return changed;
+}
+
+bool own_controls(Jacobi& method) {
+    const bool changed = iterations_slider(method.iterations, 0, "Odd counts never over-correct.");
+    return mean_motion_box(method.exact_mean_motion) || changed;
+}
+
+bool own_controls(Chebyshev& method) {
+    const bool changed = iterations_slider(method.iterations, 1, "Of each substep.");
+    return mean_motion_box(method.exact_mean_motion) || changed;
+}
+
+bool own_controls(ConjugateGradient& method) {
+    return iterations_slider(method.iterations, 1, "Of each substep.");
+}
+
+bool own_controls(Multilevel& method) {
+    constexpr const char* uses[] = {"passes", "nonlinear CG"};
+    int use = static_cast<int>(method.use);
+    bool changed = choice("use", use, uses);
+    method.use = static_cast<Multilevel::Use>(use);
+    changed |= iterations_slider(method.iterations, 1, "Conjugate gradient steps, a multigrid cycle each.");
+    if (method.use == Multilevel::Use::passes)
+        changed |= slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.");
+    return changed;
+}
+
+bool own_controls(Xpbd& method) {
+    return iterations_slider(method.iterations, 1, "More substeps of the cloth do more for their cost.");
+}
+
+bool set_solver_choice(const char* label, Fibres::SetSolver& solver) {
+    constexpr const char* solvers[] = {"Gauss-Seidel", "LDL^T"};
+    int chosen = static_cast<int>(solver);
+    const bool changed = choice(label, chosen, solvers);
+    solver = static_cast<Fibres::SetSolver>(chosen);
+    return changed;
+}
+
+bool own_controls(Fibres& method) {
+    bool changed = iterations_slider(method.iterations, 1, "Sweeps over all sets of fibres.");
+    changed |= set_solver_choice("vertical", method.vertical);
+    changed |= set_solver_choice("horizontal", method.horizontal);
+    changed |= set_solver_choice("shear", method.shear);
+    return changed;
+}
+
+bool own_controls(SymplecticEuler& /*method*/) {
+    return false;
+}
+
+bool time_controls(ClothSettings& settings) {
+    bool changed = slider("cloth substeps", settings.substeps, 1, 1024, "%d",
+                          "Steps of the method within each substep of the world.", logarithmic);
+    if (!has_time_scheme(settings.method)) return changed;
+    bool second_order = settings.time_scheme == TimeScheme::bdf2;
+    changed |= ImGui::Checkbox("second order in time", &second_order);
+    tooltip("BDF2 in place of backward Euler: half the motion's error at the same cost.");
+    settings.time_scheme = second_order ? TimeScheme::bdf2 : TimeScheme::backward_euler;
+    return changed;
+}
+
+bool tether_controls(Tethers& tethers) {
+    bool changed = ImGui::Checkbox("tethers", &tethers.enabled);
+    tooltip("No particle gets further from the pins than the way along the cloth.");
+    if (tethers.enabled)
+        changed |= slider("slack", tethers.slack, 1, 2, "%.2f", "Times the length along the cloth.");
+    return changed;
+}
+
+}  // namespace
+
+bool method_controls(ClothSettings& settings) {
+    bool changed = method_list(settings.method);
+    changed |= std::visit([](auto& method) { return own_controls(method); }, settings.method);
+    changed |= time_controls(settings);
+    changed |= tether_controls(settings.tethers);
+    return changed;
+}
+
+void method_panel(Simulation& simulation) {
+    begin_panel("Method", {panel_margin, 560}, {300, 228});
+    ImGui::PushItemWidth(170);
+    auto settings = simulation.world().cloth_settings(simulation.content().cloths.front().id);
+    const bool changed = method_controls(*settings);
+    ImGui::PopItemWidth();
+    ImGui::End();
+    if (changed) set_all_cloths(simulation, *settings);
+}
+
+}  // namespace weft::demo
