@@ -1,0 +1,77 @@
+#include "demo/study/reference/exact_solve.h"
+
+#include <utility>
+
+#include "engine/vector.h"
+
+namespace weft::study {
+
+namespace {
+
+// Hestenes and Stiefel 1952, with the preconditioned direction made conjugate by the formula of Polak and
+// Ribiere, which bears with a preconditioner that rounds (Golub and Ye 1999).
+bool conjugate_gradients(const BlockMatrix::Sparse& matrix, const Eigen::VectorXd& b, double tolerance,
+                         const Preconditioner& precondition, Eigen::VectorXd& x) {
+    x.setZero(b.size());
+    Eigen::VectorXd r = b, r_before, z, product(b.size());
+    precondition(r, z);
+    Eigen::VectorXd p = z;
+    double rz = r.dot(z);
+    const double enough = tolerance * b.norm();
+    for (int iterations = 0; r.norm() > enough && iterations < 10'000; ++iterations) {
+        product.noalias() = matrix.selfadjointView<Eigen::Lower>() * p;
+        const double curvature = p.dot(product);
+        if (!(curvature > 0)) return false;
+        const double step = r.dot(p) / curvature;
+        x += step * p;
+        r_before = r;
+        r -= step * product;
+        precondition(r, z);
+        const double conjugate = z.dot(r - r_before) / std::exchange(rz, r.dot(z));
+        p = z + conjugate * p;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool ExactSolve::solve(const BlockMatrix& matrix, const Eigen::VectorXd& b, double tolerance,
+                       const Preconditioner& precondition, Eigen::VectorXd& x) {
+    return is_direct_ ? factorise(matrix.lower(), b, x)
+                      : conjugate_gradients(matrix.lower(), b, tolerance, precondition, x);
+}
+
+bool ExactSolve::factorise(const Sparse& matrix, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+    if (!analysed_) factor_.analyzePattern(matrix);
+    analysed_ = true;
+    factor_.factorize(matrix);
+    if (factor_.info() != Eigen::Success || factor_.vectorD().minCoeff() <= 0) return false;
+    x = factor_.solve(b);
+    return true;
+}
+
+MultigridCycle::MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
+    : parallel_(parallel),
+      system_(system),
+      multigrid_(parallel, system, positions),
+      r_(positions.size()),
+      z_(positions.size()) {
+    multigrid_.set_pins(positions);
+    rebuild();
+}
+
+// Scaled to the middle of the range that single precision has.
+void MultigridCycle::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
+    const double scale = r.norm();
+    z.setZero(r.size());
+    if (scale == 0) return;
+    for (std::size_t i = 0; i < r_.size(); ++i) {
+        const Eigen::Vector3d r_i = r.segment<3>(3 * static_cast<Eigen::Index>(i)) / scale;
+        r_[i] = to_vec4(r_i.cast<float>(), 0);
+    }
+    multigrid_.cycle(parallel_, system_, std::as_const(r_).span(), z_.span());
+    for (std::size_t i = 0; i < z_.size(); ++i)
+        z.segment<3>(3 * static_cast<Eigen::Index>(i)) = scale * xyz(z_[i]).cast<double>();
+}
+
+}  // namespace weft::study

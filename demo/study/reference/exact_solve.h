@@ -1,0 +1,57 @@
+#pragma once
+// Sparse systems solved as exactly as double precision allows.
+
+#include <cstdint>
+#include <Eigen/SparseCholesky>
+#include <functional>
+
+#include "cloth/implicit/multigrid.h"
+#include "demo/study/reference/block_matrix.h"
+
+namespace weft::study {
+
+/// z = an approximation of W^-1 r.
+using Preconditioner = std::function<void(const Eigen::VectorXd& r, Eigen::VectorXd& z)>;
+
+/// With up to `direct_up_to` particles by a sparse factorisation L D L^T, whose pattern is analysed once;
+/// beyond, where that takes minutes, by preconditioned conjugate gradients.
+class ExactSolve {
+  public:
+    static constexpr std::uint32_t usual_limit = 5000;
+
+    explicit ExactSolve(std::uint32_t particles, std::uint32_t direct_up_to = usual_limit)
+        : is_direct_(particles <= direct_up_to) {}
+
+    [[nodiscard]] bool is_direct() const { return is_direct_; }
+    /// Solves matrix x = b; where it iterates, until |b - matrix x| <= tolerance |b|. False if the matrix is
+    /// found not to be positive definite.
+    bool solve(const BlockMatrix& matrix, const Eigen::VectorXd& b, double tolerance,
+               const Preconditioner& precondition, Eigen::VectorXd& x);
+
+  private:
+    using Sparse = BlockMatrix::Sparse;
+    bool factorise(const Sparse& matrix, const Eigen::VectorXd& b, Eigen::VectorXd& x);
+
+    bool is_direct_, analysed_ = false;
+    Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor_;
+};
+
+/// The library's multigrid cycle on vectors in double precision. That it is computed in single precision
+/// bounds how much one cycle gains, not how far the iteration around it gets.
+class MultigridCycle {
+  public:
+    /// `system` is linearised; it is used by every call of apply().
+    MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
+
+    /// The system has been linearised anew.
+    void rebuild() { multigrid_.build(parallel_, system_); }
+    void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z);
+
+  private:
+    Parallel& parallel_;
+    ImplicitSystem& system_;
+    Multigrid multigrid_;
+    AlignedBuffer<Vec4> r_, z_;
+};
+
+}  // namespace weft::study

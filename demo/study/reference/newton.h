@@ -1,0 +1,54 @@
+#pragma once
+// Reference A: an implicit step solved to convergence.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cloth/solver.h"
+#include "demo/study/reference/exact_solve.h"
+#include "demo/study/reference/step_functional.h"
+
+namespace weft::study {
+
+struct NewtonResult {
+    Flat velocities;
+    std::vector<double> residuals;  ///< norm before the first iteration and after each
+    bool converged = false;
+};
+
+/// Newton's method with line search on the functional, until the residual is below a tolerance times the
+/// first. The matrix is exact where that makes it positive definite, else projected: near the solution it
+/// converges quadratically, and far from it, always downhill.
+class Newton {
+  public:
+    /// What is solved by iteration is preconditioned with the library's multigrid.
+    Newton(const SolverStep& step, const StepFunctional& functional,
+           std::uint32_t direct_up_to = ExactSolve::usual_limit);
+    [[nodiscard]] NewtonResult minimise(const SolverStep& step, const StepFunctional& functional,
+                                        double tolerance);
+
+  private:
+    [[nodiscard]] Flat direction(const StepFunctional& functional, const Flat& v, const Flat& residual,
+                                 double left);
+    void precondition_at(const SolverStep& step, const Flat& v);
+
+    BlockMatrix matrix_;
+    ExactSolve exact_solve_;
+    // Only where systems are solved by iteration.
+    std::unique_ptr<ImplicitSystem> system_;
+    std::optional<MultigridCycle> cycle_;
+    AlignedBuffer<Vec4> velocities_;
+};
+
+/// Reference A as a method of the frame, so that it meets the same wind, pins and time scheme as all others.
+class ConvergedSolver final : public Solver {
+  public:
+    float solve(const SolverStep& step) override;
+    [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
+
+  private:
+    std::unique_ptr<Newton> newton_;
+};
+
+}  // namespace weft::study
