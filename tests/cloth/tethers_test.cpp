@@ -1,0 +1,241 @@
+// Geodesics against closed forms, and what tethers do with them.
+
+#include "cloth/tethers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "fixtures.h"
+#include "meshes.h"
+
+namespace weft::test {
+namespace {
+
+/// The largest relative error of the distances from `source`, signed: too short and too long.
+struct Errors {
+    double shortest = 0, longest = 0;
+};
+template <class Exact>
+Errors errors_from(const CookedCloth& model, std::uint32_t source, const Exact& exact) {
+    Geodesics geodesics(model);
+    geodesics.march(model, std::array{source});
+    Errors errors;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        if (i == source) continue;
+        const double distance = exact(xyz(model.positions[i]).cast<double>());
+        errors.shortest = std::min(errors.shortest, geodesics.distances()[i] / distance - 1);
+        errors.longest = std::max(errors.longest, geodesics.distances()[i] / distance - 1);
+    }
+    return errors;
+}
+
+/// A flat sheet whose inner vertices are displaced in its plane: thin and obtuse triangles.
+Mesh irregular_sheet(std::uint32_t side) {
+    Mesh mesh = loose_sheet(side, side);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> offset(-0.45f, 0.45f);
+    const float spacing = 1.0f / static_cast<float>(side - 1);
+    for (std::uint32_t row = 1; row + 1 < side; ++row) {
+        for (std::uint32_t column = 1; column + 1 < side; ++column) {
+            mesh.positions[row * side + column].x += spacing * offset(random);
+            mesh.positions[row * side + column].z += spacing * 0.5f * offset(random);
+        }
+    }
+    return mesh;
+}
+
+TEST(Geodesics, AreStraightLinesOnAFlatSheet) {
+    for (const Mesh& mesh : {sheet(30, 40), loose_sheet(30, 30), irregular_sheet(30)}) {
+        const CookedCloth model = must(cook(mesh));
+        for (const std::uint32_t source : {0u, model.particle_count / 2}) {
+            const Eigen::Vector3d from = xyz(model.positions[source]).cast<double>();
+            const Errors errors =
+                errors_from(model, source, [&](const auto& x) { return (x - from).norm(); });
+            EXPECT_GT(errors.shortest, -1e-4);
+            EXPECT_LT(errors.longest, 1e-4);
+        }
+    }
+}
+
+TEST(Geodesics, GoAroundATube) {
+    const std::uint32_t columns = 48;
+    const CookedCloth model = must(cook(tube(30, columns)));
+    const std::uint32_t source = 10 * columns;
+    const double height = static_cast<double>(model.positions[source].y);
+    const double chord_per_angle =
+        columns * 2 * std::sin(std::numbers::pi / columns) / (2 * std::numbers::pi);
+    const Errors errors = errors_from(model, source, [&](const Eigen::Vector3d& x) {
+        return std::hypot(chord_per_angle * std::abs(std::atan2(x.z(), x.x())), x.y() - height);
+    });
+    EXPECT_GT(errors.shortest, -0.01);
+    EXPECT_LT(errors.longest, 0.01);
+}
+
+TEST(Geodesics, GoAroundAHole) {
+    Mesh mesh = loose_sheet(41, 41);
+    const auto in_hole = [&](std::uint32_t vertex) {
+        const Vec3& p = mesh.positions[vertex];
+        return std::max(std::abs(p.x), std::abs(p.z)) < 0.2501f;
+    };
+    std::erase_if(mesh.triangles,
+                  [&](const Triangle& t) { return in_hole(t[0]) && in_hole(t[1]) && in_hole(t[2]); });
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+        const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+        return std::max(std::abs(a.x + b.x + c.x), std::abs(a.z + b.z + c.z)) / 3 < 0.25f;
+    });
+    const CookedCloth model = must(cook(mesh));
+    Geodesics geodesics(model);
+    const auto at = [](std::uint32_t row, std::uint32_t column) { return row * 41 + column; };
+    geodesics.march(
+        model, std::array{at(20, 2)});  // 0.45 m left of the middle; the hole's corners are 0.25 m from it
+    const double to_corner = std::hypot(0.2, 0.25);
+    EXPECT_NEAR(geodesics.distances()[at(20, 38)], 2 * to_corner + 0.5, 0.02 * (2 * to_corner + 0.5));
+    EXPECT_NEAR(geodesics.distances()[at(20, 30)], to_corner + 0.5 + 0.25, 0.02 * (to_corner + 0.75));
+    EXPECT_NEAR(geodesics.distances()[at(2, 2)], 0.45, 1e-4) << "not in the hole's shadow";
+    EXPECT_EQ(geodesics.sources()[at(20, 20)], Geodesics::none) << "cut out";
+}
+
+TEST(Geodesics, AreBetweenTheStraightLineAndTheWayAlongTheEdges) {
+    for (const NamedMesh& named : sound_meshes()) {
+        const CookedCloth model = must(cook(named.mesh));
+        Geodesics geodesics(model);
+        geodesics.march(model, std::array{0u});
+        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+            if (geodesics.sources()[i] == Geodesics::none) continue;
+            const double straight =
+                static_cast<double>((xyz(model.positions[i]) - xyz(model.positions[0])).norm());
+            EXPECT_GE(geodesics.distances()[i], 0.999 * straight) << named.name << ", particle " << i;
+            for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+                if (model.kinds[e] != SpringKind::structural) continue;
+                EXPECT_LT(geodesics.distances()[i], 1.00001 * (geodesics.distances()[model.neighbours[e]] +
+                                                               static_cast<double>(model.rest_lengths[e])))
+                    << named.name;
+            }
+        }
+    }
+}
+
+ClothSettings settings_of(const Method& method, bool tethers, float slack = 1) {
+    ClothSettings settings;
+    settings.method = method;
+    settings.tethers = {.enabled = tethers, .slack = slack};
+    return settings;
+}
+
+/// A Simulation of one sheet that is hung by two corners.
+struct HungSheet {
+    explicit HungSheet(const ClothSettings& settings, std::uint32_t side = 32)
+        : simulation({}),
+          id(simulation.cloths.insert(std::make_unique<Cloth>(must(cook(sheet(side, side))), settings))) {
+        simulation.settings.wind.air_density = 0;
+        simulation.prepare(cloth());
+        cloth().pin(0);
+        cloth().pin(side - 1);
+    }
+    [[nodiscard]] Cloth& cloth() { return **simulation.cloths.find(id); }
+    void step() { simulation.step(1.0f / 60); }
+
+    [[nodiscard]] double mean_stretch() {
+        const CookedCloth& model = cloth().model;
+        double sum = 0;
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+            for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+                if (model.kinds[e] != SpringKind::structural) continue;
+                const Vec4 &a = cloth().state.positions[i], &b = cloth().state.positions[model.neighbours[e]];
+                sum +=
+                    std::max(0.0, static_cast<double>((xyz(a) - xyz(b)).norm() / model.rest_lengths[e] - 1));
+                ++count;
+            }
+        }
+        return sum / count;
+    }
+
+    Simulation simulation;
+    ClothId id;
+};
+
+TEST(Tethers, LetNoParticleBeyondItsWayAlongTheCloth) {
+    for (const float slack : {1.0f, 1.1f}) {
+        for (const Method& method :
+             {Method(Jacobi{.iterations = 3}), Method(Xpbd{}), Method(SymplecticEuler{})}) {
+            HungSheet sheet(settings_of(method, true, slack));
+            for (int frame = 0; frame < 60; ++frame) {
+                sheet.cloth().find_pin(0)->target += Vector3(0, 0.01f, 0.005f);
+                sheet.step();
+            }
+            const LongRangeAttachments& tethers = *sheet.cloth().tethers;
+            for (std::uint32_t i = 0; i < sheet.cloth().model.particle_count; ++i) {
+                const Vector3 pin = xyz(sheet.cloth().state.positions[tethers.pins()[i]]);
+                EXPECT_LE((xyz(sheet.cloth().state.positions[i]) - pin).norm(),
+                          slack * tethers.lengths()[i] * (1 + 1e-5f) + 1e-6f);
+            }
+        }
+    }
+}
+
+TEST(Tethers, DoNothingWithinTheirLength) {
+    HungSheet without(settings_of(Jacobi{.iterations = 31}, false));
+    HungSheet with(settings_of(Jacobi{.iterations = 31}, true, 100));
+    for (int frame = 0; frame < 10; ++frame) {
+        without.step();
+        with.step();
+    }
+    EXPECT_EQ(flat(with.cloth().state.positions.span()), flat(without.cloth().state.positions.span()));
+    EXPECT_EQ(flat(with.cloth().state.velocities.span()), flat(without.cloth().state.velocities.span()));
+    EXPECT_EQ(without.cloth().tethers, std::nullopt) << "no memory while they are off";
+}
+
+TEST(Tethers, TakeTheVelocityAwayFromThePinAndNoOther) {
+    const CookedCloth model = must(cook(sheet(2, 3)));
+    LongRangeAttachments tethers(model);
+    tethers.attach(model, std::array{0u});
+    AlignedBuffer<Vec4> positions(6), velocities(6);
+    for (Vec4& x : positions.span()) x.w = 1;
+    positions[0] = {1, 1, 1, 0};
+    velocities[0] = {5, 0, 0, 0};
+    positions[2] = {1, 3, 1, 1};  // the limit is 1 m
+    velocities[2] = {5, 4, 2, 0};
+    Parallel serial(1);
+    tethers.hold(serial, 1, positions.span(), velocities.span());
+    EXPECT_LT((xyz(positions[2]) - Vector3(1, 2, 1)).norm(), 1e-6f);
+    EXPECT_LT((xyz(velocities[2]) - Vector3(5, 0, 2)).norm(), 1e-6f);
+    velocities[2] = {5, -4, 2, 0};
+    positions[2].y = 3;
+    tethers.hold(serial, 1, positions.span(), velocities.span());
+    EXPECT_EQ(velocities[2].y, -4);
+}
+
+TEST(Tethers, FollowThePins) {
+    HungSheet sheet(settings_of(Jacobi{}, true), 8);
+    sheet.step();
+    const auto pins = [&] { return sheet.cloth().tethers->pins(); };
+    EXPECT_EQ(pins()[63], 7u);
+    sheet.cloth().pin(63);
+    sheet.step();
+    EXPECT_EQ(pins()[62], 63u);
+    sheet.cloth().unpin(63);
+    sheet.cloth().unpin(7);
+    sheet.step();
+    EXPECT_EQ(pins()[63], 0u);
+    sheet.cloth().unpin(0);
+    sheet.step();
+    EXPECT_EQ(pins()[63], Geodesics::none);
+}
+
+TEST(Tethers, HoldWhatFewIterationsLeaveStretched) {
+    HungSheet without(settings_of(Jacobi{.iterations = 5}, false), 64);
+    HungSheet with(settings_of(Jacobi{.iterations = 5}, true), 64);
+    for (int frame = 0; frame < 60; ++frame) {
+        without.step();
+        with.step();
+    }
+    EXPECT_GT(without.mean_stretch(), 0.1);
+    EXPECT_LT(with.mean_stretch(), 0.25 * without.mean_stretch());
+}
+
+}  // namespace
+}  // namespace weft::test
