@@ -3,12 +3,15 @@
 #include <numeric>
 #include <utility>
 
+#include "cloth/implicit/symmetric3.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/forces/spring_matrix.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -33,13 +36,8 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const
 
 /// D_i^-1 v for the lanes from particle `i` on.
 HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
-    const float* entries = &matrix.inverse_diagonal[std::size_t{i / Stencil::lanes} * 6 * Stencil::lanes];
-    const auto entry = [=](std::uint32_t k)
-                           HWY_ATTR { return load_lanes(entries + k * Stencil::lanes + i % Stencil::lanes); };
-    const Lanes3 row_x = {entry(0), entry(3), entry(4)};
-    const Lanes3 row_y = {entry(3), entry(1), entry(5)};
-    const Lanes3 row_z = {entry(4), entry(5), entry(2)};
-    return {dot(row_x, v), dot(row_y, v), dot(row_z, v)};
+    const std::size_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+    return load_symmetric(&matrix.inverse_diagonal[group * 6 * Stencil::lanes + lane]) * v;
 }
 
 double multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "cloth/forces/spring_forces.h"
 #include "cloth/forces/spring_matrix.h"
 #include "cloth/implicit/implicit_system.h"
 
@@ -26,12 +27,11 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    struct Row;
     void set_stiffnesses(const Fabric& fabric);
     /// Where the particles are at these velocities: x_base + gamma v.
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
-    [[nodiscard]] Row external_row(const StepEquation& equation, const Vec4& position,
-                                   const Vector3& velocity, std::uint32_t i) const;
+    [[nodiscard]] SpringState state_at(const StepEquation& equation, std::span<const Vec4> positions,
+                                       std::span<const Vec4> velocities) const;
 
     const CookedCloth& model_;
     SpringMatrix matrix_;

@@ -36,7 +36,7 @@ std::vector<std::int64_t> differences_in(const Rows& rows, std::uint32_t group) 
         for (std::uint32_t e = rows.offsets[node]; e < rows.offsets[node + 1]; ++e)
             result.push_back(rows.difference(node, e));
     std::ranges::sort(result);
-    result.erase(std::ranges::unique(result).begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 

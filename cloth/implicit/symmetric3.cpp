@@ -7,8 +7,7 @@ namespace weft {
 // By L D L^T. Every pivot of a matrix is at least its least eigenvalue, so one that rounding has brought
 // below is lifted.
 Symmetric3 inverse(const Symmetric3& m, float least) {
-    constexpr float rounding = 3e-7f;  // of the sum of a dozen springs, relative to the trace
-    const float floor = std::max(least, rounding * (m.xx + m.yy + m.zz));
+    const float floor = std::max(least, inverse_rounding * (m.xx + m.yy + m.zz));
     const float lift = floor - least;
 
     const float d0 = std::max(m.xx + lift, floor);

@@ -1,0 +1,198 @@
+#include "cloth/forces/spring_forces.h"
+
+#include "cloth/implicit/symmetric3.h"
+#include "engine/separating_direction.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/forces/spring_forces.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/symmetric3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+HWY_INLINE Lanes set(float value) {
+    return hn::Set(Tag(), value);
+}
+HWY_INLINE Lanes3 set(const Vector3& v) {
+    return {set(v.x()), set(v.y()), set(v.z())};
+}
+
+/// What a particle has before its springs are added: inertia, gravity and air.
+struct Row {
+    Lanes3 impulse;  ///< gamma f - M (v - v_base) [kg m/s]
+    Lanes row_sum;   ///< [kg], 0 for pinned particles
+};
+
+/// Row of the lanes from particle `i` on, which have inverse masses `w` and velocities `v`.
+HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes w, const Lanes3& v) {
+    const ExternalForces& external = equation.external;
+    const Lanes gamma = set(equation.gamma), air_damping = set(external.air_damping);
+    const auto free = hn::Ne(w, set(0));
+    const Lanes mass = hn::IfThenElseZero(free, hn::Div(set(1), w));
+    const Lanes3 acceleration = set(external.gravity) - air_damping * v;
+    const Lanes3 behind = xyz(load_rows(&equation.base_velocities[i])) - v;
+    Row row = {.impulse = mass * mul_add(gamma, acceleration, behind),
+               .row_sum = mass * hn::MulAdd(gamma, air_damping, set(1))};
+    if (!external.air.empty()) {
+        const Lanes4 air = load_rows(&external.air[i]);
+        const Lanes3 since = xyz(load_rows(&equation.velocities[i])) - v;
+        row.impulse = mul_add(gamma, mul_add(air.w, since, xyz(air)), row.impulse);
+        row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
+    }
+    row.row_sum = hn::IfThenElseZero(free, row.row_sum);
+    return row;
+}
+
+/// spring_terms, lane by lane.
+struct Springs {
+    Lanes3 direction;  ///< n
+    Lanes tension;     ///< the force is tension n [N]
+    Lanes isotropic;   ///< a [N/m]
+    Lanes stiffness;   ///< a + b, b being the axial one [N/m]
+};
+
+/// `directions`, but where the ends coincide, which is rare, a direction made from their numbers.
+template <class Mask>
+HWY_NOINLINE Lanes3 with_separating_directions(const Lanes3& directions, Mask apart,
+                                               const std::uint32_t* neighbours, std::uint32_t i) {
+    alignas(64) float x[part_lanes], y[part_lanes], z[part_lanes];
+    const Tag d;
+    hn::Store(directions.x, d, x);
+    hn::Store(directions.y, d, y);
+    hn::Store(directions.z, d, z);
+    alignas(64) float is_apart[part_lanes];
+    hn::Store(hn::IfThenElseZero(apart, set(1)), d, is_apart);
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        if (is_apart[lane] != 0) continue;
+        const Vector3 n = separating_direction(neighbours[lane], i + lane);
+        x[lane] = n.x();
+        y[lane] = n.y();
+        z[lane] = n.z();
+    }
+    return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+}
+
+/// Of slot s, for the lanes from particle `i` on, which are at x_i.
+HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
+    const std::uint32_t lane = i % Stencil::lanes, entry = s * Stencil::lanes + lane;
+    const Lanes rest_length = load_lanes(&state.rest_lengths[entry]);
+    const Lanes stiffness = load_lanes(&state.stiffness[entry]);
+    const Lanes3 separation = neighbour_rows(state.stencil, s, lane, state.positions.data()) - x_i;
+    const Lanes squared = dot(separation, separation);
+    const Lanes length = hn::Sqrt(squared), inverse_length = hn::Div(set(1), length);
+
+    const auto apart = hn::Gt(squared, set(1e-24f));
+    Lanes3 direction = keep_where(apart, inverse_length * separation);
+    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0))))))
+        direction = with_separating_directions(direction, apart, &state.stencil.neighbours[entry], i);
+
+    const Lanes tension = hn::Mul(stiffness, hn::Sub(length, rest_length));
+    const Lanes isotropic = hn::IfThenElseZero(
+        hn::Gt(length, rest_length), hn::Mul(stiffness, hn::NegMulAdd(rest_length, inverse_length, set(1))));
+    return {direction, tension, isotropic, stiffness};
+}
+
+// Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
+// implicitly too:
+//   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
+//   iterate).
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, SpringMatrix& matrix,
+               Vec4* right_side) {
+    const Stencil& stencil = state.stencil;
+    const bool about_base = about == LinearisedAbout::base;
+    const float damping = state.equation.settings.fabric.damping;
+    const bool uses_velocities = about_base || damping > 0;
+    const Lanes gamma = set(state.equation.gamma), squared_gamma = hn::Mul(gamma, gamma);
+    const Lanes viscosity = set(state.equation.gamma * damping);
+
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes4 position = load_rows(&state.positions[i]);
+        const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
+        const Row row = external_row(state.equation, i, position.w, v_i);
+        Lanes3 b = row.impulse;
+        const Lanes zero = set(0);
+        Lanes sum_of_a = row.row_sum;
+        SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+            const Springs springs = springs_in(state, s, i, x_i);
+            const Lanes viscous = hn::Mul(viscosity, springs.stiffness);
+            const Lanes a = hn::Mul(squared_gamma, springs.isotropic);
+            const Lanes axial = hn::Sub(springs.stiffness, springs.isotropic);
+            const Lanes along = hn::MulAdd(squared_gamma, axial, viscous);
+            const Lanes3 d = hn::Sqrt(along) * springs.direction;
+            Lanes push = hn::Mul(gamma, springs.tension);
+            if (uses_velocities) {
+                const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
+                push = hn::MulAdd(about_base ? along : viscous, dot(springs.direction, relative), push);
+                if (about_base) b = mul_add(a, relative, b);
+            }
+            b = mul_add(push, springs.direction, b);
+            sum_of_a = hn::Add(sum_of_a, a);
+            sum_of_squares = add_square(sum_of_squares, d);
+            float* slot = &matrix.coefficients[std::size_t{s} * 4 * Stencil::lanes + lane];
+            hn::Store(a, Tag(), slot);
+            hn::Store(d.x, Tag(), slot + Stencil::lanes);
+            hn::Store(d.y, Tag(), slot + 2 * Stencil::lanes);
+            hn::Store(d.z, Tag(), slot + 3 * Stencil::lanes);
+        }
+        const auto free = hn::Ne(row.row_sum, set(0));
+        store_rows(keep_where(free, b), row.row_sum, right_side + i);
+        hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
+        const SymmetricLanes diagonal = add_identity(sum_of_squares, sum_of_a);
+        store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
+                        &matrix.inverse_diagonal[std::size_t{group} * 6 * Stencil::lanes + lane]);
+    }
+}
+
+void residual(const SpringState& state, const BlockRange& range, Vec4* residual) {
+    const Stencil& stencil = state.stencil;
+    const float damping = state.equation.settings.fabric.damping;
+    const Lanes gamma = set(state.equation.gamma), viscosity = set(damping);
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes4 position = load_rows(&state.positions[i]);
+        const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
+        const Row row = external_row(state.equation, i, position.w, v_i);
+        Lanes3 force = {set(0), set(0), set(0)};
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+            const Springs springs = springs_in(state, s, i, x_i);
+            Lanes push = springs.tension;
+            if (damping > 0) {
+                const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
+                const Lanes viscous = hn::Mul(viscosity, springs.stiffness);
+                push = hn::MulAdd(viscous, dot(springs.direction, relative), push);
+            }
+            force = mul_add(push, springs.direction, force);
+        }
+        const auto free = hn::Ne(row.row_sum, set(0));
+        store_rows(keep_where(free, mul_add(gamma, force, row.impulse)), set(0), residual + i);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(linearise);
+HWY_EXPORT(residual);
+
+void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
+                     SpringMatrix& matrix, Vec4* right_side) {
+    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, matrix, right_side);
+}
+
+void residual_block(const SpringState& state, const BlockRange& range, Vec4* residual) {
+    HWY_DYNAMIC_DISPATCH(residual)(state, range, residual);
+}
+
+}  // namespace weft
+#endif
