@@ -17,6 +17,9 @@ using Vector4 = Eigen::Vector4f;
 inline Vector4 load(const Vec4& v) {
     return Eigen::Map<const Vector4, Eigen::Aligned16>(&v.x);
 }
+inline void store(Vec4& target, const Vector4& v) {
+    Eigen::Map<Vector4, Eigen::Aligned16>(&target.x) = v;
+}
 
 inline Vector3 xyz(const Vec4& v) {
     return {v.x, v.y, v.z};
