@@ -1,6 +1,7 @@
 #pragma once
 // How far it is along the cloth.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,34 +10,55 @@
 
 namespace weft {
 
+/// A particle from which distances are asked for. Of the sources of one group only the nearest counts.
+struct GeodesicSource {
+    std::uint32_t particle, group;
+};
+
+/// How one source is reached along the cloth.
+struct GeodesicReach {
+    static constexpr std::uint32_t none = ~0u;
+    double distance = 0;  ///< [m]
+    std::uint32_t source = none, group = none;
+};
+
+/// A triangle laid flat, seen from one of its corners: where that lies above the opposite side, which begins
+/// at the next corner.
+struct GeodesicCorner {
+    double along, height, side;  ///< [m]
+    bool is_obtuse;
+};
+
 /// Distances on the rest surface from given particles, by fast marching on its triangles (Kimmel and Sethian
 /// 1998).
 class Geodesics {
   public:
-    static constexpr std::uint32_t none = ~0u;
+    static constexpr std::size_t most_reached = 4;
 
     explicit Geodesics(const CookedCloth& model);
 
-    /// Finds for each particle the source that is nearest along the cloth, and how far that is.
-    void march(const CookedCloth& model, std::span<const std::uint32_t> sources);
+    /// Finds for each particle the groups of sources that are nearest along the cloth.
+    void march(const CookedCloth& model, std::span<const GeodesicSource> sources);
 
-    [[nodiscard]] std::span<const double> distances() const { return distances_; }  ///< [m]
-    [[nodiscard]] std::span<const std::uint32_t> sources() const {
-        return sources_;
-    }  ///< none: cannot be reached
+    /// The nearest first; source none: there are no more that can be reached.
+    [[nodiscard]] std::span<const GeodesicReach> from(std::uint32_t particle) const {
+        return reached_[particle];
+    }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     struct Front {
         double distance;
-        std::uint32_t particle;
+        std::uint32_t particle, source;
     };
-    void reach(std::uint32_t particle, double distance, std::uint32_t source);
-    void cross_triangle(const CookedCloth& model, std::uint32_t triangle, std::uint32_t from);
+    using Reached = std::array<GeodesicReach, most_reached>;
 
-    std::vector<std::array<double, 3>> sides_;  // of each triangle, side k being opposite to corner k [m]
-    std::vector<double> distances_;
-    std::vector<std::uint32_t> sources_;
+    void reach(std::uint32_t particle, const GeodesicReach& way);
+    void cross_triangle(const Triangle& particles, const std::array<GeodesicCorner, 3>& shape,
+                        std::uint32_t from, const GeodesicReach& way);
+
+    std::vector<std::array<GeodesicCorner, 3>> triangles_;
+    std::vector<Reached> reached_;
     std::vector<Front> front_;  // a heap, the nearest first
 };
 

@@ -1,9 +1,14 @@
 #pragma once
-// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from its nearest pin than
+// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
 // the way along the cloth, whatever a solver has left unsolved.
+//
+// Pins that springs join are one hold, of which a particle is tethered to the nearest pin; and it is tethered
+// to the four nearest holds. One would be too few: where the particles of two pins meet, the cloth between
+// would stretch.
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cloth/cook.h"
 #include "cloth/geodesics.h"
@@ -14,28 +19,28 @@ namespace weft {
 
 class LongRangeAttachments {
   public:
-    explicit LongRangeAttachments(const CookedCloth& model)
-        : geodesics_(model), pins_(model.particle_count), lengths_(model.particle_count) {}
+    static constexpr std::uint32_t none = GeodesicReach::none;
 
-    /// Finds each particle's pin and its distance, for steps to come.
+    explicit LongRangeAttachments(const CookedCloth& model) : geodesics_(model) {}
+
+    /// Finds each particle's pins and their distances, for steps to come. Precondition: pins ascend.
     void attach(const CookedCloth& model, std::span<const std::uint32_t> pins);
 
     /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they
-    /// leave their pin.
+    /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
     void hold(Parallel& parallel, float slack, std::span<Vec4> positions, std::span<Vec4> velocities) const;
 
-    [[nodiscard]] std::span<const std::uint32_t> pins() const {
-        return pins_.span();
-    }  ///< Geodesics::none: free
-    [[nodiscard]] std::span<const float> lengths() const { return lengths_.span(); }  ///< [m]
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return geodesics_.bytes() + pins_.bytes() + lengths_.bytes();
-    }
+    /// Of the nearest hold, the second nearest, ..
+    struct Layer {
+        AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
+        AlignedBuffer<float> lengths;       ///< [m]
+    };
+    [[nodiscard]] std::span<const Layer> layers() const { return layers_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     Geodesics geodesics_;
-    AlignedBuffer<std::uint32_t> pins_;
-    AlignedBuffer<float> lengths_;
+    std::vector<Layer> layers_;
 };
 
 }  // namespace weft

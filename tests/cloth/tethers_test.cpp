@@ -21,13 +21,13 @@ struct Errors {
 template <class Exact>
 Errors errors_from(const CookedCloth& model, std::uint32_t source, const Exact& exact) {
     Geodesics geodesics(model);
-    geodesics.march(model, std::array{source});
+    geodesics.march(model, std::array{GeodesicSource{source, 0}});
     Errors errors;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         if (i == source) continue;
         const double distance = exact(xyz(model.positions[i]).cast<double>());
-        errors.shortest = std::min(errors.shortest, geodesics.distances()[i] / distance - 1);
-        errors.longest = std::max(errors.longest, geodesics.distances()[i] / distance - 1);
+        errors.shortest = std::min(errors.shortest, geodesics.from(i)[0].distance / distance - 1);
+        errors.longest = std::max(errors.longest, geodesics.from(i)[0].distance / distance - 1);
     }
     return errors;
 }
@@ -89,29 +89,31 @@ TEST(Geodesics, GoAroundAHole) {
     const CookedCloth model = must(cook(mesh));
     Geodesics geodesics(model);
     const auto at = [](std::uint32_t row, std::uint32_t column) { return row * 41 + column; };
-    geodesics.march(
-        model, std::array{at(20, 2)});  // 0.45 m left of the middle; the hole's corners are 0.25 m from it
+    geodesics.march(model,
+                    std::array{GeodesicSource{
+                        at(20, 2), 0}});  // 0.45 m left of the middle; the hole's corners are 0.25 m from it
     const double to_corner = std::hypot(0.2, 0.25);
-    EXPECT_NEAR(geodesics.distances()[at(20, 38)], 2 * to_corner + 0.5, 0.02 * (2 * to_corner + 0.5));
-    EXPECT_NEAR(geodesics.distances()[at(20, 30)], to_corner + 0.5 + 0.25, 0.02 * (to_corner + 0.75));
-    EXPECT_NEAR(geodesics.distances()[at(2, 2)], 0.45, 1e-4) << "not in the hole's shadow";
-    EXPECT_EQ(geodesics.sources()[at(20, 20)], Geodesics::none) << "cut out";
+    EXPECT_NEAR(geodesics.from(at(20, 38))[0].distance, 2 * to_corner + 0.5, 0.02 * (2 * to_corner + 0.5));
+    EXPECT_NEAR(geodesics.from(at(20, 30))[0].distance, to_corner + 0.5 + 0.25, 0.02 * (to_corner + 0.75));
+    EXPECT_NEAR(geodesics.from(at(2, 2))[0].distance, 0.45, 1e-4) << "not in the hole's shadow";
+    EXPECT_EQ(geodesics.from(at(20, 20))[0].source, GeodesicReach::none) << "cut out";
 }
 
 TEST(Geodesics, AreBetweenTheStraightLineAndTheWayAlongTheEdges) {
     for (const NamedMesh& named : sound_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         Geodesics geodesics(model);
-        geodesics.march(model, std::array{0u});
+        geodesics.march(model, std::array{GeodesicSource{0, 0}});
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            if (geodesics.sources()[i] == Geodesics::none) continue;
+            if (geodesics.from(i)[0].source == GeodesicReach::none) continue;
             const double straight =
                 static_cast<double>((xyz(model.positions[i]) - xyz(model.positions[0])).norm());
-            EXPECT_GE(geodesics.distances()[i], 0.999 * straight) << named.name << ", particle " << i;
+            EXPECT_GE(geodesics.from(i)[0].distance, 0.999 * straight) << named.name << ", particle " << i;
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
                 if (model.kinds[e] != SpringKind::structural) continue;
-                EXPECT_LT(geodesics.distances()[i], 1.00001 * (geodesics.distances()[model.neighbours[e]] +
-                                                               static_cast<double>(model.rest_lengths[e])))
+                EXPECT_LT(geodesics.from(i)[0].distance,
+                          1.00001 * (geodesics.from(model.neighbours[e])[0].distance +
+                                     static_cast<double>(model.rest_lengths[e])))
                     << named.name;
             }
         }
@@ -167,11 +169,11 @@ TEST(Tethers, LetNoParticleBeyondItsWayAlongTheCloth) {
                 sheet.cloth().find_pin(0)->target += Vector3(0, 0.01f, 0.005f);
                 sheet.step();
             }
-            const LongRangeAttachments& tethers = *sheet.cloth().tethers;
+            const LongRangeAttachments::Layer& nearest = sheet.cloth().tethers->layers()[0];
             for (std::uint32_t i = 0; i < sheet.cloth().model.particle_count; ++i) {
-                const Vector3 pin = xyz(sheet.cloth().state.positions[tethers.pins()[i]]);
+                const Vector3 pin = xyz(sheet.cloth().state.positions[nearest.pins[i]]);
                 EXPECT_LE((xyz(sheet.cloth().state.positions[i]) - pin).norm(),
-                          slack * tethers.lengths()[i] * (1 + 1e-5f) + 1e-6f);
+                          slack * nearest.lengths[i] * (1 + 1e-5f) + 1e-6f);
             }
         }
     }
@@ -211,19 +213,61 @@ TEST(Tethers, TakeTheVelocityAwayFromThePinAndNoOther) {
 
 TEST(Tethers, FollowThePins) {
     HungSheet sheet(settings_of(Jacobi{}, true), 8);
-    sheet.step();
-    const auto pins = [&] { return sheet.cloth().tethers->pins(); };
-    EXPECT_EQ(pins()[63], 7u);
+    const auto layers = [&] {
+        sheet.step();
+        return sheet.cloth().tethers->layers();
+    };
+    EXPECT_EQ(layers().size(), 2u);
+    EXPECT_EQ(layers()[0].pins[63], 7u);
+    EXPECT_EQ(layers()[1].pins[63], 0u);
     sheet.cloth().pin(63);
-    sheet.step();
-    EXPECT_EQ(pins()[62], 63u);
+    EXPECT_EQ(layers().size(), 3u);
+    EXPECT_EQ(layers()[0].pins[62], 63u);
     sheet.cloth().unpin(63);
     sheet.cloth().unpin(7);
-    sheet.step();
-    EXPECT_EQ(pins()[63], 0u);
+    EXPECT_EQ(layers().size(), 1u);
+    EXPECT_EQ(layers()[0].pins[63], 0u);
     sheet.cloth().unpin(0);
-    sheet.step();
-    EXPECT_EQ(pins()[63], Geodesics::none);
+    EXPECT_TRUE(layers().empty());
+}
+
+TEST(Tethers, TakePinsThatSpringsJoinForOneHold) {
+    const CookedCloth model = must(cook(sheet(6, 6)));
+    LongRangeAttachments tethers(model);
+    tethers.attach(model, std::array{0u, 1u, 2u, 3u, 4u, 5u, 30u, 35u});
+    ASSERT_EQ(tethers.layers().size(), 3u);
+    EXPECT_EQ(tethers.layers()[0].pins[9], 3u);
+    EXPECT_FLOAT_EQ(tethers.layers()[0].lengths[9], 0.2f);
+    EXPECT_EQ(tethers.layers()[1].pins[9], 35u);
+    EXPECT_EQ(tethers.layers()[2].pins[9], 30u);
+}
+
+TEST(Tethers, ReachTheFourNearestHoldsAsIfEachWereMarchedAlone) {
+    const CookedCloth model = must(cook(irregular_sheet(20)));
+    const std::vector<std::uint32_t> pins{0, 19, 47, 144, 210, 266, 380, 399};
+    std::vector<std::vector<double>> alone;
+    Geodesics geodesics(model);
+    for (const std::uint32_t pin : pins) {
+        geodesics.march(model, std::array{GeodesicSource{pin, 0}});
+        alone.emplace_back();
+        for (std::uint32_t i = 0; i < model.particle_count; ++i)
+            alone.back().push_back(geodesics.from(i)[0].distance);
+    }
+    LongRangeAttachments tethers(model);
+    tethers.attach(model, pins);
+    ASSERT_EQ(tethers.layers().size(), 4u);
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        std::vector<double> distances;
+        for (const std::vector<double>& from_pin : alone) distances.push_back(from_pin[i]);
+        std::ranges::sort(distances);
+        for (std::size_t k = 0; k < 4; ++k) {
+            // Where a hold ends to be among the four nearest, its front goes on along edges: longer, never
+            // shorter.
+            const double length = static_cast<double>(tethers.layers()[k].lengths[i]);
+            EXPECT_GE(length, (1 - 1e-4) * distances[k]);
+            EXPECT_LE(length, (k == 0 ? 1.0001 : 1.05) * distances[k]) << k;
+        }
+    }
 }
 
 TEST(Tethers, HoldWhatFewIterationsLeaveStretched) {
