@@ -1,6 +1,7 @@
 #include "cloth/tethers.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/vector.h"
 
@@ -54,9 +55,14 @@ void LongRangeAttachments::attach(const CookedCloth& model, std::span<const std:
             layer.pins = AlignedBuffer<std::uint32_t>(model.particle_count);
             layer.lengths = AlignedBuffer<float>(model.particle_count);
         }
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            layer.pins[i] = geodesics_.from(i)[k].source;
-            layer.lengths[i] = static_cast<float>(geodesics_.from(i)[k].distance);
+    }
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        std::array<GeodesicReach, Geodesics::most_reached> ways;
+        std::ranges::copy(geodesics_.from(i), ways.begin());
+        std::ranges::sort(ways, {}, &GeodesicReach::group);
+        for (std::size_t k = 0; k < layers_.size(); ++k) {
+            layers_[k].pins[i] = ways[k].source;
+            layers_[k].lengths[i] = static_cast<float>(ways[k].distance);
         }
     }
 }
@@ -74,10 +80,10 @@ void LongRangeAttachments::hold(Parallel& parallel, float slack, std::span<Vec4>
         const float leaving = away.dot(velocity - xyz(velocities[layer.pins[i]]));
         if (leaving > 0) set_xyz(velocities[i], velocity - leaving * away);
     };
-    // Pins move in no layer, so that each particle's layers are its own affair.
+    // Pins are not moved, so that each particle's tethers are its own affair.
     parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
-        for (std::size_t k = layers_.size(); k-- > 0;)
-            for (std::uint32_t i = range.begin; i < range.end; ++i) hold_particle(layers_[k], i);
+        for (const Layer& layer : layers_)
+            for (std::uint32_t i = range.begin; i < range.end; ++i) hold_particle(layer, i);
     });
 }
 

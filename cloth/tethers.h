@@ -30,7 +30,8 @@ class LongRangeAttachments {
     /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
     void hold(Parallel& parallel, float slack, std::span<Vec4> positions, std::span<Vec4> velocities) const;
 
-    /// Of the nearest hold, the second nearest, ..
+    /// One tether of each particle. Holds have one order for all particles: with an order of its own for
+    /// each, the nearest last, say, neighbours would follow different holds and part.
     struct Layer {
         AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
         AlignedBuffer<float> lengths;       ///< [m]
