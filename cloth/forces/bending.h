@@ -1,40 +1,34 @@
 #pragma once
-// Bending of two triangles about their shared edge, by a flexural rigidity B [N m]. Both models have the
-// energy B/2 l^2/A theta^2 per hinge while angles are small, l being the edge's length and A the area of both
-// triangles.
+// Bending by a flexural rigidity B [N m], of the energy that rest_elements.h states.
 //
-// With that coefficient regular meshes, of right or of equilateral triangles, bend to any cylinder at the
-// plate's energy B/2 kappa^2 per area (Seung and Nelson 1988 for the latter, as k = 2 B / sqrt 3). The 3
-// l^2/A of Grinspun et al. 2003 and Bergou et al. 2006, which give an edge a third of its triangles for its
-// own, is three times as stiff: they leave the scale to the user.
+// Quadratic bending (Bergou et al. 2006): phi_e = sum_k q_k x_k, a vector. It rests flat, its Hessian is
+// constant and, since it is the same for x, y and z, has one number per pair of particles. Rigid motions cost
+// nothing. The 3/(A + A') of that paper, which gives an edge a third of its triangles for its own, is three
+// times as stiff as the plate; they leave the scale to the user.
+//
+// Dihedral bending (Bridson et al. 2003, Grinspun et al. 2003): phi_e = length (angle - angle at rest), exact
+// for large angles.
 
 #include <array>
+#include <functional>
 
 #include "cloth/forces/rest_elements.h"
 #include "engine/vector.h"
 
 namespace weft {
 
-/// Quadratic bending (Bergou et al. 2006), B/2 |sum_k q_k x_k|^2 / A. It rests flat, does not feel rigid
-/// motions, and its Hessian is constant: q_a q_b times this [1/m^2] for rigidity 1.
-[[nodiscard]] inline float quadratic_bending(const Hinge& hinge) {
-    return 1.0f / hinge.area;
-}
+/// body(i, j, k) for what the Hessian of quadratic bending with rigidity 1 has at particles i and j, i != j;
+/// each pair occurs in both orders, and as often as elements share it: k [1/m^2] are to be summed.
+void for_each_quadratic_term(const Bending& bending,
+                             const std::function<void(std::uint32_t, std::uint32_t, float)>& body);
 
-/// Dihedral bending (Bridson et al. 2003, Grinspun et al. 2003), k/2 (theta - rest angle)^2, for rigidity 1.
-[[nodiscard]] inline float dihedral_bending(const Hinge& hinge) {
-    return hinge.length * hinge.length / hinge.area;
-}
-
-/// The angle between the normals of triangles (0, 1, 2) and (1, 0, 3), positive where the fronts face each
-/// other less, and its exact gradient; both by Tamstorf and Grinspun 2013.
+/// The angle between the normals of triangles (0, 1, 2) and (1, 0, 3), positive where their fronts face away
+/// from each other, and its gradient (Tamstorf and Grinspun 2013). The gradient of triangles that have
+/// collapsed is bounded: heights below `least_height` count as it [m].
 struct Dihedral {
     float angle;
     std::array<Vector3, 4> gradient;
 };
-
-/// `least_height` > 0 bounds the gradient of triangles that have collapsed to a line: heights below count as
-/// it [m].
 [[nodiscard]] Dihedral dihedral(const std::array<Vector3, 4>& x, float least_height);
 
 }  // namespace weft

@@ -1,13 +1,25 @@
 #include "cloth/forces/element_rows.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
+
+#include "cloth/forces/bending.h"
 
 namespace weft {
 
-ElementRows::ElementRows(const CookedCloth& model, std::span<const Hinge> hinges)
-    : offsets(model.particle_count + 1) {
-    std::vector<std::array<std::uint32_t, 2>> pairs;
+ElementRows::ElementRows(std::uint32_t particles, std::vector<Pair> pairs) : offsets(particles + 1) {
+    std::ranges::sort(pairs);
+    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+    neighbours.reserve(pairs.size());
+    for (const auto& [particle, neighbour] : pairs) {
+        ++offsets[particle + 1];
+        neighbours.push_back(neighbour);
+    }
+    for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+}
+
+ElementRows ElementRows::of_triangles(const CookedCloth& model, std::span<const Hinge> hinges) {
+    std::vector<Pair> pairs;
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
         pairs.push_back({a, b});
         pairs.push_back({b, a});
@@ -15,15 +27,15 @@ ElementRows::ElementRows(const CookedCloth& model, std::span<const Hinge> hinges
     for (const Triangle& t : model.triangles)
         for (std::size_t k = 0; k < 3; ++k) add(t[k], t[(k + 1) % 3]);
     for (const Hinge& hinge : hinges) add(hinge.particles[2], hinge.particles[3]);
-    std::ranges::sort(pairs);
-    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+    return {model.particle_count, std::move(pairs)};
+}
 
-    neighbours.reserve(pairs.size());
-    for (const auto& [particle, neighbour] : pairs) {
-        ++offsets[particle + 1];
-        neighbours.push_back(neighbour);
-    }
-    for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+ElementRows ElementRows::of_quadratic_bending(const CookedCloth& model, const Bending& bending) {
+    std::vector<Pair> pairs;
+    for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float) {
+        pairs.push_back({i, j});
+    });
+    return {model.particle_count, std::move(pairs)};
 }
 
 std::size_t ElementRows::half_edge(std::uint32_t particle, std::uint32_t neighbour) const {

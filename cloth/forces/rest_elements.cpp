@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <tuple>
 
 #include "cloth/forces/bending.h"
@@ -73,19 +73,37 @@ Hinge make_hinge(const CookedCloth& model, const Side& one, const Side& other) {
     const RestSide b = rest_side(model, other.triangle, other.corner);
     const bool agree = a.start == b.end;
     const float b_at_start = agree ? b.cot_end : b.cot_start, b_at_end = agree ? b.cot_start : b.cot_end;
+    const float length = 0.5f * (a.length + b.length);
     Hinge hinge{.particles = {a.start, a.end, a.apex, b.apex},
                 .q = {-(a.cot_end + b_at_end), -(a.cot_start + b_at_start), a.cot_start + a.cot_end,
                       b.cot_start + b.cot_end},
-                .area = a.area + b.area,
-                .length = 0.5f * (a.length + b.length),
-                .angle = 0};
+                .length = length,
+                .least_height = 2 * std::min(a.area, b.area) / length,
+                .angle = 0,
+                .weight = 1 / (a.area + b.area)};
     if (model.panel_sides.empty()) {
         std::array<Vector3, 4> x;
         std::ranges::transform(hinge.particles, x.begin(),
                                [&](std::uint32_t i) { return xyz(model.positions[i]); });
-        hinge.angle = dihedral(x, std::numeric_limits<float>::min()).angle;
+        hinge.angle = dihedral(x, 0.0f).angle;
     }
     return hinge;
+}
+
+constexpr std::uint32_t no_hinge = ~0u;
+
+/// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
+void append_pairs(const CookedCloth& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
+                  Bending& bending) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t one = of_sides[k], other = of_sides[(k + 2) % 3];
+        if (one == no_hinge || other == no_hinge) continue;
+        // Both sides meet at corner k; their normals enclose the angle that they do.
+        const RestSide side = rest_side(model, triangle, k);
+        const float squared = side.cot_start * side.cot_start;
+        const float share = side.area * bending.hinges[one].weight * bending.hinges[other].weight;
+        bending.pairs.push_back({one, other, squared / (1 + squared) * share});
+    }
 }
 
 }  // namespace
@@ -104,13 +122,19 @@ RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle) {
     return {{to1.dot(warp), to1.dot(weft)}, {to2.dot(warp), to2.dot(weft)}};
 }
 
-std::vector<Hinge> hinges(const CookedCloth& model) {
+Bending bending_elements(const CookedCloth& model) {
     const std::vector<Side> sides = sides_by_edge(model);
-    std::vector<Hinge> result;
-    result.reserve(sides.size() / 2);
-    for (std::size_t s = 1; s < sides.size(); ++s)
-        if (sides[s - 1].low == sides[s].low && sides[s - 1].high == sides[s].high)
-            result.push_back(make_hinge(model, sides[s - 1], sides[s]));
+    Bending result;
+    std::vector<std::uint32_t> hinge_of_side(sides.size(), no_hinge);
+    for (std::size_t s = 1; s < sides.size(); ++s) {
+        const Side &one = sides[s - 1], &other = sides[s];
+        if (one.low != other.low || one.high != other.high) continue;
+        for (const Side& side : {one, other})
+            hinge_of_side[3 * side.triangle + side.corner] = static_cast<std::uint32_t>(result.hinges.size());
+        result.hinges.push_back(make_hinge(model, one, other));
+    }
+    for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
+        append_pairs(model, t, std::span(hinge_of_side).subspan(3 * std::size_t{t}, 3), result);
     return result;
 }
 

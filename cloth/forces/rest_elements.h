@@ -24,14 +24,34 @@ struct RestSides {
 struct Hinge {
     std::array<std::uint32_t, 4> particles;
     /// Bergou et al. 2006: |sum_k q_k x_k| is the edge's length times its angle, while that is small. From
-    /// each triangle's own panel, so sum_k q_k is 0.
+    /// each triangle's own panel; sum_k q_k is 0.
     std::array<float, 4> q;
-    float area;    ///< of both triangles [m^2]
-    float length;  ///< of the edge, mean of both panels' [m]
-    float angle;   ///< at rest; 0 on a flat pattern
+    float length;        ///< of the edge, mean of both panels' [m]
+    float least_height;  ///< of the two triangles over the edge, about [m]
+    float angle;         ///< at rest; 0 on a flat pattern
+    float weight;        ///< see Bending
 };
 
-/// In ascending order of their edges.
-[[nodiscard]] std::vector<Hinge> hinges(const CookedCloth& model);
+/// A triangle's curvature is the mean over it of what its edges bend (Grinspun et al. 2006, discrete shape
+/// operators), each edge's bend shared between its two triangles by their areas: Lambda = sum_e phi_e / (A +
+/// A') m_e m_e^T, m_e being the edge's normal in the plane and phi_e its length times its angle. The energy
+/// B/2 sum_T A |Lambda|^2 is thus
+///
+///     B/2 ( sum_e w_e phi_e^2 + 2 sum_ef w_ef phi_e phi_f ),   w_e = 1 / (A + A'),   w_ef = A (m_e . m_f)^2
+///     w_e w_f
+///
+/// over hinges e and pairs of them in one triangle. Regular meshes bend as the plate does; irregular ones are
+/// too stiff, by a part that goes with the square of their irregularity. Hinges by themselves (w_ef = 0) can
+/// be too soft by a sixth on regular meshes, where particles of different valence give way between one
+/// another: on chessboard diagonals, say.
+struct HingePair {
+    std::uint32_t first, second;
+    float weight;
+};
+struct Bending {
+    std::vector<Hinge> hinges;     ///< in ascending order of their edges
+    std::vector<HingePair> pairs;  ///< by triangles
+};
+[[nodiscard]] Bending bending_elements(const CookedCloth& model);
 
 }  // namespace weft

@@ -14,6 +14,18 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
+/// sum_j a_ij (x_i - x_j) for the lanes from particle `i` on.
+HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, const Vec4* x,
+                                 const Lanes3& x_i) {
+    const Stencil& stencil = matrix.scalar_stencil;
+    const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+    Lanes3 sum{hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
+        sum = mul_add(load_lanes(&matrix.scalars[s * Stencil::lanes + lane]),
+                      x_i - neighbour_rows(stencil, s, lane, x), sum);
+    return sum;
+}
+
 /// (W x)_i for the lanes from particle `i` on.
 HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, const Vec4* x,
                               const Lanes3& x_i) {
@@ -33,6 +45,8 @@ HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, con
         sum.y = hn::Add(sum.y, dot(row(1), difference));
         sum.z = hn::Add(sum.z, dot(row(2), difference));
     }
+    if (matrix.scale != 0)
+        sum = mul_add(hn::Set(Tag(), matrix.scale), scalar_product(matrix, i, x, x_i), sum);
     return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), sum);
 }
 

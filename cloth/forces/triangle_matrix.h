@@ -10,18 +10,23 @@
 
 namespace weft {
 
-/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j).
+/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j) + scale sum_j a_ij (x_i -
+/// x_j), blocks A over one stencil and numbers a, which never change, over another.
 struct TriangleMatrix {
     explicit TriangleMatrix(Stencil neighbours);
 
     Stencil stencil;
-    AlignedBuffer<float> blocks;            ///< per slot 9 times 16 entries of A, by rows
+    AlignedBuffer<float> blocks;  ///< per slot 9 times 16 entries of A, by rows
+    Stencil scalar_stencil;
+    AlignedBuffer<float> scalars;           ///< a, per entry of the scalar stencil
+    float scale = 0;                        ///< 0: no scalars
     AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     void set_diagonal(std::uint32_t i, float row_sum, const Symmetric3& inverse);
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return stencil.bytes() + blocks.bytes() + row_sums.bytes() + inverse_diagonal.bytes();
+        return stencil.bytes() + blocks.bytes() + scalar_stencil.bytes() + scalars.bytes() +
+               row_sums.bytes() + inverse_diagonal.bytes();
     }
 };
 

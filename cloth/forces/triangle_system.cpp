@@ -40,6 +40,11 @@ float shared_mass(const StepEquation& equation, float area) {
     return equation.settings.fabric.areal_density * area / 12;
 }
 
+/// What the Hessian of bending, all of which is damped, is multiplied by in W [s^2].
+float bending_factor(const StepEquation& equation) {
+    return equation.gamma * (equation.gamma + equation.settings.fabric.damping);
+}
+
 /// body(entry) for the stencil's entries of particle i.
 template <class Body>
 void for_each_entry(const Stencil& stencil, std::uint32_t i, const Body& body) {
@@ -51,23 +56,31 @@ void for_each_entry(const Stencil& stencil, std::uint32_t i, const Body& body) {
 }  // namespace
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings)
-    : TriangleSystem(model, settings, [&] {
-          std::vector<Hinge> all =
-              settings.finite_elements.bending > 0 ? hinges(model) : std::vector<Hinge>();
-          ElementRows rows(model, all);
-          return Elements{std::move(all), std::move(rows)};
-      }()) {}
+    : TriangleSystem(model, settings,
+                     settings.finite_elements.bending > 0 ? bending_elements(model) : Bending()) {}
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
-                               const Elements& elements)
+                               const Bending& bending)
+    : TriangleSystem(
+          model, settings, bending,
+          ElementRows::of_triangles(model, settings.finite_elements.dihedral ? std::span(bending.hinges)
+                                                                             : std::span<const Hinge>())) {}
+
+TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
+                               const Bending& bending, const ElementRows& rows)
     : ImplicitSystem(model.particle_count),
       model_(model),
       elements_(model),
-      matrix_(Stencil(elements.rows.offsets, elements.rows.neighbours)),
+      matrix_(Stencil(rows.offsets, rows.neighbours)),
       corners_(model.corner_triangles.size()),
       positions_(model.particle_count) {
-    store_corners(elements.rows);
-    if (!elements.hinges.empty()) store_bending(elements, settings.finite_elements.dihedral);
+    store_corners(rows);
+    if (!bending.hinges.empty() && settings.finite_elements.dihedral)
+        hinges_.emplace(bending, model.particle_count, [&](std::uint32_t i, std::uint32_t j) {
+            return matrix_.stencil.entries[rows.half_edge(i, j)];
+        });
+    else if (!bending.hinges.empty())
+        store_quadratic_bending(bending);
     if (std::holds_alternative<Multilevel>(settings.method))
         spring_blocks_ = AlignedBuffer<float>(4 * matrix_.stencil.neighbours.size());
 }
@@ -86,22 +99,15 @@ void TriangleSystem::store_corners(const ElementRows& rows) {
     }
 }
 
-void TriangleSystem::store_bending(const Elements& elements, bool dihedral) {
-    const auto entry_of = [&](std::uint32_t i, std::uint32_t j) {
-        return matrix_.stencil.entries[elements.rows.half_edge(i, j)];
-    };
-    if (dihedral) {
-        hinges_.emplace(elements.hinges, model_.particle_count, entry_of);
-        return;
-    }
-    quadratic_ = AlignedBuffer<float>(matrix_.stencil.neighbours.size());
-    for (const Hinge& hinge : elements.hinges) {
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b)
-                if (a != b)
-                    quadratic_[entry_of(hinge.particles[a], hinge.particles[b])] -=
-                        quadratic_bending(hinge) * hinge.q[a] * hinge.q[b];
-    }
+void TriangleSystem::store_quadratic_bending(const Bending& bending) {
+    const ElementRows rows = ElementRows::of_quadratic_bending(model_, bending);
+    matrix_.scalar_stencil = Stencil(rows.offsets, rows.neighbours);
+    matrix_.scalars = AlignedBuffer<float>(matrix_.scalar_stencil.neighbours.size());
+    quadratic_ = AlignedBuffer<float>(model_.particle_count);
+    for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float k) {
+        matrix_.scalars[matrix_.scalar_stencil.entries[rows.half_edge(i, j)]] -= k;
+        quadratic_[i] -= k;  // rows of the Hessian sum to 0
+    });
 }
 
 std::span<const TriangleSystem::Corner> TriangleSystem::corners(std::uint32_t particle) const {
@@ -139,9 +145,10 @@ Vector3 TriangleSystem::gathered_force(const StepEquation& equation, std::span<c
     if (quadratic_.size() > 0) {
         const float rigidity = equation.settings.finite_elements.bending;
         const Vector3 at = xyz(positions_[i]) + damping * xyz(velocities[i]);
-        for_each_entry(matrix_.stencil, i, [&](std::uint32_t entry) {
-            const std::uint32_t j = matrix_.stencil.neighbours[entry];
-            force += rigidity * quadratic_[entry] * (xyz(positions_[j]) + damping * xyz(velocities[j]) - at);
+        for_each_entry(matrix_.scalar_stencil, i, [&](std::uint32_t entry) {
+            const std::uint32_t j = matrix_.scalar_stencil.neighbours[entry];
+            force +=
+                rigidity * matrix_.scalars[entry] * (xyz(positions_[j]) + damping * xyz(velocities[j]) - at);
         });
     }
     return force;
@@ -182,15 +189,7 @@ Matrix3 TriangleSystem::gather_blocks(const StepEquation& equation, std::uint32_
         lane(matrix_, corner.entries[1]) += to_last;
         membrane += to_next + to_last;
     }
-    const float gamma = equation.gamma, factor = gamma * (gamma + equation.settings.fabric.damping);
-    if (quadratic_.size() > 0) {
-        const float rigidity = factor * equation.settings.finite_elements.bending;
-        for_each_entry(matrix_.stencil, i, [&](std::uint32_t entry) {
-            const float a = rigidity * quadratic_[entry];
-            lane(matrix_, entry).diagonal().array() += a;
-            bending.diagonal().array() += a;
-        });
-    }
+    const float factor = bending_factor(equation);
     if (hinges_) {
         for (const HingeElements::Corner& corner : hinges_->corners(i)) {
             const Vector3 own = hinges_->gradient(corner.hinge, corner.corner);
@@ -201,6 +200,9 @@ Matrix3 TriangleSystem::gather_blocks(const StepEquation& equation, std::uint32_
             bending += scaled * own.transpose();
         }
     }
+    if (quadratic_.size() > 0)
+        bending.diagonal().array() +=
+            1.5f * factor * equation.settings.finite_elements.bending * quadratic_[i];
     return 1.5f * membrane + 2.0f * bending;
 }
 
@@ -216,6 +218,11 @@ Vector3 TriangleSystem::relative_impulse(std::span<const Vec4> velocities, std::
         const ConstLane block(&matrix_.blocks[lane_index(entry, 0, block_floats)]);
         impulse += block * (xyz(velocities[matrix_.stencil.neighbours[entry]]) - xyz(velocities[i]));
     });
+    if (matrix_.scale != 0)
+        for_each_entry(matrix_.scalar_stencil, i, [&](std::uint32_t entry) {
+            const std::uint32_t j = matrix_.scalar_stencil.neighbours[entry];
+            impulse += matrix_.scale * matrix_.scalars[entry] * (xyz(velocities[j]) - xyz(velocities[i]));
+        });
     return impulse;
 }
 
@@ -228,6 +235,8 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     const bool consistent = equation.settings.finite_elements.consistent_mass;
     place(parallel, equation, velocities, about);
     compute_elements(parallel, equation, velocities, !about_base, true);
+    if (quadratic_.size() > 0)
+        matrix_.scale = bending_factor(equation) * equation.settings.finite_elements.bending;
 
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
         clear_rows(range);

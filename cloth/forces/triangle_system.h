@@ -16,8 +16,9 @@ namespace weft {
 /// W = M + gamma^2 K + gamma C. K is the elements' Hessian, made positive semi-definite element by element; C
 /// is the damping times what of K resists strain, so that it lets the cloth turn.
 ///
-/// Elements of p particles have K_e <= p diag(K_e), p = 3 for triangles and 4 for hinges. The diagonal that
-/// relaxation divides by is half of that sum, so that 2 D - W is positive definite, as it is for springs.
+/// Elements of p particles have K_e <= p diag(K_e): p = 3 for triangles, 4 for hinges, 6 for hinges of one
+/// triangle together. The diagonal that relaxation divides by is half of that sum, so that 2 D - W is
+/// positive definite, as it is for springs.
 class TriangleSystem final : public ImplicitSystem {
   public:
     TriangleSystem(const CookedCloth& model, const ClothSettings& settings);
@@ -34,19 +35,17 @@ class TriangleSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    struct Elements {
-        std::vector<Hinge> hinges;
-        ElementRows rows;
-    };
     /// A corner of a triangle at a particle, and the entries of its row for the triangle's next two corners.
     struct Corner {
         std::uint32_t triangle, corner;
         std::array<std::uint32_t, 2> entries;
     };
 
-    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Elements& elements);
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending);
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending,
+                   const ElementRows& rows);
     void store_corners(const ElementRows& rows);
-    void store_bending(const Elements& elements, bool dihedral);
+    void store_quadratic_bending(const Bending& bending);
 
     /// Where the elements are: x_base, or x_base + gamma v.
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -71,8 +70,8 @@ class TriangleSystem final : public ImplicitSystem {
     const CookedCloth& model_;
     TriangleElements elements_;
     TriangleMatrix matrix_;
-    AlignedBuffer<Corner> corners_;        // by particle, as model.corner_offsets
-    AlignedBuffer<float> quadratic_;       // per entry: minus the sum of q_a q_b / area; empty without
+    AlignedBuffer<Corner> corners_;   // by particle, as model.corner_offsets
+    AlignedBuffer<float> quadratic_;  // diagonal of quadratic bending of rigidity 1 [1/m^2]; empty without
     std::optional<HingeElements> hinges_;  // only with dihedral bending
     AlignedBuffer<float> spring_blocks_;   // see SpringBlocks; only for methods that ask for them
     AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about

@@ -1,0 +1,259 @@
+// Finite elements as the linear system of a step: what W must be, what converged strips must show.
+
+#include "cloth/forces/triangle_system.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "meshes.h"
+#include "strips.h"
+
+namespace weft::test {
+namespace {
+
+struct Model {
+    bool dihedral, consistent_mass;
+    float spread;  ///< how far particles are moved at random
+};
+void PrintTo(const Model& m, std::ostream* out) {
+    *out << (m.dihedral ? "dihedral" : "quadratic") << (m.consistent_mass ? " consistent" : " lumped") << ' '
+         << m.spread;
+}
+
+Cloth elements(const Mesh& mesh, const Model& model) {
+    Cloth cloth = crumpled(mesh, model.spread, 0);
+    ClothSettings settings = cloth.settings;
+    settings.fabric.damping = 1e-3f;
+    settings.finite_elements = {.enabled = true,
+                                .warp = 300,
+                                .weft = 200,
+                                .shear = 60,
+                                .poisson = 0.2f,
+                                .bending = 1e-3f,
+                                .dihedral = model.dihedral,
+                                .consistent_mass = model.consistent_mass};
+    cloth.apply(settings);
+    return cloth;
+}
+
+class TriangleSystems : public testing::TestWithParam<Model> {};
+
+TEST_P(TriangleSystems, MatrixIsSymmetricPositiveDefiniteAndRelaxationConverges) {
+    Cloth cloth = elements(sheet(6, 7), GetParam());
+    cloth.pin(3);
+    const auto system = assembled(cloth, 0.02f);
+    const Eigen::MatrixXd w = dense(*system).matrix;
+    EXPECT_LT((w - w.transpose()).norm(), 1e-5 * w.norm());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (w + w.transpose())).eigenvalues()[0], 0);
+
+    // D^-1 W has no eigenvalue of 2 or more: all semi-iterations rely on it.
+    Parallel serial(1);
+    const std::size_t n = cloth.state.size();
+    AlignedBuffer<Vec4> column(n), unit(n);
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(w.rows(), w.rows());
+    for (Eigen::Index k = 0; k < w.rows(); ++k) {
+        std::ranges::fill(unit.span(), Vec4{});
+        Vec4& u = unit[static_cast<std::size_t>(k / 3)];
+        (k % 3 == 0 ? u.x : k % 3 == 1 ? u.y : u.z) = 1;
+        system->precondition(serial, unit.span(), 1, column.span());
+        inverse.col(k) = flat(column.span());
+    }
+    const Eigen::VectorXcd eigenvalues = (inverse * w).eigenvalues();
+    EXPECT_LT(eigenvalues.real().maxCoeff(), 2);
+}
+
+TEST_P(TriangleSystems, RightSideAboutTheIterateIsTheResidual) {
+    Cloth cloth = elements(sheet(6, 7), GetParam());
+    cloth.pin(0);
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    const StepEquation equation = equation_of(cloth, 0.02f);
+    AlignedBuffer<Vec4> v(cloth.state.size()), residual(cloth.state.size());
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (cloth.state.positions[i].w > 0) v[i] = {0.1f, -0.2f * static_cast<float>(i % 3), 0.3f, 0};
+    system->linearise(serial, equation, v.span(), LinearisedAbout::iterate);
+    const Eigen::VectorXd b = flat(system->right_side().span());
+    system->residual(serial, equation, v.span(), residual.span());
+    EXPECT_LT((b - flat(residual.span())).norm(), 1e-5 * b.norm());
+}
+
+// gamma (f + gamma J v + C v) about the base differs from the residual at v by what is not linear.
+TEST_P(TriangleSystems, LinearisationsAgreeForSmallVelocities) {
+    Cloth cloth = elements(sheet(5, 5), GetParam());
+    std::ranges::fill(cloth.state.velocities.span(), Vec4{});
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    const StepEquation equation = equation_of(cloth, 0.02f);
+    AlignedBuffer<Vec4> v(cloth.state.size()), residual(cloth.state.size());
+    system->linearise(serial, equation, v.span(), LinearisedAbout::base);
+    const Eigen::VectorXd at_rest = flat(system->right_side().span());
+    system->residual(serial, equation, v.span(), residual.span());
+    EXPECT_LT((at_rest - flat(residual.span())).norm(), 1e-5 * at_rest.norm());
+}
+
+TEST_P(TriangleSystems, InternalForcesKeepMomentumAndAngularMomentum) {
+    const Cloth cloth = elements(sheet(9, 8), GetParam());
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    const std::size_t n = cloth.state.size();
+    AlignedBuffer<Vec4> rest(n), impulse(n);
+    StepEquation equation = equation_of(cloth, 0.02f, Vector3::Zero());
+    equation.base_velocities = rest.span();
+    equation.velocities = rest.span();
+    system->residual(serial, equation, rest.span(), impulse.span());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+    double scale = 0.1;  // [kg m/s], what forces of 5 N would do
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector3d f = xyz(impulse[i]).cast<double>();
+        sum += f;
+        moment += xyz(cloth.state.positions[i]).cast<double>().cross(f);
+        scale += f.norm();
+    }
+    EXPECT_LT(sum.norm(), 1e-6 * scale);
+    EXPECT_LT(moment.norm(), 1e-6 * scale);
+}
+
+TEST_P(TriangleSystems, ThreadsDoNotShow) {
+    const Cloth cloth = elements(sheet(40, 40), GetParam());
+    const auto bytes_of = [&](int threads) {
+        Parallel parallel(threads);
+        const auto system = make_system(cloth.model, cloth.settings);
+        system->linearise(parallel, equation_of(cloth, 0.02f), cloth.state.velocities.span(),
+                          LinearisedAbout::base);
+        AlignedBuffer<Vec4> product(cloth.state.size());
+        const double energy = system->multiply(parallel, system->right_side().span(), product.span());
+        std::vector<char> bytes(product.size() * sizeof(Vec4) + sizeof energy);
+        std::memcpy(bytes.data(), product.data(), product.size() * sizeof(Vec4));
+        std::memcpy(bytes.data() + product.size() * sizeof(Vec4), &energy, sizeof energy);
+        return bytes;
+    };
+    const auto serial = bytes_of(1);
+    EXPECT_EQ(bytes_of(2), serial);
+    EXPECT_EQ(bytes_of(8), serial);
+}
+
+std::vector<Model> models() {
+    std::vector<Model> all;
+    for (const bool dihedral : {false, true})
+        for (const bool consistent : {false, true})
+            for (const float spread : {0.0f, 0.02f, 0.2f}) all.push_back({dihedral, consistent, spread});
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(Models, TriangleSystems, testing::ValuesIn(models()));
+
+TEST(TriangleSystem, MassesSumToTheClothsAndStretchingDoesNotChangeThem) {
+    for (const bool consistent : {false, true}) {
+        Cloth cloth = elements(strip(6, 4, 0.1f, true), {false, consistent, 0.0f});
+        const auto system = assembled(cloth, 1e-5f);  // so short that all of W is mass
+        const Eigen::MatrixXd w = dense(*system).matrix;
+        const auto mass = static_cast<double>(cloth.info().mass);
+        EXPECT_NEAR(w.sum() / 3, mass, 1e-4 * mass);
+        // Off the diagonal a consistent matrix has as much as on it.
+        EXPECT_NEAR(w.trace() / 3, consistent ? 0.5 * mass : mass, 1e-3 * mass);
+    }
+}
+
+TEST(TriangleSystem, SpringBlocksArePositiveAndNearTheirBlocks) {
+    Cloth cloth = elements(sheet(8, 8), {false, false, 0.0f});
+    ClothSettings settings = cloth.settings;
+    settings.method = Multilevel{};
+    TriangleSystem system(cloth.model, settings);
+    Parallel serial(1);
+    system.linearise(serial, equation_of(cloth, 0.02f), cloth.state.velocities.span(), LinearisedAbout::base);
+    const SpringBlocks blocks = system.spring_blocks(serial);
+    float total = 0;
+    for (std::uint32_t e = 0; e < blocks.stencil.neighbours.size(); ++e) {
+        const float a = blocks.coefficients[lane_index(e, 0, 4)];
+        EXPECT_GE(a, 0);
+        total += a;
+        for (std::uint32_t k = 0; k < 4; ++k)
+            EXPECT_TRUE(std::isfinite(blocks.coefficients[lane_index(e, k, 4)]));
+        for (std::uint32_t k = 1; k < 4; ++k)
+            total += std::pow(blocks.coefficients[lane_index(e, k, 4)], 2.0f);
+    }
+    EXPECT_GT(total, 0);
+}
+
+// A uniform stretch gives uniform stress on any mesh: nothing moves inside, and the borders' forces balance
+// it.
+TEST(TriangleSystem, PatchTest) {
+    Cloth cloth = elements(strip(8, 6, 0.1f, true), {false, false, 0.0f});
+    const std::size_t n = cloth.state.size();
+    for (Vec4& x : cloth.state.positions.span())
+        x = {1.1f * x.x + 0.05f * x.z, x.x * 0.02f, 0.97f * x.z, x.w};
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    AlignedBuffer<Vec4> rest(n), impulse(n);
+    StepEquation equation = equation_of(cloth, 1.0f, Vector3::Zero());
+    equation.base_velocities = equation.velocities = rest.span();
+    system->residual(serial, equation, rest.span(), impulse.span());
+    float largest_inside = 0, largest = 0;
+    for (std::uint32_t r = 0; r <= 6; ++r) {
+        for (std::uint32_t c = 0; c <= 8; ++c) {
+            const float f = xyz(impulse[r * 9 + c]).norm();
+            largest = std::max(largest, f);
+            if (r > 0 && r < 6 && c > 0 && c < 8) largest_inside = std::max(largest_inside, f);
+        }
+    }
+    EXPECT_GT(largest, 1.0f);
+    EXPECT_LT(largest_inside, 1e-4f * largest);
+}
+
+// strain = force / (width Young's modulus), warp and weft apart; Poisson's ratio is nu sqrt(Y1 / Y2).
+TEST(TriangleSystem, StripsStretchAndContractByTheirModuli) {
+    for (const bool irregular : {false, true}) {
+        for (const bool along_weft : {false, true}) {
+            Mesh mesh = strip(8, 4, 0.1f, irregular);
+            if (along_weft)
+                for (Vec2& p : mesh.pattern) p = {p.y, -p.x};
+            Cloth cloth = elements(mesh, {false, false, 0.0f});
+            for (Vec4& v : cloth.state.velocities.span()) v = {};
+            for (std::uint32_t r = 0; r <= 4; ++r) cloth.pin(r * 9);
+            // The pull: gravity of a strip whose mass all but hangs from its end column, as 1 / w.
+            const double own = along_weft ? 200 : 300, other = along_weft ? 300 : 200, force_per_width = 6;
+            for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+                const bool end = i % 9 == 8, corner = i == 8 || i == 4 * 9 + 8;
+                if (cloth.state.positions[i].w > 0)
+                    cloth.state.positions[i].w =
+                        end ? 1 / (static_cast<float>(force_per_width) * (corner ? 0.05f : 0.1f)) : 1e6f;
+            }
+            relax_to_rest(cloth, {1, 0, 0}, 1.0f, 8);
+            // Between columns 4 and 8, away from the held end, which cannot contract.
+            const auto x = [&](std::uint32_t r, std::uint32_t c) {
+                return xyz(cloth.state.positions[r * 9 + c]);
+            };
+            const auto rest = [&](std::uint32_t r, std::uint32_t c) {
+                return xyz(cloth.model.positions[r * 9 + c]);
+            };
+            const double strain =
+                static_cast<double>((x(2, 8) - x(2, 5)).norm() / (rest(2, 8) - rest(2, 5)).norm()) - 1;
+            const double across =
+                static_cast<double>((x(4, 8) - x(0, 8)).norm() / (rest(4, 8) - rest(0, 8)).norm()) - 1;
+            EXPECT_NEAR(strain, force_per_width / own, 0.02 * force_per_width / own)
+                << irregular << along_weft;
+            EXPECT_NEAR(across, -0.2 * std::sqrt(own / other) * force_per_width / own, 0.0005);
+        }
+    }
+}
+
+// Shear stress over twice the shear strain: a sheet sheared by s in its plane has E12 = s / 2 while s is
+// small.
+TEST(TriangleSystem, ShearModulusIsShearStressOverAngle) {
+    Cloth cloth = elements(strip(8, 4, 0.1f, true), {false, false, 0.0f});
+    constexpr float s = 1e-2f;
+    for (Vec4& x : cloth.state.positions.span()) x.x += s * x.z;
+    const std::size_t n = cloth.state.size();
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    AlignedBuffer<Vec4> rest(n), impulse(n);
+    StepEquation equation = equation_of(cloth, 1.0f, Vector3::Zero());
+    equation.base_velocities = equation.velocities = rest.span();
+    system->residual(serial, equation, rest.span(), impulse.span());
+    float along_top = 0;  // without the corners' halves, which the ends' tractions share
+    for (std::uint32_t c = 1; c < 8; ++c) along_top -= impulse[4 * 9 + c].x;
+    EXPECT_NEAR(along_top, 60 * s * 0.7f, 0.05f * 60 * s * 0.7f);
+}
+
+}  // namespace
+}  // namespace weft::test
