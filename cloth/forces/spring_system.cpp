@@ -1,5 +1,6 @@
 #include "cloth/forces/spring_system.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "cloth/forces/spring_forces.h"
@@ -85,6 +86,17 @@ void SpringSystem::precondition(Parallel& parallel, std::span<const Vec4> b, flo
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
         precondition_block(matrix_, range, b.data(), step, x.data());
     });
+}
+
+// Bend springs lie along structural ones, twice as long: at less than a twentieth of their stiffness they add
+// less than a fifth to what those hold in the plane. Across it, coarse motions are too long to feel them.
+bool SpringSystem::is_minor(std::uint32_t i, std::uint32_t j) const {
+    const auto row = model_.neighbours.span().subspan(
+        model_.spring_offsets[i], model_.spring_offsets[i + 1] - model_.spring_offsets[i]);
+    const auto e =
+        static_cast<std::size_t>(std::ranges::find(row, j) - row.begin()) + model_.spring_offsets[i];
+    const auto [stretch, shear, bend] = stiffness_of_kind_;
+    return model_.kinds[e] == SpringKind::bend && bend <= 0.05f * stretch;
 }
 
 SpringBlocks SpringSystem::spring_blocks(Parallel& /*parallel*/) {

@@ -24,6 +24,7 @@ class SpringSystem final : public ImplicitSystem {
                std::span<Vec4> next) override;
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
     [[nodiscard]] SpringBlocks spring_blocks(Parallel& parallel) override;
+    [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:

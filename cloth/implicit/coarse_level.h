@@ -16,7 +16,7 @@ class CoarseLevel {
     /// Lists of the springs between this level's nodes; P leads from here to the finer level.
     CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph);
 
-    /// Links from the finest level's springs d d^T + s^2 I, given as (d, s).
+    /// Links from the finest level's springs d d^T + a I, given as (d, a).
     void sum_links(Parallel& parallel, std::span<const Vec4> springs);
     /// Links and ground from another coarse level's. The finest level's ground is the caller's to sum.
     void sum(Parallel& parallel, const CoarseLevel& finer);

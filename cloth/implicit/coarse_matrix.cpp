@@ -6,44 +6,24 @@
 #include "hwy/highway.h"
 
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// A symmetric block in each lane.
-struct LanesBlock {
-    Lanes xx, yy, zz, xy, yz, zx;
-
-    HWY_INLINE Lanes3 operator*(const Lanes3& v) const {
-        return {dot({xx, xy, zx}, v), dot({xy, yy, yz}, v), dot({zx, yz, zz}, v)};
-    }
-};
-HWY_INLINE LanesBlock operator+(const LanesBlock& a, const LanesBlock& b) {
-    return {hn::Add(a.xx, b.xx), hn::Add(a.yy, b.yy), hn::Add(a.zz, b.zz),
-            hn::Add(a.xy, b.xy), hn::Add(a.yz, b.yz), hn::Add(a.zx, b.zx)};
-}
 /// Of a slot or a group, from lane `lane` on.
-HWY_INLINE LanesBlock load_block(const AlignedBuffer<float>& values, std::uint32_t slot, std::uint32_t lane) {
-    const float* at = &values[std::size_t{slot} * CoarseMatrix::arrays * Stencil::lanes + lane];
-    constexpr std::uint32_t next = Stencil::lanes;
-    return {load_lanes(at),
-            load_lanes(at + next),
-            load_lanes(at + 2 * next),
-            load_lanes(at + 3 * next),
-            load_lanes(at + 4 * next),
-            load_lanes(at + 5 * next)};
+HWY_INLINE SymmetricLanes load_block(const AlignedBuffer<float>& values, std::uint32_t slot,
+                                     std::uint32_t lane) {
+    return load_symmetric(&values[std::size_t{slot} * CoarseMatrix::arrays * Stencil::lanes + lane]);
 }
 
 HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     Lanes3 sum = load_block(matrix.ground, group, lane) * x_i;
-    const Lanes one = hn::Set(Tag(), 1.0f);
-    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-        const Lanes3 difference = x_i - neighbour_rows(stencil, s, lane, x);
-        sum = mul_add(one, load_block(matrix.coefficients, s, lane) * difference, sum);
-    }
+    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
+        sum = sum + load_block(matrix.coefficients, s, lane) * (x_i - neighbour_rows(stencil, s, lane, x));
     return sum;
 }
 
@@ -76,25 +56,21 @@ void precondition(const CoarseMatrix& matrix, const BlockRange& range, const Vec
     }
 }
 
-/// The sum of a register's quarters.
-HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_quarters(Lanes v) {
-    const hn::FixedTag<float, 4> row;
-    alignas(64) float values[part_lanes];
-    hn::Store(v, Tag(), values);
-    auto sum = hn::Load(row, values);
-    for (std::uint32_t k = 4; k < part_lanes; k += 4) sum = hn::Add(sum, hn::Load(row, values + k));
-    return sum;
-}
-
-HWY_INLINE void store_link(const Vec4& diagonal, const Vec4& off_diagonal, std::uint32_t link,
-                           CoarseMatrix& matrix) {
-    matrix.links[link] = {diagonal, off_diagonal};
-    const float values[] = {diagonal.x,     diagonal.y,     diagonal.z,
-                            off_diagonal.x, off_diagonal.y, off_diagonal.z};
-    float* first = &matrix.coefficients[lane_index(matrix.entries[link].at_first, 0, CoarseMatrix::arrays)];
-    float* second = &matrix.coefficients[lane_index(matrix.entries[link].at_second, 0, CoarseMatrix::arrays)];
-    for (std::uint32_t k = 0; k < CoarseMatrix::arrays; ++k)
-        first[k * Stencil::lanes] = second[k * Stencil::lanes] = values[k];
+// A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
+// pinned particles alone has no inertia, and stays where it is.
+void invert_diagonal(const BlockRange& range, CoarseMatrix& matrix) {
+    const Stencil& stencil = matrix.stencil;
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        const SymmetricLanes ground = load_block(matrix.ground, group, lane);
+        SymmetricLanes diagonal = ground;
+        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
+            diagonal = diagonal + load_block(matrix.coefficients, s, lane);
+        const Lanes inertia = hn::Add(hn::Add(ground.xx, ground.yy), ground.zz);
+        const Lanes least = hn::Mul(hn::Set(Tag(), 0.003f), inertia);
+        store_symmetric(keep_where(hn::Gt(inertia, hn::Zero(Tag())), inverse(diagonal, least)),
+                        &matrix.inverse_diagonal[lane_index(i, 0, CoarseMatrix::arrays)]);
+    }
 }
 
 /// Rows nodes[0], nodes[1], .. side by side, as many as fit.
@@ -115,53 +91,84 @@ HWY_INLINE Lanes each_four_times(const float* factors) {
     if constexpr (part_lanes == 4) {
         return hn::Set(d, *factors);
     } else {
-        alignas(64) static constexpr std::int32_t picks[16] = {0,  0,  0,  0,  5,  5,  5,  5,
-                                                               10, 10, 10, 10, 15, 15, 15, 15};
+        alignas(64) static constexpr std::int32_t picks[] = {0,  0,  0,  0,  5,  5,  5,  5,
+                                                             10, 10, 10, 10, 15, 15, 15, 15};
         return hn::TableLookupLanes(hn::LoadDup128(d, factors), hn::SetTableIndices(d, picks));
     }
 }
 
-// sum of f (d d^T + s^2 I): the register (dx dy dz s) times itself, and times its rotation (dy dz dx s).
+/// The sum of a register's rows of four.
+template <class D>
+HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D /*d*/, hn::Vec<D> v) {
+    if constexpr (hn::MaxLanes(D()) == 4) {
+        return v;
+    } else {
+        const hn::Half<D> half;
+        return sum_rows(half, hn::Add(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+    }
+}
+
+HWY_INLINE void store_link(const SplitBlock& block, std::uint32_t link, CoarseMatrix& matrix) {
+    matrix.links[link] = block;
+    const auto& [diagonal, off] = block;
+    const float values[] = {diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y};
+    float* first = &matrix.coefficients[lane_index(matrix.entries[link].at_first, 0, CoarseMatrix::arrays)];
+    float* second = &matrix.coefficients[lane_index(matrix.entries[link].at_second, 0, CoarseMatrix::arrays)];
+    for (std::uint32_t k = 0; k < CoarseMatrix::arrays; ++k)
+        first[k * Stencil::lanes] = second[k * Stencil::lanes] = values[k];
+}
+
+// sum of f (d d^T + a I): the row (dx dy dz a) times (dx dy dz 1), and times (dy dz dx .).
 void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
                  CoarseMatrix& matrix) {
     const Tag d;
     const hn::FixedTag<float, 4> row;
     constexpr std::uint32_t at_once = part_lanes / 4;
-    alignas(64) static constexpr std::int32_t next_axis[16] = {1, 2,  0, 3,  5,  6,  4,  7,
-                                                               9, 10, 8, 11, 13, 14, 12, 15};
+    alignas(64) static constexpr std::int32_t next_axis[] = {1, 2,  0, 3,  5,  6,  4,  7,
+                                                             9, 10, 8, 11, 13, 14, 12, 15};
     const auto rotation = hn::SetTableIndices(d, next_axis);
+    alignas(64) static constexpr float last_axis[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const Lanes one = hn::Set(d, 1.0f);
+    const auto is_last = hn::Eq(hn::Load(d, last_axis), one);
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
         Lanes squares = hn::Zero(d), products = hn::Zero(d);
         for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; t += at_once) {
             const Lanes spring = rows_side_by_side(d, springs, &lists.fine_links[t]);
             const Lanes scaled = hn::Mul(each_four_times(&lists.factors[t]), spring);
-            squares = hn::MulAdd(scaled, spring, squares);
+            squares = hn::MulAdd(scaled, hn::IfThenElse(is_last, one, spring), squares);
             products = hn::MulAdd(scaled, hn::TableLookupLanes(spring, rotation), products);
         }
         SplitBlock sum;
-        hn::Store(sum_quarters(squares), row, &sum.diagonal.x);
-        hn::Store(sum_quarters(products), row, &sum.off_diagonal.x);
+        hn::Store(sum_rows(d, squares), row, &sum.diagonal.x);
+        hn::Store(sum_rows(d, products), row, &sum.off_diagonal.x);
         const float a = sum.diagonal.w;
-        store_link({sum.diagonal.x + a, sum.diagonal.y + a, sum.diagonal.z + a, 0}, sum.off_diagonal, k,
-                   matrix);
+        sum.diagonal = {sum.diagonal.x + a, sum.diagonal.y + a, sum.diagonal.z + a, 0};
+        store_link(sum, k, matrix);
     }
 }
 
+// Four terms at once, so that no sum waits for the one before.
 void sum_links(const GalerkinLists& lists, const BlockRange& range, const SplitBlock* links,
                CoarseMatrix& matrix) {
-    const hn::FixedTag<float, 4> row;
+    const hn::CappedTag<float, 8> d;
+    constexpr std::uint32_t lanes = hn::MaxLanes(d);
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        auto diagonal = hn::Zero(row), off_diagonal = hn::Zero(row);
-        for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; ++t) {
-            const SplitBlock& link = links[lists.fine_links[t]];
-            const auto factor = hn::Set(row, lists.factors[t]);
-            diagonal = hn::MulAdd(factor, hn::Load(row, &link.diagonal.x), diagonal);
-            off_diagonal = hn::MulAdd(factor, hn::Load(row, &link.off_diagonal.x), off_diagonal);
-        }
         SplitBlock sum;
-        hn::Store(diagonal, row, &sum.diagonal.x);
-        hn::Store(off_diagonal, row, &sum.off_diagonal.x);
-        store_link(sum.diagonal, sum.off_diagonal, k, matrix);
+        for (std::uint32_t part = 0; part < 8; part += lanes) {
+            const auto plus_term = [&](std::uint32_t t, hn::Vec<decltype(d)> so_far) HWY_ATTR {
+                const float* link = &links[lists.fine_links[t]].diagonal.x + part;
+                return hn::MulAdd(hn::Set(d, lists.factors[t]), hn::Load(d, link), so_far);
+            };
+            auto sum0 = hn::Zero(d), sum1 = hn::Zero(d), sum2 = hn::Zero(d), sum3 = hn::Zero(d);
+            for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; t += 4) {
+                sum0 = plus_term(t, sum0);
+                sum1 = plus_term(t + 1, sum1);
+                sum2 = plus_term(t + 2, sum2);
+                sum3 = plus_term(t + 3, sum3);
+            }
+            hn::Store(hn::Add(hn::Add(sum0, sum1), hn::Add(sum2, sum3)), d, &sum.diagonal.x + part);
+        }
+        store_link(sum, k, matrix);
     }
 }
 
@@ -174,6 +181,7 @@ namespace weft {
 
 HWY_EXPORT(sum_springs);
 HWY_EXPORT(sum_links);
+HWY_EXPORT(invert_diagonal);
 HWY_EXPORT(residual);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
@@ -195,19 +203,12 @@ CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const std::vector<Link>& li
 
 Symmetric3 CoarseMatrix::ground_of(std::uint32_t node) const {
     const float* g = &ground[lane_index(node, 0, arrays)];
-    return {.xx = g[0], .yy = g[16], .zz = g[32], .xy = g[48], .xz = g[80], .yz = g[64]};
+    return {.xx = g[0], .yy = g[16], .zz = g[32], .xy = g[48], .xz = g[64], .yz = g[80]};
 }
-
-namespace {
-void store_block(const Symmetric3& block, std::uint32_t node, AlignedBuffer<float>& values) {
-    const float entries[] = {block.xx, block.yy, block.zz, block.xy, block.yz, block.xz};
-    for (std::uint32_t k = 0; k < CoarseMatrix::arrays; ++k)
-        values[lane_index(node, k, CoarseMatrix::arrays)] = entries[k];
-}
-}  // namespace
 
 void CoarseMatrix::set_ground(std::uint32_t node, const Symmetric3& block) {
-    store_block(block, node, ground);
+    const float values[] = {block.xx, block.yy, block.zz, block.xy, block.xz, block.yz};
+    for (std::uint32_t k = 0; k < arrays; ++k) ground[lane_index(node, k, arrays)] = values[k];
 }
 
 std::size_t CoarseMatrix::bytes() const noexcept {
@@ -225,23 +226,8 @@ void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const 
     HWY_DYNAMIC_DISPATCH(sum_links)(lists, range, links, matrix);
 }
 
-// A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
-// pinned particles alone has no inertia, and stays where it is.
 void invert_diagonal_block(const BlockRange& range, CoarseMatrix& matrix) {
-    const Stencil& stencil = matrix.stencil;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        const Symmetric3 ground = matrix.ground_of(i);
-        Symmetric3 diagonal = ground;
-        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const float* c =
-                &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, CoarseMatrix::arrays)];
-            diagonal.add_scaled(1.0f, {.xx = c[0], .yy = c[16], .zz = c[32], .xy = c[48], .xz = c[80], .yz = c[64]});
-        }
-        const float inertia = (ground.xx + ground.yy + ground.zz) / 3;
-        store_block(inertia > 0 ? inverse(diagonal, 0.01f * inertia) : Symmetric3{}, i,
-                    matrix.inverse_diagonal);
-    }
+    HWY_DYNAMIC_DISPATCH(invert_diagonal)(range, matrix);
 }
 
 void residual_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

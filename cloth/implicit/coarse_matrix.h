@@ -14,13 +14,13 @@
 
 namespace weft {
 
-/// A symmetric block as two registers.
-struct SplitBlock {
-    Vec4 diagonal;      ///< xx yy zz; w is a in d d^T + a I where a block is summed from springs, else 0
+/// A symmetric block as two rows.
+struct alignas(32) SplitBlock {
+    Vec4 diagonal;      ///< xx yy zz, w 0
     Vec4 off_diagonal;  ///< xy yz zx, w anything
 };
 
-/// Row I:  G_I x_I + sum_J A_IJ (x_I - x_J).  Symmetric blocks are stored as xx, yy, zz, xy, yz, zx.
+/// Row I:  G_I x_I + sum_J A_IJ (x_I - x_J).  Symmetric blocks are stored as xx, yy, zz, xy, xz, yz.
 struct CoarseMatrix {
     static constexpr std::uint32_t arrays = 6;
 
@@ -42,7 +42,7 @@ struct CoarseMatrix {
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// Sums the links of a block from the finest level's springs, d d^T + s^2 I given as (d, s).
+/// Sums the links of a block from the finest level's springs, d d^T + a I given as (d, a).
 void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
                        CoarseMatrix& matrix);
 /// Sums the links of a block from a finer coarse level's.

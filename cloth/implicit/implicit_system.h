@@ -62,6 +62,10 @@ class ImplicitSystem {
     /// The spring nearest to each off-diagonal block; the blocks themselves, for springs.
     [[nodiscard]] virtual SpringBlocks spring_blocks(Parallel& parallel) = 0;
 
+    /// Whether coarse levels may do without the spring between two particles, since others hold what it
+    /// holds.
+    [[nodiscard]] virtual bool is_minor(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return false; }
+
     /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
     [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }
     [[nodiscard]] const AlignedBuffer<Vec4>& right_side() const noexcept { return right_side_; }

@@ -36,6 +36,9 @@ struct Lanes4 {
 HWY_INLINE Lanes3 xyz(const Lanes4& v) {
     return {v.x, v.y, v.z};
 }
+HWY_INLINE Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
 HWY_INLINE Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }

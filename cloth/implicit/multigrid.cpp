@@ -71,6 +71,7 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
       product_(positions.size()) {
     SpringGraph graph = graph_of(system.spring_blocks(parallel), positions);
     links_ = links_of(graph);
+    std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
     sources_ = AlignedBuffer<std::uint32_t>(links_.size());
     springs_ = AlignedBuffer<Vec4>(links_.size());
 
@@ -130,7 +131,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
                 continue;
             }
             const float* c = &coefficients[source];
-            springs_[k] = {c[16], c[32], c[48], std::sqrt(c[0])};
+            springs_[k] = {c[16], c[32], c[48], c[0]};
         }
     });
     coarse_.front().sum_links(parallel, springs_.span());

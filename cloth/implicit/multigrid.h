@@ -48,7 +48,7 @@ class Multigrid {
     Stencil const* stencil_;
     std::vector<Link> links_;               // of the finest level
     AlignedBuffer<std::uint32_t> sources_;  // of each link: where its coefficients begin, or `tied`
-    AlignedBuffer<Vec4> springs_;           // of each link: d, sqrt(a)
+    AlignedBuffer<Vec4> springs_;           // of each link: d, a
     AlignedBuffer<float> weights_;          // of the first level's P, rows of pinned particles 0
     std::vector<Tie> ties_;                 // ascending by coarse node
     std::vector<CoarseLevel> coarse_;

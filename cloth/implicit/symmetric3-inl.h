@@ -41,6 +41,10 @@ HWY_INLINE void store_symmetric(const SymmetricLanes& m, float* values) {
     hn::Store(m.yz, d, values + 5 * next);
 }
 
+HWY_INLINE SymmetricLanes operator+(const SymmetricLanes& a, const SymmetricLanes& b) {
+    return {hn::Add(a.xx, b.xx), hn::Add(a.yy, b.yy), hn::Add(a.zz, b.zz),
+            hn::Add(a.xy, b.xy), hn::Add(a.xz, b.xz), hn::Add(a.yz, b.yz)};
+}
 /// m + d d^T.
 HWY_INLINE SymmetricLanes add_square(const SymmetricLanes& m, const Lanes3& d) {
     return {hn::MulAdd(d.x, d.x, m.xx), hn::MulAdd(d.y, d.y, m.yy), hn::MulAdd(d.z, d.z, m.zz),

@@ -1,0 +1,320 @@
+// Levels, Galerkin operators, the cycle and the multilevel solver against dense algebra and their own
+// promises.
+
+#include "cloth/implicit/multigrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cloth/implicit/conjugate_gradient.h"
+#include "cloth/implicit/multilevel.h"
+#include "fixtures.h"
+#include "meshes.h"
+
+namespace weft::test {
+namespace {
+
+constexpr float h = 1.0f / 60;
+
+ClothSettings stiff(float stretch = 400) {
+    ClothSettings settings;
+    settings.fabric = {
+        .areal_density = 0.2f, .stretch = stretch, .shear = 0.25f * stretch, .bend = 0.01f * stretch};
+    return settings;
+}
+
+/// A cloth of game stiffness, out of its plane and moving smoothly.
+Cloth waving(const Mesh& mesh, std::span<const std::uint32_t> pins, const ClothSettings& settings = stiff()) {
+    Cloth cloth(cook(mesh).value(), settings);
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        Vec4& x = cloth.state.positions[i];
+        cloth.state.velocities[i] = {0.3f * std::sin(5 * x.z), -1 + 0.5f * std::cos(4 * x.x), 0.2f * x.x, 0};
+        x.y += 0.02f * std::sin(9 * x.x + 4 * x.z);
+        x.x += 0.01f * std::sin(7 * x.z);
+    }
+    for (const std::uint32_t pin : pins) cloth.pin(pin);
+    return cloth;
+}
+
+/// A cloth's system about where inertia leads, and its levels.
+struct Levels {
+    explicit Levels(const Cloth& cloth) : system(make_system(cloth.model, cloth.settings)) {
+        system->linearise(serial, equation_of(cloth, h), cloth.state.velocities.span(),
+                          LinearisedAbout::iterate);
+        multigrid = std::make_unique<Multigrid>(serial, *system, cloth.state.positions.span());
+        multigrid->build(serial, *system);
+    }
+    Parallel serial{1};
+    std::unique_ptr<ImplicitSystem> system;
+    std::unique_ptr<Multigrid> multigrid;
+};
+
+class OnMeshes : public testing::TestWithParam<Mesh (*)()> {
+  protected:
+    Cloth cloth = waving(GetParam()(), {{0, 1}});
+    Levels levels{cloth};
+};
+INSTANTIATE_TEST_SUITE_P(All, OnMeshes,
+                         testing::Values([] { return sheet(13, 17); }, [] { return loose_sheet(14, 12); },
+                                         [] { return sphere(2); }, [] { return tube(9, 14); },
+                                         [] {
+                                             return joined(loose_sheet(9, 8), loose_sheet(7, 9), {0, 1, 0});
+                                         }));
+
+TEST_P(OnMeshes, InterpolationKeepsTranslationsAndKeptNodes) {
+    for (std::size_t k = 0; k < levels.multigrid->levels(); ++k) {
+        const Interpolation& p = levels.multigrid->level(k).interpolation();
+        EXPECT_LT(p.coarse, p.fine);
+        for (std::uint32_t i = 0; i < p.fine; ++i) {
+            const float* row = &p.weights[Interpolation::width * i];
+            EXPECT_NEAR(std::accumulate(row, row + Interpolation::width, 0.0f), 1.0f, 1e-5f) << "row " << i;
+            for (std::uint32_t w = 0; w < Interpolation::width; ++w) EXPECT_GE(row[w], 0.0f);
+        }
+        for (std::uint32_t c = 0; c < p.coarse; ++c) {
+            const std::uint32_t kept = p.kept[c];
+            EXPECT_EQ(p.nodes[Interpolation::width * kept], c);
+            EXPECT_EQ(p.weights[Interpolation::width * kept], 1.0f);
+        }
+    }
+}
+
+TEST_P(OnMeshes, EveryComponentHasACoarseNode) {
+    const Interpolation& p = levels.multigrid->level(0).interpolation();
+    const auto& offsets = cloth.model.component_offsets;
+    for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
+        const auto members =
+            std::span(cloth.model.component_particles).subspan(offsets[c], offsets[c + 1] - offsets[c]);
+        EXPECT_TRUE(std::ranges::any_of(
+            members, [&](std::uint32_t i) { return std::ranges::binary_search(p.kept, i); }));
+    }
+}
+
+Eigen::MatrixXd dense_interpolation(const Interpolation& p) {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * p.fine, 3 * p.coarse);
+    for (std::uint32_t i = 0; i < p.fine; ++i) {
+        for (std::uint32_t e = Interpolation::width * i; e < Interpolation::width * (i + 1); ++e)
+            result.block<3, 3>(3 * i, 3 * p.nodes[e]) +=
+                static_cast<double>(p.weights[e]) * Eigen::Matrix3d::Identity();
+    }
+    return result;
+}
+
+/// W of a coarse level, by multiplying unit vectors.
+Eigen::MatrixXd dense_matrix(const CoarseMatrix& matrix) {
+    const std::uint32_t n = matrix.stencil.nodes;
+    AlignedBuffer<Vec4> unit(n), zero(n), product(n);
+    Eigen::MatrixXd result(3 * n, 3 * n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            unit[i] = to_vec4(Vector3::Unit(axis), 0);
+            for (std::uint32_t block = 0; block < block_count(n); ++block) {
+                const BlockRange range{block * block_size, std::min(n, (block + 1) * block_size), block};
+                residual_block(matrix, range, zero.data(), unit.data(), product.data());
+            }
+            result.col(3 * i + axis) = -flat(product.span());
+        }
+        unit[i] = {};
+    }
+    return result;
+}
+
+TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
+    // Off the diagonal P^T W P has springs between free particles alone: inertia and springs to pins are
+    // lumped.
+    Eigen::MatrixXd springs = dense(*levels.system).matrix;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const bool pinned = cloth.state.positions[i].w == 0;
+        auto diagonal = springs.block<3, 3>(3 * i, 3 * i);
+        diagonal.setZero();
+        for (std::uint32_t j = 0; j < cloth.state.size(); ++j) {
+            if (j == i) continue;
+            auto block = springs.block<3, 3>(3 * i, 3 * j);
+            if (!block.isZero() && levels.system->is_minor(i, j)) block.setZero();
+            if (!pinned) diagonal -= block;
+        }
+    }
+    const Eigen::MatrixXd p = dense_interpolation(levels.multigrid->level(0).interpolation());
+    const Eigen::MatrixXd product = p.transpose() * springs * p;
+    const Eigen::MatrixXd coarse = dense_matrix(levels.multigrid->level(0).matrix());
+    double error = 0, size = 0;
+    for (Eigen::Index i = 0; i < coarse.rows(); i += 3) {
+        for (Eigen::Index j = 0; j < i; j += 3) {
+            error += (coarse.block<3, 3>(i, j) - product.block<3, 3>(i, j)).squaredNorm();
+            size += product.block<3, 3>(i, j).squaredNorm();
+        }
+    }
+    EXPECT_LT(std::sqrt(error / size), 1e-3) << "factors below 1e-4 are left out";
+    EXPECT_LT((coarse - coarse.transpose()).norm(), 1e-5 * coarse.norm());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(coarse).eigenvalues().minCoeff(), 0);
+}
+
+TEST_P(OnMeshes, CycleIsSymmetricPositiveDefiniteAndLeavesPinsAlone) {
+    const std::uint32_t n = cloth.model.particle_count;
+    Eigen::MatrixXd inverse(3 * n, 3 * n);
+    AlignedBuffer<Vec4> r(n), z(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (cloth.state.positions[i].w != 0) r[i] = to_vec4(Vector3::Unit(axis), 0);
+            levels.multigrid->cycle(levels.serial, *levels.system, r.span(), z.span());
+            inverse.col(3 * i + axis) = flat(z.span());
+        }
+        r[i] = {};
+    }
+    EXPECT_LT((inverse - inverse.transpose()).norm(), 1e-4 * inverse.norm());
+    EXPECT_EQ(inverse.topRows(6).norm(), 0) << "particles 0 and 1 are pinned";
+    const auto last = static_cast<Eigen::Index>(3 * n - 6);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inverse.bottomRightCorner(last, last))
+                  .eigenvalues()
+                  .minCoeff(),
+              0);
+}
+
+/// Iterations of preconditioned conjugate gradients until the residual is a hundredth.
+int iterations_needed(const Cloth& cloth) {
+    Levels levels(cloth);
+    CgVectors vectors(cloth.model.particle_count);
+    AlignedBuffer<Vec4> dv(cloth.model.particle_count);
+    for (int k = 1; k < 100; ++k) {
+        const float left = conjugate_gradients(
+            levels.serial, *levels.system, k + 1,
+            [&](auto r, auto z) { levels.multigrid->cycle(levels.serial, *levels.system, r, z); }, vectors,
+            dv.span());
+        if (left < 0.01f) return k;
+    }
+    return 100;
+}
+
+TEST(Multigrid, NeedsFewIterationsAtAnySizeAndStiffness) {
+    for (const std::uint32_t side : {12u, 24u, 48u, 96u}) {
+        const std::uint32_t corners[] = {0, side - 1};
+        EXPECT_LE(iterations_needed(waving(sheet(side, side), corners)), 8) << side << " a side";
+    }
+    const std::uint32_t corners[] = {0, 47};
+    for (const float stretch : {40.0f, 4e4f, 4e6f})
+        EXPECT_LE(iterations_needed(waving(sheet(48, 48), corners, stiff(stretch))), 16) << stretch << " N/m";
+    EXPECT_LE(iterations_needed(waving(loose_sheet(40, 40), corners)), 12);
+}
+
+/// One step by the multilevel solver from a cloth's state.
+Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1) {
+    cloth.settings.method = method;
+    Parallel parallel(threads);
+    Profiler profiler(stage_names);
+    MultilevelSolver solver(cloth.model, cloth.settings);
+    solver.prepare(cloth.model, cloth.settings, cloth.state);
+    const StepEquation equation = equation_of(cloth, h);
+    solver.solve({.parallel = parallel,
+                  .profiler = profiler,
+                  .model = cloth.model,
+                  .settings = cloth.settings,
+                  .equation = equation,
+                  .touches_collider = false,
+                  .velocity_change = cloth.velocity_change.span()});
+    return flat(cloth.velocity_change.span());
+}
+
+TEST(MultilevelSolver, OnePassIsTheLinearisedStep) {
+    const std::uint32_t corners[] = {0, 11};
+    Cloth cloth = waving(sheet(12, 12), corners);
+    Levels levels(cloth);
+    const DenseSystem system = dense(*levels.system);
+    const Eigen::VectorXd exact = system.matrix.ldlt().solve(system.right_side);
+    const Eigen::VectorXd found = stepped(cloth, {.passes = 1, .iterations = 60});
+    EXPECT_LT((found - exact).norm() / exact.norm(), 1e-4);
+}
+
+/// What the velocities leave of the nonlinear equation, relative to what inertia alone leaves.
+double equation_left(const Cloth& cloth, const Eigen::VectorXd& dv) {
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    AlignedBuffer<Vec4> velocities(cloth.model.particle_count), left(cloth.model.particle_count);
+    const auto residual = [&](double factor) {
+        for (std::uint32_t i = 0; i < velocities.size(); ++i) {
+            const Eigen::Vector3d change = factor * dv.segment<3>(3 * i);
+            velocities[i] = to_vec4(xyz(cloth.state.velocities[i]) + change.cast<float>(), 0);
+        }
+        system->residual(serial, equation_of(cloth, h), velocities.span(), left.span());
+        return flat(left.span()).norm();
+    };
+    return residual(1) / residual(0);
+}
+
+/// In tension everywhere, where W is the equation's true derivative.
+Cloth stretched() {
+    const std::uint32_t corners[] = {0, 19};
+    Cloth cloth = waving(sheet(20, 20), corners);
+    for (Vec4& x : cloth.state.positions.span()) set_xyz(x, 1.1f * xyz(x));
+    return cloth;
+}
+
+TEST(MultilevelSolver, ManyPassesSolveTheNonlinearStep) {
+    Cloth cloth = stretched();
+    const double one = equation_left(cloth, stepped(cloth, {.passes = 1, .iterations = 20}));
+    const double many = equation_left(cloth, stepped(cloth, {.passes = 12, .iterations = 20}));
+    EXPECT_GT(one, 10 * many);
+    EXPECT_LT(many, 1e-3);
+}
+
+TEST(MultilevelSolver, NonlinearConjugateGradientsFindTheSameStep) {
+    Cloth cloth = stretched();
+    const Eigen::VectorXd newton = stepped(cloth, {.passes = 12, .iterations = 20});
+    const Eigen::VectorXd found =
+        stepped(cloth, {.use = Multilevel::Use::nonlinear_conjugate_gradient, .iterations = 200});
+    EXPECT_LT((found - newton).norm() / newton.norm(), 1e-3);
+}
+
+TEST(MultilevelSolver, GivesTheSameBytesForAnyNumberOfThreads) {
+    const std::uint32_t corners[] = {0, 47};
+    for (const auto use : {Multilevel::Use::passes, Multilevel::Use::nonlinear_conjugate_gradient}) {
+        Cloth cloth = waving(sheet(48, 48), corners);
+        const Eigen::VectorXd one = stepped(cloth, {.use = use, .iterations = 3}, 1);
+        for (const int threads : {2, 3, 8})
+            EXPECT_EQ(one, stepped(cloth, {.use = use, .iterations = 3}, threads));
+    }
+}
+
+WorldSettings still_air() {
+    WorldSettings settings;
+    settings.wind.air_density = 0;
+    return settings;
+}
+
+TEST(MultilevelSolver, FollowsPinsThatComeAndGo) {
+    ClothSettings settings = stiff();
+    settings.method = Multilevel{};
+    World world = World::create(still_air()).value();
+    const ClothId id = world.add_cloth(sheet(24, 24), settings).value();
+    ASSERT_TRUE(world.pin(id, 0).ok());
+    ASSERT_TRUE(world.pin(id, 23).ok());
+    for (int k = 0; k < 60; ++k) world.step(h);
+    EXPECT_GT(world.cloth(id)->bounds.upper.y, -0.05f);
+    ASSERT_TRUE(world.unpin(id, 0).ok());
+    ASSERT_TRUE(world.pin(id, 300).ok());
+    for (int k = 0; k < 60; ++k) world.step(h);
+    const ClothView held = world.cloth(id).value();
+    EXPECT_LT(held.positions[0].y, -0.3f) << "let go";
+    EXPECT_EQ(xyz(held.positions[300]), xyz(held.previous_positions[300])) << "held";
+    ASSERT_TRUE(world.unpin(id, 23).ok());
+    ASSERT_TRUE(world.unpin(id, 300).ok());
+    const float before = world.cloth(id)->bounds.lower.y;
+    for (int k = 0; k < 30; ++k) world.step(h);
+    EXPECT_LT(world.cloth(id)->bounds.upper.y, before + 1.0f) << "falls freely";
+    EXPECT_EQ(world.report().flags, StepFlags::none);
+}
+
+TEST(MultilevelSolver, TakesClothTooSmallForLevels) {
+    ClothSettings settings = stiff();
+    settings.method = Multilevel{};
+    World world = World::create(still_air()).value();
+    const ClothId id = world.add_cloth(sheet(2, 2), settings).value();
+    ASSERT_TRUE(world.pin(id, 0).ok());
+    for (int k = 0; k < 60; ++k) world.step(h);
+    EXPECT_EQ(world.report().flags, StepFlags::none);
+    EXPECT_LT(world.cloth(id)->bounds.lower.y, -0.5f);
+}
+
+}  // namespace
+}  // namespace weft::test
