@@ -1,11 +1,21 @@
 #include <stdexcept>
 
 #include "demo/study/commands.h"
+#include "demo/study/csv.h"
+#include "demo/study/stability_causes.h"
+#include "demo/study/stability_chart.h"
 
 namespace weft::study {
 
-int run_plot(const PlotOptions& /*options*/) {
-    throw std::runtime_error("plot is not built yet");
+int run_plot(const PlotOptions& options) {
+    for (const std::filesystem::path& file : options.csv) {
+        const CsvTable table = read_csv(file);
+        if (!is_stability_table(table))
+            throw std::runtime_error(file.string() + " is no table that weft_study wrote");
+        draw_stability(table, options.out);
+        write_causes(table, options.out);
+    }
+    return 0;
 }
 
 }  // namespace weft::study

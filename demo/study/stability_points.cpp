@@ -1,7 +1,9 @@
 #include "demo/study/stability_points.h"
 
 #include "cloth/implicit/chebyshev.h"
+#include "demo/study/cholesky.h"
 #include "demo/study/explicit_euler.h"
+#include "demo/study/stiffest_modes.h"
 
 namespace weft::study {
 
@@ -28,53 +30,115 @@ class ShortChebyshevSolver final : public LinearSolver {
     ChebyshevVectors vectors_;
 };
 
-MethodPoint point(const std::string& name, const std::string& label, const Method& method, int substeps = 1,
-                  TimeScheme time_scheme = TimeScheme::backward_euler) {
+/// One of the library's methods.
+StabilityPoint library(const std::string& name, const std::string& label, Family family, const Method& method,
+                       int substeps = 1, TimeScheme time_scheme = TimeScheme::backward_euler) {
     const auto configure = [=](ClothSettings& settings) {
         settings.method = method;
         settings.substeps = substeps;
         settings.time_scheme = time_scheme;
     };
-    return {.name = name, .label = label, .setting = "", .configure = configure, .make_solver = {}};
+    return {{.name = name, .label = label, .setting = "", .configure = configure, .make_solver = {}}, family};
 }
 
 /// A method that only the study has; the solver that the settings name is not used.
 template <class StudySolver>
-MethodPoint study_point(const std::string& name, const std::string& label, int substeps = 1) {
-    MethodPoint made = point(name, label, SymplecticEuler{}, substeps);
-    made.make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+StabilityPoint study_only(const std::string& name, const std::string& label, Family family,
+                          int substeps = 1) {
+    StabilityPoint made = library(name, label, family, SymplecticEuler{}, substeps);
+    made.method.make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
         return std::make_unique<StudySolver>(model, settings);
     };
     return made;
 }
 
-MethodPoint default_point() {
+StabilityPoint weft_default() {
     const ClothSettings settings;
-    MethodPoint made =
-        point("default", "Weft's default", settings.method, settings.substeps, settings.time_scheme);
-    made.is_default = true;
+    StabilityPoint made = library("default", "Weft's default", Family::newton, settings.method,
+                                  settings.substeps, settings.time_scheme);
+    made.method.is_default = true;
+    return made;
+}
+
+StabilityPoint jacobi(const std::string& label, const Jacobi& method) {
+    const int k = method.iterations;
+    StabilityPoint made = library("jacobi-" + std::to_string(k), label, Family::relaxation, method);
+    made.left_of = [k](double lambda) { return left_by_jacobi(k, lambda); };
+    return made;
+}
+
+StabilityPoint short_chebyshev() {
+    using Solver = ShortChebyshevSolver;
+    StabilityPoint made =
+        study_only<Solver>("chebyshev-short", "Chebyshev: interval to 1.7", Family::relaxation);
+    made.left_of = [](double lambda) {
+        return left_by_chebyshev(Solver::iterations, Solver::interval.least, Solver::interval.largest,
+                                 lambda);
+    };
+    return made;
+}
+
+StabilityPoint finite_elements() {
+    StabilityPoint made =
+        library("finite-elements", "Finite elements: multilevel", Family::newton, Multilevel{});
+    made.method.configure = [configure = made.method.configure](ClothSettings& settings) {
+        configure(settings);
+        settings.finite_elements.enabled = true;
+    };
     return made;
 }
 
 }  // namespace
 
-std::vector<MethodPoint> stability_points() {
+std::string name_of(Family family) {
+    switch (family) {
+        case Family::explicit_euler:
+            return "explicit euler";
+        case Family::symplectic_euler:
+            return "symplectic euler";
+        case Family::relaxation:
+            return "relaxation";
+        case Family::one_linearisation:
+            return "one linearisation";
+        case Family::newton:
+            return "newton";
+        case Family::positional:
+            return "positional";
+    }
+    return {};
+}
+
+std::vector<StabilityPoint> stability_points() {
+    using enum Multilevel::Use;
+    using enum Family;
+    const auto multilevel = [](const std::string& name, const std::string& label, Family family,
+                               const Multilevel& method, TimeScheme scheme = TimeScheme::backward_euler) {
+        return library("multilevel-" + name, "Multilevel: " + label, family, method, 1, scheme);
+    };
     return {
-        default_point(),
-        point("jacobi-0", "Jacobi: the first guess alone",
-              Jacobi{.iterations = 0, .exact_mean_motion = false}),
-        point("jacobi-1", "Jacobi, 1 iteration", Jacobi{.iterations = 1, .exact_mean_motion = false}),
-        point("jacobi-2", "Jacobi, 2 iterations", Jacobi{2}),
-        point("jacobi-15", "Jacobi, 15 iterations", Jacobi{15}),
-        point("jacobi-16", "Jacobi, 16 iterations", Jacobi{16}),
-        point("chebyshev-16", "Chebyshev, 16 iterations", Chebyshev{16}),
-        study_point<ShortChebyshevSolver>("chebyshev-short", "Chebyshev, interval to 1.7"),
-        point("cg-32", "Conjugate gradients, 32 it.", ConjugateGradient{32}),
-        point("xpbd-1", "XPBD, 1 substep", Xpbd{}),
-        point("xpbd-16", "XPBD, 16 substeps", Xpbd{}, 16),
-        point("symplectic-1", "Symplectic Euler, 1 substep", SymplecticEuler{}),
-        point("symplectic-64", "Symplectic Euler, 64 substeps", SymplecticEuler{}, 64),
-        study_point<ExplicitEulerSolver>("explicit-64", "Explicit Euler, 64 substeps", 64),
+        weft_default(),
+        multilevel("1", "1 pass", one_linearisation, {.use = passes, .passes = 1}),
+        multilevel("3", "3 passes", newton, {.use = passes, .passes = 3}),
+        multilevel("bdf2", "3 passes; BDF2", newton, {.use = passes, .passes = 3}, TimeScheme::bdf2),
+        multilevel("nonlinear", "nonlinear CG", newton,
+                   {.use = nonlinear_conjugate_gradient, .iterations = 8}),
+        jacobi("Jacobi: first guess alone", {.iterations = 0, .exact_mean_motion = false}),
+        jacobi("Jacobi: 1 iteration", {.iterations = 1, .exact_mean_motion = false}),
+        jacobi("Jacobi: 2 iterations", {.iterations = 2}),
+        jacobi("Jacobi: 15 iterations", {.iterations = 15}),
+        jacobi("Jacobi: 16 iterations", {.iterations = 16}),
+        library("chebyshev-16", "Chebyshev: 16 iterations", relaxation, Chebyshev{16}),
+        short_chebyshev(),
+        library("cg-32", "Conjugate gradients: 32", one_linearisation, ConjugateGradient{32}),
+        study_only<CholeskySolver>("cholesky", "Sparse Cholesky", one_linearisation),
+        finite_elements(),
+        library("xpbd-1", "XPBD: 1 substep", positional, Xpbd{}),
+        library("xpbd-16", "XPBD: 16 substeps", positional, Xpbd{}, 16),
+        library("fibres-1", "Fibres: 4 iterations", positional, Fibres{}),
+        library("fibres-16", "Fibres: 16 substeps", positional, Fibres{.iterations = 1}, 16),
+        library("symplectic-1", "Symplectic Euler", symplectic_euler, SymplecticEuler{}),
+        library("symplectic-64", "Symplectic Euler: 64 substeps", symplectic_euler, SymplecticEuler{}, 64),
+        study_only<ExplicitEulerSolver>("explicit-64", "Explicit Euler: 64 substeps", explicit_euler, 64),
     };
 }
 

@@ -45,7 +45,7 @@ Judgement judge(const RunMeasures& run, const Tolerance& tolerance) {
     judgement.energy = !is_within(run.energy_rise(), tolerance.energy_rise);
     judgement.stretch = !is_within(std::abs(run.stretch - run.hang_stretch), tolerance.stretch);
     judgement.height = !is_within(std::abs(run.height - run.hang_height), tolerance.height);
-    if (!is_within(run.energy_gain(), 1))
+    if (!is_within(run.energy_gain(), 1) && !is_within(run.stretch - run.hang_stretch, torn_stretch))
         judgement.verdict = Verdict::diverged;
     else if (judgement.energy || judgement.stretch || judgement.height)
         judgement.verdict = Verdict::wrong;

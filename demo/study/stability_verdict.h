@@ -48,7 +48,10 @@ struct Judgement {
     [[nodiscard]] std::string broken() const;
 };
 
-/// Diverged: ran away, or ended with more energy than the start's by more than all that it had to lose.
+/// Mean stretch at which a run that has gained energy is beyond recovery: twice the cloth's length.
+inline constexpr double torn_stretch = 1;
+
+/// Diverged: ran away, or ended both torn and with more energy than the start's by all that it had to lose.
 /// Wrong: none of it, but a tolerance is broken.
 [[nodiscard]] Judgement judge(const RunMeasures& run, const Tolerance& tolerance);
 

@@ -1,0 +1,23 @@
+#pragma once
+// The numbers that decide what explicit steps and relaxations do to stiff cloth, measured by power iteration.
+
+#include "demo/study/run.h"
+
+namespace weft::study {
+
+/// Frequency of the flat sheet's stiffest mode [rad/s].
+[[nodiscard]] double stiffest_frequency(const StudyScene& scene);
+
+/// Largest eigenvalue of D^-1 W of the flat sheet at the scene's frame.
+[[nodiscard]] double largest_relaxed(const StudyScene& scene);
+
+/// What k Jacobi iterations leave of an error in a mode of D^-1 W with eigenvalue lambda (Kang's first guess
+/// is the first of k + 1): (1 - lambda)^(k + 1).
+[[nodiscard]] double left_by_jacobi(int iterations, double lambda);
+/// The same of Chebyshev's on an interval.
+[[nodiscard]] double left_by_chebyshev(int iterations, double least, double largest, double lambda);
+/// Backward Euler feeds a stiff mode of whose error this or less is left by each solve: then x += h v, v +=
+/// (1 - p)(-v - x / h) has the amplification p - sqrt(p (p - 1)) < -1.
+inline constexpr double feeding_part = -1.0 / 3;
+
+}  // namespace weft::study
