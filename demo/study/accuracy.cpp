@@ -1,11 +1,196 @@
-#include <stdexcept>
+// weft_study accuracy: every method over its settings against the references.
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "demo/study/accuracy_rows.h"
 #include "demo/study/commands.h"
+#include "demo/study/progress.h"
+#include "demo/study/scenes.h"
 
 namespace weft::study {
 
-int run_accuracy(const StudyOptions& /*options*/) {
-    throw std::runtime_error("accuracy is not built yet");
+namespace {
+
+/// The default cost of a point, in the time that one particle takes with one iteration.
+double work_of(const MethodPoint& point) {
+    const ClothSettings settings = point.applied_to({});
+    const auto iterations = [](const auto& method) {
+        if constexpr (requires { method.iterations; })
+            return static_cast<double>(method.iterations);
+        else
+            return 1.0;
+    };
+    const double each = point.name == "cholesky" ? 1000 : 5 + std::visit(iterations, settings.method);
+    return each * settings.substeps;
+}
+
+constexpr double work_of_references = 10'000;
+
+/// A scene and the points that are run on it.
+struct Part {
+    StudyScene scene;
+    std::vector<MethodPoint> points;
+    bool is_garment;
+
+    [[nodiscard]] double cost(double work) const {
+        return work * static_cast<double>(scene.mesh.positions.size());
+    }
+};
+
+std::filesystem::path garment_folder(const StudyOptions& options) {
+    if (!options.garments.empty()) return options.garments;
+    const char* const data = std::getenv("WEFT_DATA");
+    return data == nullptr ? std::filesystem::path{} : std::filesystem::path(data) / "garments";
+}
+
+bool is_wanted(const StudyOptions& options, const std::string& scene) {
+    return options.scenes.empty() || std::ranges::find(options.scenes, scene) != options.scenes.end();
+}
+
+std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScene& scene, bool is_garment) {
+    auto points = method_points(options.quick ? Coverage::quick : Coverage::all, scene);
+    // One step has no history.
+    if (is_garment)
+        std::erase_if(points,
+                      [](const MethodPoint& p) { return p.applied_to({}).time_scheme == TimeScheme::bdf2; });
+    return only_named(std::move(points), options.only);
+}
+
+std::vector<Part> parts_of(const StudyOptions& options) {
+    std::vector<Part> parts;
+    const auto append = [&](StudyScene scene, bool is_garment) {
+        auto points = points_for(options, scene, is_garment);
+        parts.push_back({std::move(scene), std::move(points), is_garment});
+    };
+    std::vector<std::uint32_t> sizes = options.sizes;
+    if (sizes.empty()) sizes = options.quick ? std::vector{32u, 64u} : std::vector{32u, 64u, 128u, 256u};
+    for (const std::uint32_t n : sizes) {
+        if (is_wanted(options, "hanging")) append(hung_sheet(n, false), false);
+        const bool in_wind = is_wanted(options, "wind") && !(options.quick && n > 32);
+        if (in_wind) append(hung_sheet(n, true), false);
+    }
+    const std::filesystem::path folder = garment_folder(options);
+    if (folder.empty()) {
+        std::fputs("weft_study: no garments are run, since neither --garments nor WEFT_DATA names a folder\n",
+                   stderr);
+        return parts;
+    }
+    if (is_wanted(options, "tshirt")) append(hung_garment(folder / "tshirt-iso.obj", 0, "tshirt"), true);
+    if (options.quick) return parts;
+    if (is_wanted(options, "dress"))
+        append(hung_garment(folder / "dress-victor-iso-draped.obj", 0, "dress"), true);
+    if (is_wanted(options, "tshirt")) append(hung_garment(folder / "tshirt-iso.obj", 1, "tshirt-fine"), true);
+    return parts;
+}
+
+class Accuracy {
+  public:
+    Accuracy(const StudyOptions& options, const std::vector<Part>& parts)
+        : is_quick_(options.quick),
+          threads_(options.threads),
+          table_(options.csv, accuracy_columns(), options.resume),
+          store_(cache_folder(options), options.threads),
+          progress_(count_of(parts), cost_of(parts)) {}
+
+    void run(const Part& part) {
+        if (is_complete(part)) {
+            for (const MethodPoint& point : part.points) progress_.skip(part.cost(work_of(point)));
+            progress_.skip(part.cost(work_of_references));
+            return;
+        }
+        if (part.is_garment)
+            run_garment(part);
+        else
+            run_sheet(part);
+    }
+
+  private:
+    static std::filesystem::path cache_folder(const StudyOptions& options) {
+        return options.cache.empty() ? options.csv.parent_path() / "references" : options.cache;
+    }
+    static std::size_t count_of(const std::vector<Part>& parts) {
+        std::size_t count = 0;
+        for (const Part& part : parts) count += 1 + part.points.size();
+        return count;
+    }
+    static double cost_of(const std::vector<Part>& parts) {
+        double cost = 0;
+        for (const Part& part : parts) {
+            cost += part.cost(work_of_references);
+            for (const MethodPoint& point : part.points) cost += part.cost(work_of(point));
+        }
+        return cost;
+    }
+
+    [[nodiscard]] bool is_complete(const Part& part) const {
+        return std::ranges::all_of(part.points, [&](const MethodPoint& point) {
+            return table_.find(identity(part.scene, point, threads_), accuracy_keys()) != nullptr;
+        });
+    }
+
+    void run_sheet(const Part& part) {
+        const std::vector<int> frames{ComparedFrames::half_second, ComparedFrames::second};
+        std::map<Reference, States> references;
+        progress_.begin(title(part) + " references");
+        for (const Reference reference : all_references) {
+            if (is_quick_ && reference == Reference::converged_bdf2) continue;
+            references[reference] = store_.states(part.scene, reference, frames);
+        }
+        for (const auto& [reference, states] : references)
+            append(compare_reference(part.scene, reference, references, threads_));
+        progress_.end(part.cost(work_of_references));
+        run_points(part, [&](const MethodPoint& point) {
+            return measure_trajectory(part.scene, point, references, threads_);
+        });
+    }
+
+    void run_garment(const Part& part) {
+        progress_.begin(title(part) + " references");
+        const GarmentSteps steps(part.scene, store_, threads_);
+        progress_.end(part.cost(work_of_references));
+        run_points(part, [&](const MethodPoint& point) { return measure_steps(steps, point, threads_); });
+    }
+
+    template <class Measure>
+    void run_points(const Part& part, const Measure& measure) {
+        for (const MethodPoint& point : part.points) {
+            const double cost = part.cost(work_of(point));
+            if (table_.find(identity(part.scene, point, threads_), accuracy_keys()) != nullptr) {
+                progress_.skip(cost);
+                continue;
+            }
+            progress_.begin(title(part) + " " + point.name + " " + point.setting);
+            append(measure(point));
+            progress_.end(cost);
+        }
+    }
+
+    void append(const CsvRow& row) {
+        if (table_.find(row, accuracy_keys()) == nullptr) table_.append(row);
+    }
+
+    static std::string title(const Part& part) {
+        return part.scene.name + (part.scene.per_side > 0 ? " " + std::to_string(part.scene.per_side) : "");
+    }
+
+    bool is_quick_;
+    int threads_;
+    CsvWriter table_;
+    ReferenceStore store_;
+    StudyProgress progress_;
+};
+
+}  // namespace
+
+int run_accuracy(const StudyOptions& options) {
+    const std::vector<Part> parts = parts_of(options);
+    Accuracy accuracy(options, parts);
+    for (const Part& part : parts) accuracy.run(part);
+    return 0;
 }
 
 }  // namespace weft::study

@@ -1,52 +1,181 @@
 #include "demo/study/method_list.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "demo/study/cholesky.h"
+#include "demo/study/explicit_euler.h"
+#include "demo/study/run.h"
+#include "demo/study/stiffest_modes.h"
 
 namespace weft::study {
 
 namespace {
 
-/// A point of one of the library's methods.
-MethodPoint library_point(const std::string& name, const std::string& label, const std::string& setting,
-                          const Method& method, int substeps = 1,
-                          TimeScheme time_scheme = TimeScheme::backward_euler) {
-    const auto configure = [=](ClothSettings& settings) {
-        settings.method = method;
-        settings.substeps = substeps;
-        settings.time_scheme = time_scheme;
-    };
-    return {name, label, setting, configure, {}, false};
-}
+constexpr TimeScheme bdf2 = TimeScheme::bdf2;
 
-std::string numbered(const std::string& what, int number) {
+/// Curves one after the other.
+class List {
+  public:
+    explicit List(Coverage coverage) : coverage_(coverage) {}
+
+    void curve(const std::string& name, const std::string& label) {
+        name_ = name;
+        label_ = label;
+    }
+    /// A point of the curve; `quick`: with few settings, too.
+    MethodPoint* add(bool quick, const std::string& setting, const Method& method, int substeps = 1,
+                     TimeScheme time_scheme = TimeScheme::backward_euler) {
+        if (coverage_ == Coverage::quick && !quick) return &unused_;
+        const auto configure = [=](ClothSettings& settings) {
+            settings.method = method;
+            settings.substeps = substeps;
+            settings.time_scheme = time_scheme;
+        };
+        points_.push_back({name_, label_, setting, configure, {}, false});
+        return &points_.back();
+    }
+    [[nodiscard]] std::vector<MethodPoint> take() { return std::move(points_); }
+
+  private:
+    Coverage coverage_;
+    std::string name_, label_;
+    std::vector<MethodPoint> points_;
+    MethodPoint unused_;
+};
+
+std::string text(const std::string& what, int number) {
     return what + "=" + std::to_string(number);
 }
 
-void append_jacobi(std::vector<MethodPoint>& points, Coverage coverage) {
-    const std::vector<int> odd =
-        coverage == Coverage::all ? std::vector{1, 3, 7, 15, 31, 63, 127, 255} : std::vector{7, 31, 127};
-    for (const int k : odd)
-        points.push_back(library_point("jacobi", "Jacobi (Kang), odd", numbered("iterations", k), Jacobi{k}));
-    if (coverage == Coverage::quick) return;
-    for (const int k : {8, 16, 64}) {
-        points.push_back(
-            library_point("jacobi-even", "Jacobi (Kang), even", numbered("iterations", k), Jacobi{k}));
+std::string text(const std::string& what, int number, const std::string& other, int other_number) {
+    return text(what, number) + " " + text(other, other_number);
+}
+
+/// What Weft does if it is told nothing.
+void add_default(List& list) {
+    const ClothSettings shipped;
+    list.curve("default", "Weft's default");
+    MethodPoint* const point =
+        list.add(true, "as shipped", shipped.method, shipped.substeps, shipped.time_scheme);
+    point->is_default = true;
+}
+
+void add_iterative(List& list) {
+    list.curve("jacobi", "Jacobi (Kang): odd");
+    for (const int k : {1, 3, 7, 15, 31, 63, 127, 255})
+        list.add(k == 7 || k == 63, text("iterations", k), Jacobi{k});
+    list.curve("jacobi-even", "Jacobi (Kang): even");
+    for (const int k : {2, 8, 16, 64}) list.add(false, text("iterations", k), Jacobi{k});
+    list.curve("jacobi-tethers", "Jacobi (Kang) with tethers");
+    for (const int k : {1, 7, 31, 127}) {
+        MethodPoint* const point = list.add(k == 7, text("iterations", k), Jacobi{k});
+        point->configure = [configure = point->configure](ClothSettings& settings) {
+            configure(settings);
+            settings.tethers.enabled = true;
+        };
     }
+    list.curve("jacobi-substeps", "Jacobi (Kang) in substeps");
+    for (const int substeps : {2, 4, 8, 16})
+        list.add(false, text("iterations", 7, "substeps", substeps), Jacobi{7}, substeps);
+    list.curve("chebyshev", "Chebyshev");
+    for (const int k : {4, 8, 16, 32, 64, 128})
+        list.add(k == 8 || k == 64, text("iterations", k), Chebyshev{k});
+    list.curve("cg", "Conjugate gradients");
+    for (const int k : {4, 8, 16, 32, 64, 128})
+        list.add(k == 8 || k == 64, text("iterations", k), ConjugateGradient{k});
+}
+
+void add_multilevel(List& list) {
+    const auto nonlinear = [](int iterations) {
+        return Multilevel{Multilevel::Use::nonlinear_conjugate_gradient, 1, iterations};
+    };
+    const auto passes = [](int count, int iterations) {
+        return Multilevel{Multilevel::Use::passes, count, iterations};
+    };
+    list.curve("multilevel-nlcg", "Multilevel: nonlinear CG");
+    for (const int k : {1, 2, 3, 4, 6, 8, 12, 16})
+        list.add(k == 2 || k == 8, text("iterations", k), nonlinear(k));
+    list.curve("multilevel-linear", "Multilevel: one linear solve");
+    for (const int k : {1, 2, 4, 8}) list.add(k == 2, text("iterations", k), passes(1, k));
+    list.curve("multilevel-passes", "Multilevel: Newton passes");
+    for (const int count : {2, 3, 4, 6, 8})
+        for (const int k : {1, 2, 4})
+            if (count * k <= 16)
+                list.add(k == 2 && count <= 3, text("passes", count, "iterations", k), passes(count, k));
+    list.curve("multilevel-substeps", "Multilevel in substeps");
+    for (const int substeps : {2, 4, 8, 16})
+        list.add(substeps == 4, text("passes", 1, "substeps", substeps), passes(1, 1), substeps);
+    list.curve("multilevel-bdf2", "Multilevel: BDF2");
+    for (const int count : {1, 2, 3, 4})
+        list.add(count == 2, text("passes", count), passes(count, 2), 1, bdf2);
+    list.curve("multilevel-bdf2-substeps", "Multilevel: BDF2 in substeps");
+    for (const int substeps : {2, 4, 8, 16})
+        list.add(substeps == 2, text("passes", 2, "substeps", substeps), passes(2, 1), substeps, bdf2);
+}
+
+void add_positional(List& list) {
+    list.curve("xpbd", "XPBD: substeps");
+    for (const int substeps : {4, 8, 16, 32, 64, 128})
+        list.add(substeps == 8 || substeps == 32, text("substeps", substeps), Xpbd{1}, substeps);
+    list.curve("xpbd-iterations", "XPBD: iterations");
+    for (const int k : {4, 16, 64}) list.add(false, text("iterations", k), Xpbd{k});
+    list.curve("fibres", "Fibres and sets");
+    for (const int k : {1, 4, 16, 64}) list.add(k == 4, text("iterations", k), Fibres{.iterations = k});
+    list.curve("fibres-substeps", "Fibres and sets in substeps");
+    for (const int substeps : {4, 16, 64})
+        list.add(substeps == 16, text("iterations", 1, "substeps", substeps), Fibres{.iterations = 1},
+                 substeps);
+}
+
+/// Substeps of a frame in which a step is `margin` times shorter than the longest that is stable. A mode of
+/// frequency omega is damped at the rate c = damping omega^2; the step must keep (omega h)^2 + 2 c h below 4.
+int explicit_substeps(const StudyScene& scene, double margin) {
+    const double omega = stiffest_frequency(scene);
+    const double damping = static_cast<double>(scene.cloth.fabric.damping);
+    const double longest = std::sqrt(damping * damping + 4 / (omega * omega)) - damping;
+    return static_cast<int>(std::ceil(static_cast<double>(scene.frame) * margin / longest));
+}
+
+void add_explicit(List& list, const StudyScene& scene) {
+    list.curve("symplectic-euler", "Symplectic Euler");
+    for (const double margin : {1.3, 2.0, 4.0}) {
+        const int substeps = explicit_substeps(scene, margin);
+        list.add(margin < 2, text("substeps", substeps), SymplecticEuler{}, substeps);
+    }
+    list.curve("explicit-euler", "Explicit Euler");
+    for (const double margin : {1.3, 4.0}) {
+        const int substeps = explicit_substeps(scene, margin);
+        MethodPoint* const point = list.add(false, text("substeps", substeps), SymplecticEuler{}, substeps);
+        point->make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+            return std::make_unique<ExplicitEulerSolver>(model, settings);
+        };
+    }
+}
+
+void add_cholesky(List& list) {
+    list.curve("cholesky", "Sparse Cholesky");
+    MethodPoint* const point = list.add(true, "one factorisation a step", Jacobi{});
+    point->make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+        return std::make_unique<CholeskySolver>(model, settings);
+    };
 }
 
 }  // namespace
 
-std::vector<MethodPoint> method_points(Coverage coverage) {
-    std::vector<MethodPoint> points;
-    append_jacobi(points, coverage);
-    return points;
-}
-
-std::vector<MethodPoint> usual_points() {
-    return {
-        library_point("jacobi", "Jacobi (Kang), odd", numbered("iterations", 15), Jacobi{15}),
-        library_point("jacobi-even", "Jacobi (Kang), even", numbered("iterations", 16), Jacobi{16}),
-    };
+std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scene) {
+    // Beyond, one factorisation takes seconds, and explicit steps run into the thousands.
+    const bool is_large = scene.mesh.positions.size() > 20'000,
+               is_medium = scene.mesh.positions.size() > 5'000;
+    List list(coverage);
+    add_default(list);
+    add_iterative(list);
+    add_multilevel(list);
+    add_positional(list);
+    if (!is_large) add_explicit(list, scene);
+    if (!is_medium) add_cholesky(list);
+    return list.take();
 }
 
 std::vector<MethodPoint> only_named(std::vector<MethodPoint> points, const std::string& text) {

@@ -10,6 +10,8 @@
 
 namespace weft::study {
 
+struct StudyScene;
+
 /// One method at one setting.
 struct MethodPoint {
     std::string name;     ///< of the curve it belongs to, in tables: "jacobi"
@@ -31,9 +33,7 @@ struct MethodPoint {
 enum class Coverage { all, quick };
 
 /// In the order in which they are run, curve by curve, settings ascending in cost.
-[[nodiscard]] std::vector<MethodPoint> method_points(Coverage coverage);
-/// One point a method, at the setting that its users would take first: for maps that have no room for more.
-[[nodiscard]] std::vector<MethodPoint> usual_points();
+[[nodiscard]] std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scene);
 /// Those of `points` whose name contains `text`.
 [[nodiscard]] std::vector<MethodPoint> only_named(std::vector<MethodPoint> points, const std::string& text);
 

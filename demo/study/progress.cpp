@@ -23,4 +23,9 @@ void StudyProgress::end(double cost, bool measured) {
     seconds_measured_ += std::chrono::duration<double>(Clock::now() - begun_).count();
 }
 
+void StudyProgress::skip(double cost) {
+    ++item_;
+    cost_left_ -= cost;
+}
+
 }  // namespace weft::study

@@ -14,6 +14,8 @@ class StudyProgress {
     void begin(const std::string& what);
     /// Ends what was begun. What was not measured, since it was there already, says nothing about time.
     void end(double cost, bool measured = true);
+    /// Passes over an item in silence.
+    void skip(double cost);
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -51,6 +51,12 @@ Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
     simulation_.cloths.insert(std::move(made));
 }
 
+void Run::restart(const StudyScene& scene) {
+    std::ranges::fill(cloth_->state.velocities.span(), Vec4{});
+    place(scene, cloth_->state);
+    if (cloth_->history) cloth_->history->forget();
+}
+
 double Run::step() {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();

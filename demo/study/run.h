@@ -29,6 +29,8 @@ class Run {
     /// Throws std::runtime_error if the mesh cannot be cooked, std::logic_error if the method is not there.
     Run(const StudyScene& scene, const MethodPoint& point, int threads);
 
+    /// Back to the start of a scene of the same mesh and pins.
+    void restart(const StudyScene& scene);
     /// One frame. Returns its milliseconds.
     double step();
 

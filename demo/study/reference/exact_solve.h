@@ -17,7 +17,7 @@ using Preconditioner = std::function<void(const Eigen::VectorXd& r, Eigen::Vecto
 /// beyond, where that takes minutes, by preconditioned conjugate gradients.
 class ExactSolve {
   public:
-    static constexpr std::uint32_t usual_limit = 5000;
+    static constexpr std::uint32_t usual_limit = 400;
 
     explicit ExactSolve(std::uint32_t particles, std::uint32_t direct_up_to = usual_limit)
         : is_direct_(particles <= direct_up_to) {}

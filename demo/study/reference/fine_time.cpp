@@ -5,6 +5,7 @@
 
 #include "cloth/forces/springs.h"
 #include "demo/study/options.h"
+#include "demo/study/stiffest_modes.h"
 
 namespace weft::study {
 
@@ -207,37 +208,13 @@ void FineTime::finish(double h) {
     });
 }
 
-// Power iteration on M^-1 K of the springs at rest, along their directions.
-double FineTime::largest_squared_frequency() const {
-    const auto at = [&](std::uint32_t i) { return Vector(x_[0][i], x_[1][i], x_[2][i]); };
-    std::vector<Vector> mode(particles_);
-    for (std::uint32_t i = 0; i < particles_; ++i) mode[i] = separating_direction(i, i + 1).cast<double>();
-    double growth = 0;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-        std::vector<Vector> next(particles_, Vector::Zero());
-        double squared = 0;
-        for (std::uint32_t i = 0; i < particles_; ++i) {
-            const std::uint32_t group = i / lanes;
-            for (std::uint32_t slot = group_slots_[group]; slot < group_slots_[group + 1]; ++slot) {
-                const std::uint32_t entry = slot * lanes + i % lanes, j = neighbours_[entry];
-                if (j == i) continue;
-                const Vector n = (at(j) - at(i)).normalized();
-                next[i] += inverse_masses_[i] * stiffness_[entry] * n.dot(mode[i] - mode[j]) * n;
-            }
-            squared += next[i].squaredNorm();
-        }
-        growth = std::sqrt(squared);
-        for (Vector& value : next) value /= growth;
-        mode = std::move(next);
-    }
-    return growth;
-}
-
-// The springs' frequencies rise a little where they are stretched; the power iteration stops a little short.
-int FineTime::stable_substeps() const {
-    const double squared_frequency = 1.2 * largest_squared_frequency();
-    const double h = std::min(0.7 / (damping_ * squared_frequency), 1 / std::sqrt(squared_frequency));
-    return std::max(64, static_cast<int>(std::ceil(frame_ / h)));
+// The springs' frequencies rise a little where they are stretched, and a power iteration stops a little
+// short.
+int FineTime::safe_substeps(const StudyScene& scene) {
+    const double frequency = 1.1 * stiffest_frequency(scene);
+    const double rate = static_cast<double>(scene.cloth.fabric.damping) * frequency * frequency;
+    const double h = std::min(0.7 / rate, 1 / frequency);
+    return std::max(64, static_cast<int>(std::ceil(static_cast<double>(scene.frame) / h)));
 }
 
 std::vector<Vector> FineTime::positions() const {

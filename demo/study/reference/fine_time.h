@@ -24,8 +24,8 @@ class FineTime {
 
     /// Advances by one frame in `substeps` steps.
     void step(int substeps);
-    /// Steps a frame that are safely stable, and at least 64.
-    [[nodiscard]] int stable_substeps() const;
+    /// Steps a frame that are safely stable for the scene, and at least 64.
+    [[nodiscard]] static int safe_substeps(const StudyScene& scene);
 
     [[nodiscard]] std::vector<Eigen::Vector3d> positions() const;
 
@@ -37,7 +37,6 @@ class FineTime {
     void predict(double h);
     void compute_air();
     void finish(double h);
-    [[nodiscard]] double largest_squared_frequency() const;
 
     Parallel parallel_;
     double frame_, damping_, air_damping_;

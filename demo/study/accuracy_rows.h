@@ -1,0 +1,36 @@
+#pragma once
+// One row of the table that the charts of speed against accuracy are drawn from.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "demo/study/csv.h"
+#include "demo/study/garment_steps.h"
+#include "demo/study/reference/states.h"
+
+namespace weft::study {
+
+[[nodiscard]] std::vector<std::string> accuracy_columns();
+/// What makes a row another one.
+[[nodiscard]] std::vector<std::string> accuracy_keys();
+
+/// Frames at which trajectories are compared, and at which energy is taken: 0.5 s, 1 s and 2 s at 60 frames a
+/// second.
+struct ComparedFrames {
+    static constexpr int half_second = 30, second = 60, last = 120;
+};
+
+/// The columns that say what was run where: all keys and more.
+[[nodiscard]] CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads);
+
+/// A sheet from its start, for two seconds.
+[[nodiscard]] CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
+                                        const std::map<Reference, States>& references, int threads);
+/// What a reference differs from the others by: the error that remains once its own is gone.
+[[nodiscard]] CsvRow compare_reference(const StudyScene& scene, Reference reference,
+                                       const std::map<Reference, States>& references, int threads);
+/// One step of a garment from each of several states.
+[[nodiscard]] CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads);
+
+}  // namespace weft::study

@@ -1,0 +1,48 @@
+#pragma once
+// One step of a garment from states of a reference run. Trajectories of garments branch wherever cloth
+// buckles, even between two ways to converge; so solvers are judged by what they make of the same step.
+
+#include <vector>
+
+#include "demo/study/reference/states.h"
+#include "demo/study/reference/step_functional.h"
+
+namespace weft::study {
+
+class GarmentSteps {
+  public:
+    /// Steps of the reference run whose results the garment's motion is taken from.
+    static constexpr std::array frames{5, 15, 30};
+
+    GarmentSteps(const StudyScene& garment, ReferenceStore& store, int threads);
+
+    /// What a method makes of one of the steps.
+    struct Judgement {
+        double rms;         ///< distance from the converged step [m]
+        double energy_gap;  ///< how much of the functional's descent from the inertial start to the converged
+                            ///< step is missing: 0 converged, 1 nothing solved
+    };
+
+    [[nodiscard]] const StudyScene& garment() const { return garment_; }
+    [[nodiscard]] std::size_t size() const { return steps_.size(); }
+    /// The garment as the step finds it.
+    [[nodiscard]] const StudyScene& start(std::size_t step) const { return steps_[step].start; }
+    [[nodiscard]] Judgement judge(std::size_t step, const Cloth& after) const;
+
+  private:
+    struct Step {
+        StudyScene start;
+        StepFunctional functional;
+        Flat start_positions;  // flat
+        Positions solution;
+        std::vector<Eigen::Vector3d> damped_along;  // by the solution
+        double solved, inertial;                    // values of the functional
+    };
+    [[nodiscard]] Step make_step(const Positions& before, const Positions& now, int threads) const;
+    [[nodiscard]] Flat velocities_to(const Step& step, const Positions& positions) const;
+
+    StudyScene garment_;
+    std::vector<Step> steps_;
+};
+
+}  // namespace weft::study

@@ -1,0 +1,54 @@
+#pragma once
+// The references of a scene, computed once and kept in files, since they take minutes.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "demo/study/run.h"
+
+namespace weft::study {
+
+enum class Reference {
+    converged,       ///< A: backward Euler at the frame's step, solved to convergence
+    linearised,      ///< A1: its single linearisation about the base, solved exactly
+    converged_bdf2,  ///< as A, by BDF2
+    fine_time,       ///< B: tiny steps
+};
+inline constexpr std::array all_references{Reference::converged, Reference::linearised,
+                                           Reference::converged_bdf2, Reference::fine_time};
+[[nodiscard]] std::string name_of(Reference reference);
+
+/// Positions of all particles after so many frames [m].
+using Positions = std::vector<Eigen::Vector3d>;
+using States = std::map<int, Positions>;
+
+/// Root mean square of the distances between particles [m].
+[[nodiscard]] double rms_distance(const Positions& a, const Positions& b);
+[[nodiscard]] Positions positions_of(const Cloth& cloth);
+
+/// The method of a reference that is stepped by the frame: all but fine_time.
+[[nodiscard]] MethodPoint method_of(Reference reference);
+
+class ReferenceStore {
+  public:
+    ReferenceStore(std::filesystem::path folder, int threads)
+        : folder_(std::move(folder)), threads_(threads) {}
+
+    /// The states after each of `frames` (ascending), from the file of the scene's start and settings if
+    /// there is one. Throws std::runtime_error where files cannot be written.
+    [[nodiscard]] States states(const StudyScene& scene, Reference reference, const std::vector<int>& frames);
+
+  private:
+    [[nodiscard]] States compute(const StudyScene& scene, Reference reference,
+                                 const std::vector<int>& frames) const;
+
+    std::filesystem::path folder_;
+    int threads_;
+};
+
+}  // namespace weft::study
