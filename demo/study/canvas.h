@@ -23,7 +23,7 @@ class Canvas {
     void draw(const std::filesystem::path& stem) const;
 
   private:
-    int width_, height_;
+    int width_, height_, text_count_ = 0;
     std::ostringstream boxes_, texts_;
 };
 

@@ -66,11 +66,11 @@ class Maps {
         return sheet;
     }
 
-    /// In substeps of an explicit method; a linear system costs some twenty.
+    /// In substeps of an explicit method.
     static double cost(const StabilityPoint& point) {
-        const int substeps = point.method.applied_to({}).substeps;
-        return point.family == Family::newton || point.family == Family::one_linearisation ? 20 * substeps
-                                                                                           : 2 + substeps;
+        const bool solves = point.family == Family::newton || point.family == Family::one_linearisation;
+        const double linear_system = point.method.make_solver ? 150 : 20;
+        return solves ? linear_system : 2 + point.method.applied_to({}).substeps;
     }
     static double total_cost(const std::vector<StabilityPoint>& points) {
         double sum = 0;

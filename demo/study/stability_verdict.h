@@ -48,8 +48,9 @@ struct Judgement {
     [[nodiscard]] std::string broken() const;
 };
 
-/// Mean stretch at which a run that has gained energy is beyond recovery: twice the cloth's length.
-inline constexpr double torn_stretch = 1;
+/// Mean stretch beyond which a run that has gained energy counts as diverged: three times the cloth's length.
+/// Below lie steady sags of solvers that gravity outruns.
+inline constexpr double torn_stretch = 2;
 
 /// Diverged: ran away, or ended both torn and with more energy than the start's by all that it had to lose.
 /// Wrong: none of it, but a tolerance is broken.
