@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "demo/study/accuracy_chart.h"
 #include "demo/study/commands.h"
 #include "demo/study/csv.h"
 #include "demo/study/stability_causes.h"
@@ -10,10 +11,14 @@ namespace weft::study {
 int run_plot(const PlotOptions& options) {
     for (const std::filesystem::path& file : options.csv) {
         const CsvTable table = read_csv(file);
-        if (!is_stability_table(table))
+        if (is_accuracy_table(table)) {
+            draw_accuracy(table, options.out);
+        } else if (is_stability_table(table)) {
+            draw_stability(table, options.out);
+            write_causes(table, options.out);
+        } else {
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
-        draw_stability(table, options.out);
-        write_causes(table, options.out);
+        }
     }
     return 0;
 }
