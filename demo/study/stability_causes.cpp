@@ -49,11 +49,15 @@ double explicit_bound(double omega) {
     return discriminant < 0 ? bound : std::min(bound, 4 / (c + std::sqrt(discriminant)));
 }
 
-const char* const squeezed = "springs squeezed to a point turn within one step";
+/// Beyond the bounds of the sheet at rest.
+std::string nonlinear_cause(const CsvRow& row) {
+    if (row.at("start") == "collapsed") return "springs squeezed to a point turn within one step";
+    return "modes across taut springs are damped by drag alone, which is too little for this step";
+}
 
 std::string explicit_cause(const CsvRow& row) {
     const double h = value(row, "h_s");
-    if (h <= explicit_bound(value(row, "h_omega") / h)) return squeezed;
+    if (h <= explicit_bound(value(row, "h_omega") / h)) return nonlinear_cause(row);
     return "the step is longer than damping makes up for: h > c / omega^2 in modes that swing";
 }
 
@@ -61,7 +65,7 @@ std::string explicit_cause(const CsvRow& row) {
 /// circle while h^2 omega^2 + 2 h c < 4.
 std::string symplectic_cause(const CsvRow& row) {
     const double h_omega = value(row, "h_omega");
-    if (h_omega * h_omega * (1 + 2 * beta / value(row, "h_s")) < 4) return squeezed;
+    if (h_omega * h_omega * (1 + 2 * beta / value(row, "h_s")) < 4) return nonlinear_cause(row);
     return "h > 2 / omega of the stiffest mode, or a little less as springs are damped: each step amplifies "
            "it";
 }

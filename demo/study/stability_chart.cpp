@@ -91,7 +91,7 @@ class Picture {
         canvas_.text(left, 48,
                      "A sheet of " + row.at("per_side") + " x " + row.at("per_side") +
                          " particles, 1 m, 0.2 kg/m², hung by two corners, " + row.at("seconds") +
-                         " s. Across: the frame's step. Upwards: stiffness, times 400 N/m.",
+                         " s. Across: the frame's step [s]. Upwards: stiffness, times 400 N/m.",
                      10, Align::left, grey);
     }
 
@@ -133,7 +133,6 @@ class Picture {
             canvas_.text(x + cell_width_ * (static_cast<double>(i) + 0.5), y + 12, "1/" + number(hz_[i]), 9,
                          Align::centre, grey);
         }
-        canvas_.text(x + map_width, y + 28, "s", 9, Align::right, grey);
     }
 
     void write_legend(const std::string& start) {
@@ -149,10 +148,10 @@ class Picture {
                        ? "H  at the end the centre of mass is off the still hang's by more than " +
                              number(100 * tolerance.height) + " cm"
                        : "(the height is not judged: without collisions, collapsed cloth ends in a tangle)");
-        write_entry(
-            5, Verdict::diverged,
-            "diverged: a particle left for beyond 100 km, or energy ended higher than the start's by all "
-            "that the start has above the still hang");
+        write_entry(5, Verdict::diverged,
+                    "diverged: a particle went beyond 100 km, or at the end the mean stretch is above " +
+                        percent(torn_stretch) +
+                        " and the energy above the start's by all that it had to lose");
         write_entry(6, Verdict::not_a_number, "not a number, from a state that was still near and finite");
     }
 
