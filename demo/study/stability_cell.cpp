@@ -64,6 +64,15 @@ bool is_broken(const Cloth& cloth) {
                                [](const Vec4& dv) { return !xyz(dv).allFinite(); });
 }
 
+/// So that a frame is one substep, and the state is looked at after each.
+MethodPoint by_single_substeps(MethodPoint point) {
+    point.configure = [configure = point.configure](ClothSettings& settings) {
+        configure(settings);
+        settings.substeps = 1;
+    };
+    return point;
+}
+
 }  // namespace
 
 std::string name_of(Start start) {
@@ -122,35 +131,31 @@ RunMeasures measure_cell(const StabilitySheet& sheet, const MethodPoint& point, 
                          double step, const Hang& hang) {
     StudyScene scene = stability_scene(sheet, start, stiffness);
     const int substeps = point.applied_to(scene.cloth).substeps;
-    const int frames = static_cast<int>(std::lround(sheet.seconds / step));
-    scene.frame = static_cast<float>(step / substeps);
-    MethodPoint by_substep = point;
-    by_substep.configure = [&](ClothSettings& settings) {
-        point.configure(settings);
-        settings.substeps = 1;
-    };
-    Run run(scene, by_substep, 1);
-    const Cloth& cloth = run.cloth();
-    const auto total_energy = [&] { return energy_of(cloth, scene.world.gravity).total(); };
+    const double h = step / substeps;
+    scene.frame = static_cast<float>(h);
+    Run run(scene, by_single_substeps(point), 1);
+    const auto total_energy = [&] { return energy_of(run.cloth(), scene.world.gravity).total(); };
 
     RunMeasures measures{.lasted = sheet.seconds, .start_energy = total_energy()};
     measures.peak_energy = measures.start_energy;
     measures.hang_energy = hang.energy;
     measures.hang_stretch = hang.stretch;
     measures.hang_height = hang.height;
-    for (int taken = 0; taken < frames * substeps && run.restored_frames() == 0; ++taken) {
+    const int all = substeps * static_cast<int>(std::lround(sheet.seconds / step));
+    for (int taken = 1; taken <= all; ++taken) {
         run.step();
         if (run.restored_frames() > 0) {
-            measures.not_a_number = is_broken(cloth);
+            measures.not_a_number = is_broken(run.cloth());
             measures.ran_away = !measures.not_a_number;
-            measures.lasted = (taken + 1) * step / substeps;
-        } else if ((taken + 1) % substeps == 0) {
-            measures.end_energy = total_energy();
-            measures.peak_energy = std::max(measures.peak_energy, measures.end_energy);
+            measures.lasted = taken * h;
+            break;
         }
+        if (taken % substeps != 0) continue;
+        measures.end_energy = total_energy();
+        measures.peak_energy = std::max(measures.peak_energy, measures.end_energy);
     }
-    measures.stretch = tensile_stretch(cloth);
-    measures.height = height(cloth);
+    measures.stretch = tensile_stretch(run.cloth());
+    measures.height = height(run.cloth());
     return measures;
 }
 
