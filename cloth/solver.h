@@ -34,7 +34,7 @@ class Solver {
     /// Fills velocity_change; 0 for pinned particles. Returns what is left of the linear system,
     /// |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0.
     virtual float solve(const SolverStep& step) = 0;
-    /// Before the first step, and before any step that follows a change of pins or masses. May allocate.
+    /// Before the first step, and before any step that follows a change of pins or settings. May allocate.
     virtual void prepare(const CookedCloth& /*model*/, const ClothSettings& /*settings*/,
                          const ClothState& /*state*/) {}
     /// Whether it solves the equation in any time scheme; else it takes h, positions and velocities from it.

@@ -63,8 +63,19 @@ HWY_INLINE Lanes load_lanes(const float* values) {
 
 /// Consecutive rows, one to a lane.
 HWY_INLINE Lanes4 load_rows(const Vec4* rows) {
+    const Tag d;
     Lanes4 v;
-    hn::LoadInterleaved4(Tag(), &rows->x, v.x, v.y, v.z, v.w);
+    if constexpr (part_lanes == 16) {  // with shuffles across a register half as many as with those within quarters
+        const float* values = &rows->x;
+        const Lanes r0 = hn::LoadU(d, values), r1 = hn::LoadU(d, values + 16);
+        const Lanes r2 = hn::LoadU(d, values + 32), r3 = hn::LoadU(d, values + 48);
+        const Lanes xz01 = hn::ConcatEven(d, r1, r0), xz23 = hn::ConcatEven(d, r3, r2);  // x0 z0 x1 z1 ..
+        const Lanes yw01 = hn::ConcatOdd(d, r1, r0), yw23 = hn::ConcatOdd(d, r3, r2);
+        v = {hn::ConcatEven(d, xz23, xz01), hn::ConcatEven(d, yw23, yw01), hn::ConcatOdd(d, xz23, xz01),
+             hn::ConcatOdd(d, yw23, yw01)};
+    } else {
+        hn::LoadInterleaved4(d, &rows->x, v.x, v.y, v.z, v.w);
+    }
     return v;
 }
 HWY_INLINE void store_rows(const Lanes3& v, Lanes w, Vec4* rows) {
@@ -83,20 +94,35 @@ HWY_INLINE hn::Vec<D> every_fourth_row(D d, const Vec4* rows, const std::uint32_
     }
 }
 
-/// Rows nodes[0], nodes[1], .., one to a lane: each fetched whole, then transposed in registers, four by
-/// four. That is twice as fast as gathering x, y and z.
-HWY_INLINE Lanes3 gather_rows(const Vec4* rows, const std::uint32_t* nodes) {
+/// As many rows as a register has lanes, one to each 128 bits of four registers: register k holds rows
+/// k, k + 4, k + 8, ..
+struct Rows {
+    Lanes r0, r1, r2, r3;
+};
+
+/// Rows nodes[0], nodes[1], ..
+HWY_INLINE Rows fetch(const Vec4* rows, const std::uint32_t* nodes) {
+    const Tag d;
+    return {every_fourth_row(d, rows, nodes), every_fourth_row(d, rows, nodes + 1),
+            every_fourth_row(d, rows, nodes + 2), every_fourth_row(d, rows, nodes + 3)};
+}
+
+/// Row i's x, y and z to lane i: transposed in registers, four by four.
+HWY_INLINE Lanes3 lanes_of(const Rows& v) {
     const Tag d;
     const hn::Repartition<std::uint64_t, Tag> pairs;
-    const Lanes r0 = every_fourth_row(d, rows, nodes), r1 = every_fourth_row(d, rows, nodes + 1);
-    const Lanes r2 = every_fourth_row(d, rows, nodes + 2), r3 = every_fourth_row(d, rows, nodes + 3);
-    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, r0, r1));  // x0 x1 | y0 y1
-    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, r2, r3));
-    const auto zw01 = hn::BitCast(pairs, hn::InterleaveUpper(d, r0, r1));  // z0 z1 | w0 w1
-    const auto zw23 = hn::BitCast(pairs, hn::InterleaveUpper(d, r2, r3));
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r0, v.r1));  // x0 x1 | y0 y1
+    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r2, v.r3));
+    const auto zw01 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r0, v.r1));  // z0 z1 | w0 w1
+    const auto zw23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r2, v.r3));
     return {.x = hn::BitCast(d, hn::InterleaveLower(pairs, xy01, xy23)),
             .y = hn::BitCast(d, hn::InterleaveUpper(pairs, xy01, xy23)),
             .z = hn::BitCast(d, hn::InterleaveLower(pairs, zw01, zw23))};
+}
+
+/// Rows nodes[0], nodes[1], .., one to a lane. Fetching each whole is twice as fast as gathering x, y and z.
+HWY_INLINE Lanes3 gather_rows(const Vec4* rows, const std::uint32_t* nodes) {
+    return lanes_of(fetch(rows, nodes));
 }
 
 /// Of a part of slot s, which begins at `lane`, the neighbours' rows.

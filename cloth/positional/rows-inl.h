@@ -13,12 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// As many rows as a register has lanes, four to a lane of 128 bits: register k holds rows k, k + 4, k + 8,
-/// ..
-struct Rows {
-    Lanes r0, r1, r2, r3;
-};
-
 HWY_INLINE Rows operator-(const Rows& a, const Rows& b) {
     return {hn::Sub(a.r0, b.r0), hn::Sub(a.r1, b.r1), hn::Sub(a.r2, b.r2), hn::Sub(a.r3, b.r3)};
 }
@@ -29,12 +23,6 @@ HWY_INLINE Rows operator+(const Rows& a, const Rows& b) {
 HWY_INLINE Rows mul_add(Lanes s, const Rows& a, const Rows& b) {
     return {hn::MulAdd(hn::Broadcast<0>(s), a.r0, b.r0), hn::MulAdd(hn::Broadcast<1>(s), a.r1, b.r1),
             hn::MulAdd(hn::Broadcast<2>(s), a.r2, b.r2), hn::MulAdd(hn::Broadcast<3>(s), a.r3, b.r3)};
-}
-
-HWY_INLINE Rows fetch(const Vec4* rows, const std::uint32_t* nodes) {
-    const Tag d;
-    return {every_fourth_row(d, rows, nodes), every_fourth_row(d, rows, nodes + 1),
-            every_fourth_row(d, rows, nodes + 2), every_fourth_row(d, rows, nodes + 3)};
 }
 
 template <class D>
@@ -55,22 +43,10 @@ HWY_INLINE void put(const Rows& values, const std::uint32_t* nodes, Vec4* rows) 
     put_every_fourth(d, values.r3, nodes + 3, rows);
 }
 
-/// Row i's x, y and z to lane i.
-HWY_INLINE Lanes3 lanes_of(const Rows& v) {
-    const Tag d;
-    const hn::Repartition<double, Tag> pairs;
-    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r0, v.r1));  // x0 x1 | y0 y1
-    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, v.r2, v.r3));
-    const auto zw01 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r0, v.r1));  // z0 z1 | w0 w1
-    const auto zw23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.r2, v.r3));
-    return {.x = hn::BitCast(d, hn::InterleaveLower(pairs, xy01, xy23)),
-            .y = hn::BitCast(d, hn::InterleaveUpper(pairs, xy01, xy23)),
-            .z = hn::BitCast(d, hn::InterleaveLower(pairs, zw01, zw23))};
-}
-/// And back, w 0.
+/// Lane i to row i, w 0: what undoes lanes_of.
 HWY_INLINE Rows rows_of(const Lanes3& v) {
     const Tag d;
-    const hn::Repartition<double, Tag> pairs;
+    const hn::Repartition<std::uint64_t, Tag> pairs;
     const Lanes zero = hn::Zero(d);
     const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, v.x, v.y));  // x0 y0 | x1 y1
     const auto xy23 = hn::BitCast(pairs, hn::InterleaveUpper(d, v.x, v.y));
