@@ -40,7 +40,7 @@ class Curtain final : public Scene {
         WorldSettings settings;
         settings.wind.velocity = {0.15f, 0, 0.6f};
         settings.wind.gust = 0.6f;
-        settings.substeps = 8;
+        settings.substeps = 4;
         return settings;
     }
 
@@ -49,7 +49,6 @@ class Curtain final : public Scene {
             return made.error();
 
         ClothSettings settings;
-        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

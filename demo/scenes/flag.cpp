@@ -16,7 +16,7 @@ class Flag final : public Scene {
         WorldSettings settings;
         settings.wind.velocity = {6.0f, 0, 1.0f};
         settings.wind.gust = 0.5f;
-        settings.substeps = 8;
+        settings.substeps = 4;
         return settings;
     }
 
@@ -33,7 +33,6 @@ class Flag final : public Scene {
         ClothSettings settings;
         settings.fabric.areal_density = 0.12f;
         settings.fabric.bend = 1.0f;
-        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

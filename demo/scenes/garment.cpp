@@ -30,7 +30,7 @@ class Garment final : public Scene {
         settings.wind.velocity = {0.25f, 0, 0.65f};
         settings.wind.gust = 0.7f;
         settings.wind.gust_length = 0.5f;
-        settings.substeps = 5;
+        settings.substeps = 3;
         return settings;
     }
 
@@ -45,7 +45,6 @@ class Garment final : public Scene {
 
         ClothSettings settings;
         settings.fabric.areal_density = 0.18f;
-        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

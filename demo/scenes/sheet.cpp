@@ -16,7 +16,7 @@ class Sheet final : public Scene {
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
         settings.wind.air_density = 0.6f;  // still air that carries less of the sheet: it falls in a second
-        settings.substeps = 8;
+        settings.substeps = 4;
         return settings;
     }
 
@@ -32,7 +32,6 @@ class Sheet final : public Scene {
         mesh_ = std::move(*mesh);
 
         ClothSettings settings;
-        settings.method = Jacobi{.iterations = 7};
         settings.self_collision.enabled = true;
         settings.thickness = thickness;
         const auto cloth = world.add_cloth(mesh_, settings);

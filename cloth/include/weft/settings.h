@@ -43,7 +43,7 @@ struct Tethers {
 struct ClothSettings {
     Fabric fabric;
     FiniteElements finite_elements;
-    Method method = Jacobi{};
+    Method method;  ///< Multilevel unless another is set
     TimeScheme time_scheme = TimeScheme::backward_euler;
     int substeps = 1;  ///< steps of the method within each of WorldSettings::substeps, 1 to 1024
     Tethers tethers;
