@@ -123,15 +123,15 @@ struct HungStrip {
 };
 
 TEST(Positional, StretchesAHungStripByItsWeightOverStiffnessAndWidthForAnySubsteps) {
-    for (const int substeps : {4, 16}) {
-        for (const auto& [name, method] : positional_methods(80 / substeps)) {
+    for (const int substeps : {4, 12}) {
+        for (const auto& [name, method] : positional_methods(48 / substeps)) {
             ClothSettings settings;
             settings.fabric = {.areal_density = 2, .stretch = 200, .shear = 0, .bend = 0, .damping = 5e-3f};
             settings.air_damping = 4;
             settings.method = method;
             settings.substeps = substeps;
             HungStrip strip(settings);
-            for (int frame = 0; frame < 240; ++frame) strip.world->step(1.0f / 60);
+            for (int frame = 0; frame < 150; ++frame) strip.world->step(1.0f / 60);
             // The middle column: each particle weighs a cell; the last one's half cell is below the last
             // edge.
             const float cell = 2 * 0.1f * 0.1f, below = cell * (HungStrip::rows - 2) + cell / 2;
@@ -161,7 +161,7 @@ std::uint64_t hash_after_some_frames(const Method& method, int threads, const Ex
     const Mesh mesh = joined(loose_sheet(80, 70), sheet(90, 95), {2, 0, 0});
     const ClothId id = must(world.add_cloth(mesh, settings));
     HungStrip::must_succeed(world.pin(id, 3));
-    for (int frame = 0; frame < 4; ++frame) world.step(1.0f / 60);
+    for (int frame = 0; frame < 2; ++frame) world.step(1.0f / 60);
     return world.state_hash();
 }
 
@@ -216,12 +216,12 @@ TEST(Positional, OpensACollapsedCloth) {
         settings.method = method;
         settings.substeps = 8;
         const ClothId id =
-            simulation.cloths.insert(std::make_unique<Cloth>(must(cook(sheet(12, 12))), settings));
+            simulation.cloths.insert(std::make_unique<Cloth>(must(cook(sheet(9, 9))), settings));
         Cloth& cloth = **simulation.cloths.find(id);
         simulation.settings.gravity = {};
         simulation.prepare(cloth);
         for (Vec4& x : cloth.state.positions.span()) set_xyz(x, Vector3(0.5f, 0.5f, 0.5f));
-        for (int frame = 0; frame < 120; ++frame) simulation.step(1.0f / 60);
+        for (int frame = 0; frame < 60; ++frame) simulation.step(1.0f / 60);
         ASSERT_TRUE(all_finite(cloth.state.positions.span())) << name;
         double sum = 0, rest = 0;
         for (std::uint32_t i = 0; i < cloth.model.particle_count; ++i) {
