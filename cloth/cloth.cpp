@@ -11,7 +11,8 @@ namespace {
 bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
     const FiniteElements &from = a.finite_elements, &to = b.finite_elements;
     return a.method.index() != b.method.index() || from.enabled != to.enabled ||
-           from.dihedral != to.dihedral || (from.bending > 0) != (to.bending > 0);
+           from.dihedral != to.dihedral || from.consistent_mass != to.consistent_mass ||
+           (from.bending > 0) != (to.bending > 0);
 }
 
 std::size_t bytes_of(const CookedCloth& model) {

@@ -37,13 +37,14 @@ struct Hinge {
 /// A') m_e m_e^T, m_e being the edge's normal in the plane and phi_e its length times its angle. The energy
 /// B/2 sum_T A |Lambda|^2 is thus
 ///
-///     B/2 ( sum_e w_e phi_e^2 + 2 sum_ef w_ef phi_e phi_f ),   w_e = 1 / (A + A'),   w_ef = A (m_e . m_f)^2
-///     w_e w_f
+///     B/2 ( sum_e w_e phi_e^2 + 2 sum_ef w_ef phi_e phi_f )
+///     w_e = 1 / (A + A'),   w_ef = A (m_e . m_f)^2 w_e w_f
 ///
-/// over hinges e and pairs of them in one triangle. Regular meshes bend as the plate does; irregular ones are
-/// too stiff, by a part that goes with the square of their irregularity. Hinges by themselves (w_ef = 0) can
-/// be too soft by a sixth on regular meshes, where particles of different valence give way between one
-/// another: on chessboard diagonals, say.
+/// over hinges e and pairs of them in one triangle. Equilateral meshes bend to any cylinder as the plate
+/// does, grids of right triangles to those along their threads (to diagonal ones half as stiff again);
+/// irregular meshes are too stiff, by a part that goes with the square of their irregularity. Hinges by
+/// themselves (w_ef = 0) make a grid with chessboard diagonals a sixth too soft along its threads, because
+/// its particles of four and of eight neighbours give way between one another.
 struct HingePair {
     std::uint32_t first, second;
     float weight;

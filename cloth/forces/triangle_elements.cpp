@@ -56,20 +56,19 @@ void compute(TriangleElements& elements, const BlockRange& range, const Triangle
                      sigma.xy + viscosity * viscous.xy};
         }
         const CornerForces<Lanes> f = forces(rest, p, sigma);
-        Vec4* const rows =
-            &elements.results[std::size_t{t / Stencil::lanes} * TriangleElements::rows * Stencil::lanes +
-                              t % Stencil::lanes];
         const Lanes zero = hn::Zero(d);
-        store(Point<Lanes>{zero - f.on1.x - f.on2.x, zero - f.on1.y - f.on2.y, zero - f.on1.z - f.on2.z},
-              rows);
-        store(f.on1, rows + Stencil::lanes);
-        store(f.on2, rows + 2 * Stencil::lanes);
+        const Point<Lanes> on0{zero - f.on1.x - f.on2.x, zero - f.on1.y - f.on2.y, zero - f.on1.z - f.on2.z};
+        const auto side = [&](std::uint32_t k) { return &elements.results[TriangleElements::side(t, k)]; };
+        constexpr std::uint32_t force_row = 3 * Stencil::lanes;
+        store(on0, side(0) + force_row);
+        store(f.on1, side(1) + force_row);
+        store(f.on2, side(2) + force_row);
         if (!pass.stiffness) continue;
         const Stiffness<Lanes> k = stiffness(
             rest, p, second_derivative(c, p, elastic, hn::Set(d, pass.elastic), hn::Set(d, pass.viscous)));
-        store(k.from0to1, rows + 3 * Stencil::lanes);
-        store(k.from1to2, rows + 6 * Stencil::lanes);
-        store(k.from2to0, rows + 9 * Stencil::lanes);
+        store(k.from0to1, side(0));
+        store(k.from1to2, side(1));
+        store(k.from2to0, side(2));
     }
 }
 
@@ -84,7 +83,7 @@ HWY_EXPORT(compute);
 
 TriangleElements::TriangleElements(const CookedCloth& model)
     : count(static_cast<std::uint32_t>(model.triangles.size())),
-      results(std::size_t{(count + Stencil::lanes - 1) / Stencil::lanes} * Stencil::lanes * rows) {
+      results(std::size_t{(count + Stencil::lanes - 1) / Stencil::lanes + 1} * Stencil::lanes * rows) {
     for (AlignedBuffer<std::uint32_t>& corner : corners) corner = AlignedBuffer<std::uint32_t>(count);
     for (AlignedBuffer<float>& values : rest) values = AlignedBuffer<float>(count);
     for (std::uint32_t t = 0; t < count; ++t) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "cloth/cook.h"
+#include "cloth/implicit/stencil.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "weft/settings.h"
@@ -16,17 +17,25 @@ namespace weft {
 struct TriangleElements {
     explicit TriangleElements(const CookedCloth& model);
 
-    /// Rows per triangle: the force on each corner [N]; then three rows each of the blocks from corner 0 to
-    /// 1, 1 to 2 and 2 to 0, as in Stiffness.
-    static constexpr std::uint32_t rows = 3 + 3 * 3;
+    /// Rows per triangle: for each side, from corner k to the next, the three rows of that block of Stiffness
+    /// and the force on corner k [N].
+    static constexpr std::uint32_t rows_per_side = 4, rows = 3 * rows_per_side;
 
     std::uint32_t count;
     std::array<AlignedBuffer<std::uint32_t>, 3> corners;  ///< particles
     std::array<AlignedBuffer<float>, 5> rest;             ///< the members of RestTriangle, in its order
-    AlignedBuffer<Vec4> results;                          ///< per group 16 of each row
+    AlignedBuffer<Vec4> results;                          ///< per group 16 of each row; last a group of zeros
 
-    [[nodiscard]] const Vec4* result(std::uint32_t triangle, std::uint32_t row) const noexcept {
-        return &results[(std::size_t{triangle / 16} * rows + row) * 16 + triangle % 16];
+    /// Where the first row of a side is in the results; the others follow, every 16.
+    [[nodiscard]] static std::uint32_t side(std::uint32_t triangle, std::uint32_t corner) noexcept {
+        return (triangle / Stencil::lanes * rows + corner * rows_per_side) * Stencil::lanes +
+               triangle % Stencil::lanes;
+    }
+    [[nodiscard]] static std::uint32_t triangle_of(std::uint32_t side) noexcept {
+        return side / (rows * Stencil::lanes) * Stencil::lanes + side % Stencil::lanes;
+    }
+    [[nodiscard]] std::uint32_t zero_side() const noexcept {
+        return side((count + Stencil::lanes - 1) / Stencil::lanes * Stencil::lanes, 0);
     }
     [[nodiscard]] float area(std::uint32_t triangle) const noexcept { return rest[4][triangle]; }
     [[nodiscard]] std::size_t bytes() const noexcept;

@@ -109,12 +109,6 @@ TriangleMatrix::TriangleMatrix(Stencil neighbours)
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
 
-void TriangleMatrix::set_diagonal(std::uint32_t i, float row_sum, const Symmetric3& inverse) {
-    row_sums[i] = row_sum;
-    const float values[] = {inverse.xx, inverse.yy, inverse.zz, inverse.xy, inverse.xz, inverse.yz};
-    for (std::uint32_t k = 0; k < 6; ++k) inverse_diagonal[lane_index(i, k, 6)] = values[k];
-}
-
 double multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
     return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
 }

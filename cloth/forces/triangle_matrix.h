@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "cloth/implicit/implicit_system.h"
-#include "cloth/implicit/symmetric3.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
@@ -23,7 +22,6 @@ struct TriangleMatrix {
     AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
-    void set_diagonal(std::uint32_t i, float row_sum, const Symmetric3& inverse);
     [[nodiscard]] std::size_t bytes() const noexcept {
         return stencil.bytes() + blocks.bytes() + scalar_stencil.bytes() + scalars.bytes() +
                row_sums.bytes() + inverse_diagonal.bytes();

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "cloth/forces/bending.h"
-#include "cloth/implicit/symmetric3.h"
 
 namespace weft {
 
@@ -15,29 +14,15 @@ namespace {
 constexpr std::uint32_t block_floats = 9;
 
 /// A block as it lies in the matrix, every 16 floats.
-using Lane = Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>, 0,
-                        Eigen::Stride<3 * Stencil::lanes, Stencil::lanes>>;
-using ConstLane = Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>, 0,
-                             Eigen::Stride<3 * Stencil::lanes, Stencil::lanes>>;
+template <class Block>
+using InMatrix = Eigen::Map<Block, 0, Eigen::Stride<3 * Stencil::lanes, Stencil::lanes>>;
+using RowMajor3 = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
-Lane lane(TriangleMatrix& matrix, std::uint32_t entry) {
-    return Lane(&matrix.blocks[lane_index(entry, 0, block_floats)]);
+InMatrix<RowMajor3> block_at(TriangleMatrix& matrix, std::uint32_t entry) {
+    return InMatrix<RowMajor3>(&matrix.blocks[lane_index(entry, 0, block_floats)]);
 }
-
-/// Three rows of an element's result.
-Matrix3 result_block(const Vec4* rows) {
-    Matrix3 block;
-    for (std::uint32_t k = 0; k < 3; ++k) block.row(k) = xyz(rows[k * Stencil::lanes]);
-    return block;
-}
-
-Symmetric3 symmetric(const Matrix3& m) {
-    return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
-}
-
-/// The block of two neighbours in the mass matrix of a triangle [kg].
-float shared_mass(const StepEquation& equation, float area) {
-    return equation.settings.fabric.areal_density * area / 12;
+InMatrix<const RowMajor3> block_at(const TriangleMatrix& matrix, std::uint32_t entry) {
+    return InMatrix<const RowMajor3>(&matrix.blocks[lane_index(entry, 0, block_floats)]);
 }
 
 /// What the Hessian of bending, all of which is damped, is multiplied by in W [s^2].
@@ -51,6 +36,16 @@ void for_each_entry(const Stencil& stencil, std::uint32_t i, const Body& body) {
     const std::uint32_t group = i / Stencil::lanes;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
         body(s * Stencil::lanes + i % Stencil::lanes);
+}
+
+/// Sets the rows' blocks of a block of particles to 0.
+void clear_rows(const BlockRange& range, TriangleMatrix& matrix) {
+    const auto first_of = [&](std::uint32_t group) {
+        return std::size_t{matrix.stencil.group_slots[group]} * block_floats * Stencil::lanes;
+    };
+    const std::size_t begin = first_of(range.begin / Stencil::lanes);
+    const std::size_t end = first_of((range.end + Stencil::lanes - 1) / Stencil::lanes);
+    std::ranges::fill(matrix.blocks.span().subspan(begin, end - begin), 0.0f);
 }
 
 }  // namespace
@@ -72,31 +67,23 @@ TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& se
       model_(model),
       elements_(model),
       matrix_(Stencil(rows.offsets, rows.neighbours)),
-      corners_(model.corner_triangles.size()),
+      sources_(model, elements_, matrix_.stencil, rows),
       positions_(model.particle_count) {
-    store_corners(rows);
-    if (!bending.hinges.empty() && settings.finite_elements.dihedral)
-        hinges_.emplace(bending, model.particle_count, [&](std::uint32_t i, std::uint32_t j) {
-            return matrix_.stencil.entries[rows.half_edge(i, j)];
-        });
-    else if (!bending.hinges.empty())
-        store_quadratic_bending(bending);
+    const bool has_hinges = !bending.hinges.empty();
+    if (has_hinges && settings.finite_elements.dihedral) store_dihedral_bending(bending, rows);
+    if (has_hinges && !settings.finite_elements.dihedral) store_quadratic_bending(bending);
+    if (hinges_ || settings.finite_elements.consistent_mass) {
+        additions_.impulses = AlignedBuffer<Vec4>(model.particle_count);
+        additions_.diagonals = AlignedBuffer<float>(matrix_.inverse_diagonal.size());
+    }
     if (std::holds_alternative<Multilevel>(settings.method))
         spring_blocks_ = AlignedBuffer<float>(4 * matrix_.stencil.neighbours.size());
 }
 
-void TriangleSystem::store_corners(const ElementRows& rows) {
-    for (std::uint32_t i = 0; i < model_.particle_count; ++i) {
-        for (std::uint32_t c = model_.corner_offsets[i]; c < model_.corner_offsets[i + 1]; ++c) {
-            const std::uint32_t t = model_.corner_triangles[c];
-            const Triangle& of = model_.triangles[t];
-            const auto k = static_cast<std::uint32_t>(std::ranges::find(of, i) - of.begin());
-            const auto entry = [&](std::uint32_t corner) {
-                return matrix_.stencil.entries[rows.half_edge(i, of[corner % 3])];
-            };
-            corners_[c] = {t, k, {entry(k + 1), entry(k + 2)}};
-        }
-    }
+void TriangleSystem::store_dihedral_bending(const Bending& bending, const ElementRows& rows) {
+    hinges_.emplace(bending, model_.particle_count, [&](std::uint32_t i, std::uint32_t j) {
+        return matrix_.stencil.entries[rows.half_edge(i, j)];
+    });
 }
 
 void TriangleSystem::store_quadratic_bending(const Bending& bending) {
@@ -108,11 +95,6 @@ void TriangleSystem::store_quadratic_bending(const Bending& bending) {
         matrix_.scalars[matrix_.scalar_stencil.entries[rows.half_edge(i, j)]] -= k;
         quadratic_[i] -= k;  // rows of the Hessian sum to 0
     });
-}
-
-std::span<const TriangleSystem::Corner> TriangleSystem::corners(std::uint32_t particle) const {
-    const std::uint32_t begin = model_.corner_offsets[particle];
-    return corners_.span().subspan(begin, model_.corner_offsets[particle + 1] - begin);
 }
 
 void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& equation,
@@ -135,147 +117,95 @@ void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& eq
                                     .viscosity = damping});
 }
 
-Vector3 TriangleSystem::gathered_force(const StepEquation& equation, std::span<const Vec4> velocities,
-                                       float damping, std::uint32_t i) const {
-    Vector3 force = Vector3::Zero();
-    for (const Corner& corner : corners(i)) force += xyz(*elements_.result(corner.triangle, corner.corner));
-    if (hinges_)
-        for (const HingeElements::Corner& corner : hinges_->corners(i))
-            force += hinges_->moment(corner.hinge) * hinges_->gradient(corner.hinge, corner.corner);
-    if (quadratic_.size() > 0) {
-        const float rigidity = equation.settings.finite_elements.bending;
-        const Vector3 at = xyz(positions_[i]) + damping * xyz(velocities[i]);
-        for_each_entry(matrix_.scalar_stencil, i, [&](std::uint32_t entry) {
-            const std::uint32_t j = matrix_.scalar_stencil.neighbours[entry];
-            force +=
-                rigidity * matrix_.scalars[entry] * (xyz(positions_[j]) + damping * xyz(velocities[j]) - at);
-        });
-    }
-    return force;
-}
-
-Vector3 TriangleSystem::consistent_impulse(const StepEquation& equation, std::span<const Vec4> velocities,
-                                           std::uint32_t i) const {
-    const auto change = [&](std::uint32_t j) -> Vector3 {
-        return xyz(equation.base_velocities[j]) - xyz(velocities[j]);
-    };
-    Vector3 impulse = Vector3::Zero();
-    for (const Corner& corner : corners(i)) {
-        const float mass = shared_mass(equation, elements_.area(corner.triangle));
-        for (const std::uint32_t entry : corner.entries)
-            impulse += mass * (change(matrix_.stencil.neighbours[entry]) - change(i));
-    }
-    return impulse;
-}
-
-void TriangleSystem::clear_rows(const BlockRange& range) {
-    const auto first_of = [&](std::uint32_t group) {
-        return std::size_t{matrix_.stencil.group_slots[group]} * block_floats * Stencil::lanes;
-    };
-    const std::uint32_t end = (range.end + Stencil::lanes - 1) / Stencil::lanes;
-    std::ranges::fill(matrix_.blocks.span().subspan(first_of(range.begin / Stencil::lanes),
-                                                    first_of(end) - first_of(range.begin / Stencil::lanes)),
-                      0.0f);
-}
-
-Matrix3 TriangleSystem::gather_blocks(const StepEquation& equation, std::uint32_t i) {
-    Matrix3 membrane = Matrix3::Zero(), bending = Matrix3::Zero();
-    for (const Corner& corner : corners(i)) {
-        const std::uint32_t k = corner.corner;
-        const Matrix3 to_next = result_block(elements_.result(corner.triangle, 3 + 3 * k));
-        const Matrix3 to_last =
-            result_block(elements_.result(corner.triangle, 3 + 3 * ((k + 2) % 3))).transpose();
-        lane(matrix_, corner.entries[0]) += to_next;
-        lane(matrix_, corner.entries[1]) += to_last;
-        membrane += to_next + to_last;
-    }
-    const float factor = bending_factor(equation);
-    if (hinges_) {
-        for (const HingeElements::Corner& corner : hinges_->corners(i)) {
-            const Vector3 own = hinges_->gradient(corner.hinge, corner.corner);
-            const Vector3 scaled = factor * hinges_->stiffness(corner.hinge) * own;
-            for (std::uint32_t other = 0; other < 3; ++other)
-                lane(matrix_, corner.entries[other]) -=
-                    scaled * hinges_->gradient(corner.hinge, (corner.corner + other + 1) % 4).transpose();
-            bending += scaled * own.transpose();
+void TriangleSystem::make_additions(Parallel& parallel, const StepEquation& equation,
+                                    std::span<const Vec4> velocities, bool linearised,
+                                    LinearisedAbout about) {
+    if (additions_.impulses.size() == 0) return;
+    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+        if (linearised) clear_rows(range, matrix_);
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            additions_.impulses[i] = {};
+            if (hinges_) add_bending(equation, i, linearised);
+            if (equation.settings.finite_elements.consistent_mass)
+                add_consistent_mass(equation, velocities, i, linearised, about);
         }
+    });
+}
+
+void TriangleSystem::add_bending(const StepEquation& equation, std::uint32_t i, bool linearised) {
+    const float factor = bending_factor(equation);
+    Vector3 force = Vector3::Zero();
+    Matrix3 own_block = Matrix3::Zero();
+    for (const HingeElements::Corner& corner : hinges_->corners(i)) {
+        const Vector3 own = hinges_->gradient(corner.hinge, corner.corner);
+        force += hinges_->moment(corner.hinge) * own;
+        if (!linearised) continue;
+        const Vector3 scaled = factor * hinges_->stiffness(corner.hinge) * own;
+        own_block += scaled * own.transpose();
+        for (std::uint32_t other = 0; other < 3; ++other)
+            block_at(matrix_, corner.entries[other]) -=
+                scaled * hinges_->gradient(corner.hinge, (corner.corner + other + 1) % 4).transpose();
     }
-    if (quadratic_.size() > 0)
-        bending.diagonal().array() +=
-            1.5f * factor * equation.settings.finite_elements.bending * quadratic_[i];
-    return 1.5f * membrane + 2.0f * bending;
+    additions_.impulses[i] = to_vec4(equation.gamma * force, 0);
+    if (!linearised) return;
+    // Half of what bounds an element of four particles: see TriangleSystem.
+    const Matrix3 d = 2.0f * own_block;
+    const float values[] = {d(0, 0), d(1, 1), d(2, 2), d(0, 1), d(0, 2), d(1, 2)};
+    for (std::uint32_t k = 0; k < 6; ++k) additions_.diagonals[lane_index(i, k, 6)] = values[k];
 }
 
-void TriangleSystem::subtract_consistent_mass(const StepEquation& equation, std::uint32_t i) {
-    for (const Corner& corner : corners(i))
-        for (const std::uint32_t entry : corner.entries)
-            lane(matrix_, entry).diagonal().array() -= shared_mass(equation, elements_.area(corner.triangle));
-}
-
-Vector3 TriangleSystem::relative_impulse(std::span<const Vec4> velocities, std::uint32_t i) const {
+// The mass matrix of a triangle has a twelfth of its mass for each two corners, and as much less on the
+// diagonal than the lumped one that rows sum to the same. About the base M (v_base - v) is 0, and what the
+// block adds to gamma J v is taken back.
+void TriangleSystem::add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities,
+                                         std::uint32_t i, bool linearised, LinearisedAbout about) {
+    const float base_part = about == LinearisedAbout::base ? 0.0f : 1.0f;
+    const auto change = [&](std::uint32_t j) -> Vector3 {
+        return xyz(equation.base_velocities[j]) - base_part * xyz(velocities[j]);
+    };
     Vector3 impulse = Vector3::Zero();
     for_each_entry(matrix_.stencil, i, [&](std::uint32_t entry) {
-        const ConstLane block(&matrix_.blocks[lane_index(entry, 0, block_floats)]);
-        impulse += block * (xyz(velocities[matrix_.stencil.neighbours[entry]]) - xyz(velocities[i]));
+        const float mass =
+            equation.settings.fabric.areal_density * sources_.shared_area(elements_, entry) / 12;
+        impulse += mass * (change(matrix_.stencil.neighbours[entry]) - change(i));
+        if (linearised) block_at(matrix_, entry).diagonal().array() -= mass;
     });
-    if (matrix_.scale != 0)
-        for_each_entry(matrix_.scalar_stencil, i, [&](std::uint32_t entry) {
-            const std::uint32_t j = matrix_.scalar_stencil.neighbours[entry];
-            impulse += matrix_.scale * matrix_.scalars[entry] * (xyz(velocities[j]) - xyz(velocities[i]));
-        });
-    return impulse;
+    set_xyz(additions_.impulses[i], xyz(additions_.impulses[i]) + impulse);
+}
+
+TriangleState TriangleSystem::state_at(const StepEquation& equation, std::span<const Vec4> velocities) const {
+    return {.equation = equation,
+            .elements = elements_,
+            .sources = sources_,
+            .additions = additions_,
+            .positions = positions_.span(),
+            .velocities = velocities,
+            .quadratic = quadratic_.span()};
 }
 
 // About the base, b = gamma (f + gamma J v + C v), with the elastic force alone in f; about the iterate, C v
 // is in f.
 void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
                                std::span<const Vec4> velocities, LinearisedAbout about) {
-    const bool about_base = about == LinearisedAbout::base;
-    const float gamma = equation.gamma, damping = about_base ? 0.0f : equation.settings.fabric.damping;
-    const bool consistent = equation.settings.finite_elements.consistent_mass;
     place(parallel, equation, velocities, about);
-    compute_elements(parallel, equation, velocities, !about_base, true);
+    compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
+    make_additions(parallel, equation, velocities, true, about);
     if (quadratic_.size() > 0)
         matrix_.scale = bending_factor(equation) * equation.settings.finite_elements.bending;
-
+    const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        clear_rows(range);
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            right_side_[i] = {};
-            matrix_.set_diagonal(i, 0, {});
-            if (positions_[i].w == 0) continue;
-            const ExternalRow row = external_row(equation, 1.0f / positions_[i].w, xyz(velocities[i]), i);
-            Symmetric3 diagonal = symmetric(gather_blocks(equation, i));
-            diagonal.add(row.row_sum, Vector3::Zero());
-            Vector3 b = row.impulse + gamma * (row.force + gathered_force(equation, velocities, damping, i));
-            if (about_base) b += relative_impulse(velocities, i);
-            if (consistent) {
-                subtract_consistent_mass(equation, i);
-                b += consistent_impulse(equation, velocities, i);
-            }
-            right_side_[i] = to_vec4(b, row.row_sum);
-            matrix_.set_diagonal(i, row.row_sum, inverse(diagonal, row.row_sum));
-        }
+        linearise_block(state, about, range, matrix_, right_side_.data());
     });
 }
 
 void TriangleSystem::residual(Parallel& parallel, const StepEquation& equation,
                               std::span<const Vec4> velocities, std::span<Vec4> residual) {
-    const float damping = equation.settings.fabric.damping;
     place(parallel, equation, velocities, LinearisedAbout::iterate);
     compute_elements(parallel, equation, velocities, true, false);
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            residual[i] = {};
-            if (positions_[i].w == 0) continue;
-            const ExternalRow row = external_row(equation, 1.0f / positions_[i].w, xyz(velocities[i]), i);
-            Vector3 b =
-                row.impulse + equation.gamma * (row.force + gathered_force(equation, velocities, damping, i));
-            if (equation.settings.finite_elements.consistent_mass)
-                b += consistent_impulse(equation, velocities, i);
-            residual[i] = to_vec4(b, 0);
-        }
-    });
+    make_additions(parallel, equation, velocities, false, LinearisedAbout::iterate);
+    const TriangleState state = state_at(equation, velocities);
+    parallel.ranges(model_.particle_count,
+                    [&](const BlockRange& range) { residual_block(state, range, matrix_, residual.data()); });
 }
 
 void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -317,7 +247,7 @@ SpringBlocks TriangleSystem::spring_blocks(Parallel& parallel) {
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             for_each_entry(matrix_.stencil, i, [&](std::uint32_t entry) {
-                const ConstLane block(&matrix_.blocks[lane_index(entry, 0, block_floats)]);
+                const auto block = block_at(std::as_const(matrix_), entry);
                 const Vector3 edge = xyz(positions_[matrix_.stencil.neighbours[entry]]) - xyz(positions_[i]);
                 const Vector3 n = edge.stableNormalized();
                 const float trace = std::max(block.trace(), 0.0f);
@@ -333,9 +263,9 @@ SpringBlocks TriangleSystem::spring_blocks(Parallel& parallel) {
 }
 
 std::size_t TriangleSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + elements_.bytes() + matrix_.bytes() + corners_.bytes() +
-           quadratic_.bytes() + (hinges_ ? hinges_->bytes() : 0) + spring_blocks_.bytes() +
-           positions_.bytes();
+    return ImplicitSystem::bytes() + elements_.bytes() + matrix_.bytes() + sources_.bytes() +
+           additions_.bytes() + quadratic_.bytes() + (hinges_ ? hinges_->bytes() : 0) +
+           spring_blocks_.bytes() + positions_.bytes();
 }
 
 }  // namespace weft

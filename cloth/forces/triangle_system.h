@@ -1,14 +1,13 @@
 #pragma once
 // Triangle finite elements, with bending, as the linear system of an implicit step.
 
-#include <array>
 #include <optional>
-#include <vector>
 
 #include "cloth/forces/element_rows.h"
 #include "cloth/forces/hinge_elements.h"
 #include "cloth/forces/triangle_elements.h"
 #include "cloth/forces/triangle_matrix.h"
+#include "cloth/forces/triangle_rows.h"
 #include "cloth/implicit/implicit_system.h"
 
 namespace weft {
@@ -35,17 +34,11 @@ class TriangleSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    /// A corner of a triangle at a particle, and the entries of its row for the triangle's next two corners.
-    struct Corner {
-        std::uint32_t triangle, corner;
-        std::array<std::uint32_t, 2> entries;
-    };
-
     TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending);
     TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending,
                    const ElementRows& rows);
-    void store_corners(const ElementRows& rows);
     void store_quadratic_bending(const Bending& bending);
+    void store_dihedral_bending(const Bending& bending, const ElementRows& rows);
 
     /// Where the elements are: x_base, or x_base + gamma v.
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -53,25 +46,23 @@ class TriangleSystem final : public ImplicitSystem {
     /// Fills the elements' results. Stiffness: linearised; else forces alone, viscous ones among them.
     void compute_elements(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           bool viscous, bool stiffness);
-    [[nodiscard]] std::span<const Corner> corners(std::uint32_t particle) const;
-    /// Viscous forces of bending, too, unless `damping` is 0.
-    [[nodiscard]] Vector3 gathered_force(const StepEquation& equation, std::span<const Vec4> velocities,
-                                         float damping, std::uint32_t i) const;
-    /// What a consistent mass matrix has more than the lumped one, times (v_base - v).
-    [[nodiscard]] Vector3 consistent_impulse(const StepEquation& equation, std::span<const Vec4> velocities,
-                                             std::uint32_t i) const;
-    void clear_rows(const BlockRange& range);
-    /// Sums particle i's blocks of W into the matrix; returns what relaxation divides by, less the row sum.
-    [[nodiscard]] Matrix3 gather_blocks(const StepEquation& equation, std::uint32_t i);
-    void subtract_consistent_mass(const StepEquation& equation, std::uint32_t i);
-    /// -(W - row sums) v for particle i.
-    [[nodiscard]] Vector3 relative_impulse(std::span<const Vec4> velocities, std::uint32_t i) const;
+    [[nodiscard]] TriangleState state_at(const StepEquation& equation,
+                                         std::span<const Vec4> velocities) const;
+
+    /// What not every cloth has: dihedral bending and a consistent mass matrix. Fills the additions and, when
+    /// linearised, what they have in the blocks.
+    void make_additions(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                        bool linearised, LinearisedAbout about);
+    void add_bending(const StepEquation& equation, std::uint32_t i, bool linearised);
+    void add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities, std::uint32_t i,
+                             bool linearised, LinearisedAbout about);
 
     const CookedCloth& model_;
     TriangleElements elements_;
     TriangleMatrix matrix_;
-    AlignedBuffer<Corner> corners_;   // by particle, as model.corner_offsets
-    AlignedBuffer<float> quadratic_;  // diagonal of quadratic bending of rigidity 1 [1/m^2]; empty without
+    TriangleSources sources_;
+    RowAdditions additions_;
+    AlignedBuffer<float> quadratic_;       // see TriangleState
     std::optional<HingeElements> hinges_;  // only with dihedral bending
     AlignedBuffer<float> spring_blocks_;   // see SpringBlocks; only for methods that ask for them
     AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about

@@ -2,19 +2,6 @@
 
 namespace weft {
 
-ExternalRow external_row(const StepEquation& equation, float mass, const Vector3& v, std::uint32_t i) {
-    const ExternalForces& external = equation.external;
-    ExternalRow row{.force = mass * (external.gravity - external.air_damping * v),
-                    .impulse = mass * (xyz(equation.base_velocities[i]) - v),
-                    .row_sum = mass * (1.0f + equation.gamma * external.air_damping)};
-    if (!external.air.empty()) {
-        const Vec4& air = external.air[i];
-        row.force += xyz(air) + air.w * (xyz(equation.velocities[i]) - v);
-        row.row_sum += equation.gamma * air.w;
-    }
-    return row;
-}
-
 void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted) {
     const ExternalForces& external = equation.external;
     const float h = equation.h;

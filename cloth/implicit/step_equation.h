@@ -34,14 +34,6 @@ struct StepEquation {
     ExternalForces external;
 };
 
-/// What of a free particle's row does not depend on the fabric: inertia, gravity and air, linearised about v.
-struct ExternalRow {
-    Vector3 force;    ///< [N]
-    Vector3 impulse;  ///< of inertia, m (v_base - v) [kg m/s]
-    float row_sum;    ///< sum of the row of W [kg]
-};
-[[nodiscard]] ExternalRow external_row(const StepEquation& equation, float mass, const Vector3& v, std::uint32_t i);
-
 /// Velocities once external forces alone have acted for h, drag taken implicitly: where explicit and
 /// positional methods begin. Pinned particles keep theirs. `predicted` may be the velocities.
 void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted);

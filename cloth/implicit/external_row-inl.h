@@ -1,0 +1,52 @@
+// What a particle's row has before the fabric is added, lane by lane. Included as lanes-inl.h.
+
+#if defined(WEFT_CLOTH_IMPLICIT_EXTERNAL_ROW_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_CLOTH_IMPLICIT_EXTERNAL_ROW_INL_H
+#undef WEFT_CLOTH_IMPLICIT_EXTERNAL_ROW_INL_H
+#else
+#define WEFT_CLOTH_IMPLICIT_EXTERNAL_ROW_INL_H
+#endif
+
+#include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/step_equation.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+
+HWY_INLINE Lanes set(float value) {
+    return hn::Set(Tag(), value);
+}
+HWY_INLINE Lanes3 set(const Vector3& v) {
+    return {set(v.x()), set(v.y()), set(v.z())};
+}
+
+/// Inertia, gravity and air.
+struct Row {
+    Lanes3 impulse;  ///< gamma f - M (v - v_base) [kg m/s]
+    Lanes row_sum;   ///< [kg], 0 for pinned particles
+};
+
+/// Row of the lanes from particle `i` on, which have inverse masses `w` and velocities `v`.
+HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes w, const Lanes3& v) {
+    const ExternalForces& external = equation.external;
+    const Lanes gamma = set(equation.gamma), air_damping = set(external.air_damping);
+    const auto free = hn::Ne(w, set(0));
+    const Lanes mass = hn::IfThenElseZero(free, hn::Div(set(1), w));
+    const Lanes3 acceleration = set(external.gravity) - air_damping * v;
+    const Lanes3 behind = xyz(load_rows(&equation.base_velocities[i])) - v;
+    Row row = {.impulse = mass * mul_add(gamma, acceleration, behind),
+               .row_sum = mass * hn::MulAdd(gamma, air_damping, set(1))};
+    if (!external.air.empty()) {
+        const Lanes4 air = load_rows(&external.air[i]);
+        const Lanes3 since = xyz(load_rows(&equation.velocities[i])) - v;
+        row.impulse = mul_add(gamma, mul_add(air.w, since, xyz(air)), row.impulse);
+        row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
+    }
+    row.row_sum = hn::IfThenElseZero(free, row.row_sum);
+    return row;
+}
+
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
