@@ -9,7 +9,7 @@ namespace weft {
 
 ElementRows::ElementRows(std::uint32_t particles, std::vector<Pair> pairs) : offsets(particles + 1) {
     std::ranges::sort(pairs);
-    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     neighbours.reserve(pairs.size());
     for (const auto& [particle, neighbour] : pairs) {
         ++offsets[particle + 1];

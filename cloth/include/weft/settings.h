@@ -23,12 +23,12 @@ struct Fabric {
 /// Triangle finite elements in place of the springs: warp, weft and shear apart, and bending as a rigidity.
 struct FiniteElements {
     bool enabled = false;
-    float warp = 400.0f;           ///< membrane stiffness along the pattern's first axis [N/m], > 0
-    float weft = 400.0f;           ///< along its second axis [N/m], > 0
-    float shear = 100.0f;          ///< [N/m], > 0
-    float poisson = 0.0f;          ///< lateral contraction under stretch, in [0, 0.5)
-    float bending = 1e-5f;         ///< flexural rigidity [N m], >= 0
-    bool dihedral = false;         ///< bending by dihedral angles; false: quadratic (Bergou et al. 2006)
+    float warp = 400.0f;    ///< membrane stiffness along the pattern's first axis [N/m], > 0
+    float weft = 400.0f;    ///< along its second axis [N/m], > 0
+    float shear = 100.0f;   ///< [N/m], > 0
+    float poisson = 0.0f;   ///< lateral contraction under stretch, in [0, 0.5)
+    float bending = 1e-5f;  ///< flexural rigidity [N m], >= 0
+    bool dihedral = false;  ///< bending by angles, from those at rest; false: quadratic, which rests flat
     bool consistent_mass = false;  ///< false: lumped at the particles
 };
 
