@@ -40,16 +40,11 @@ std::vector<std::int64_t> differences_in(const Rows& rows, std::uint32_t group) 
     return result;
 }
 
-/// The node at this difference, or itself where there is none.
-std::uint32_t node_at(std::int64_t difference, std::uint32_t node, std::uint32_t nodes) {
-    const std::int64_t other = node + difference;
-    return other >= 0 && other < nodes ? static_cast<std::uint32_t>(other) : node;
-}
-
-std::uint32_t run_of(std::span<const std::uint32_t, Stencil::lanes> neighbours) {
-    for (std::uint32_t lane = 0; lane < Stencil::lanes; ++lane)
-        if (neighbours[lane] != neighbours[0] + lane) return Stencil::no_run;
-    return neighbours[0];
+/// Where a slot of this difference is read, if it may be: rows up to the end of the last group exist.
+std::uint32_t run_at(std::int64_t difference, std::uint32_t group, std::uint32_t groups) {
+    const std::int64_t first = std::int64_t{group} * Stencil::lanes + difference;
+    const std::int64_t last = std::int64_t{groups - 1} * Stencil::lanes;
+    return first >= 0 && first <= last ? static_cast<std::uint32_t>(first) : Stencil::no_run;
 }
 
 }  // namespace
@@ -67,6 +62,8 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
         const std::vector<std::int64_t> differences = differences_in(rows, g);
         const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;
         const bool by_difference = differences.size() == slot_count;
+        for (std::uint32_t s = 0; s < slot_count; ++s)
+            runs[first_slot + s] = by_difference ? run_at(differences[s], g, groups()) : no_run;
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t node = std::min(g * lanes + lane, nodes - 1);
             std::uint32_t next = offsets[node];
@@ -75,14 +72,10 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
                 const std::uint32_t entry = (first_slot + s) * lanes + lane;
                 const bool used =
                     next < end && (!by_difference || rows.difference(node, next) == differences[s]);
-                neighbours[entry] = used            ? row_neighbours[next]
-                                    : by_difference ? node_at(differences[s], node, nodes)
-                                                    : node;
+                neighbours[entry] = used ? row_neighbours[next] : node;
                 if (used) entries[next++] = entry;
             }
         }
-        for (std::uint32_t s = first_slot; s < group_slots[g + 1]; ++s)
-            runs[s] = run_of(neighbours.span().subspan(std::size_t{s} * lanes).first<lanes>());
     }
 }
 

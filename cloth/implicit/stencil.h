@@ -3,12 +3,12 @@
 // 2010).
 //
 // Nodes are taken in groups of 16 lanes. A group has as many slots as its best-connected node has neighbours;
-// a slot holds, lane by lane, one neighbour of each, in ascending order. Slots that a node, or a lane past
-// the last node, does not need name some node all the same, mostly itself, and all coefficients there must be
-// 0.
+// a slot holds, lane by lane, one neighbour of each, in ascending order. A node names itself in the slots
+// that it does not need, where all coefficients must be 0. Lanes past the last node name that one.
 //
 // Where the nodes of a group differ from their neighbours by the same few numbers, as in a grid, each of
-// these differences has its slot, so that the slot's neighbours are consecutive and are read as they lie.
+// these differences has its slot. Kernels may then read a run of 16 consecutive rows, of which those of lanes
+// that do not need the slot come to nothing.
 
 #include <cstdint>
 #include <span>
@@ -30,9 +30,8 @@ struct Stencil {
     std::uint32_t nodes = 0;
     AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     AlignedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
-    AlignedBuffer<std::uint32_t>
-        runs;  ///< of each slot: its first neighbour if all are consecutive, or no_run
-    AlignedBuffer<std::uint32_t> entries;  ///< of each half-edge of the rows: its slot * lanes + lane
+    AlignedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run
+    AlignedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
     [[nodiscard]] std::uint32_t slots() const noexcept { return nodes == 0 ? 0 : group_slots[groups()]; }

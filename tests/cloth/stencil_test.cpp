@@ -53,19 +53,32 @@ TEST(Stencil, HasAsManySlotsAsTheBestConnectedNodeNeeds) {
     }
 }
 
-TEST(Stencil, RunsAreWhatTheirSlotsHoldAndEndWithinTheNodes) {
+TEST(Stencil, NodesNameThemselvesWhereTheyNeedNoSlot) {
     for (const NamedMesh& named : sound_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         const Stencil stencil = springs_of(model);
-        for (std::uint32_t s = 0; s < stencil.slots(); ++s) {
-            bool consecutive = true;
-            for (std::uint32_t lane = 0; lane < Stencil::lanes; ++lane) {
-                const std::uint32_t node = stencil.neighbours[s * Stencil::lanes + lane];
-                EXPECT_LT(node, stencil.nodes);
-                consecutive = consecutive && node == stencil.neighbours[s * Stencil::lanes] + lane;
+        const std::set<std::uint32_t> used(stencil.entries.data(),
+                                           stencil.entries.data() + stencil.entries.size());
+        for (std::uint32_t g = 0; g < stencil.groups(); ++g) {
+            for (std::uint32_t entry = stencil.group_slots[g] * Stencil::lanes;
+                 entry < stencil.group_slots[g + 1] * Stencil::lanes; ++entry) {
+                const std::uint32_t node = g * Stencil::lanes + entry % Stencil::lanes;
+                EXPECT_TRUE(used.contains(entry) ||
+                            stencil.neighbours[entry] == std::min(node, stencil.nodes - 1));
             }
-            EXPECT_EQ(stencil.runs[s] != Stencil::no_run, consecutive);
-            EXPECT_TRUE(!consecutive || stencil.runs[s] == stencil.neighbours[s * Stencil::lanes]);
+        }
+    }
+}
+
+TEST(Stencil, RunsHoldTheNeighboursAndEndWithinTheGroups) {
+    for (const NamedMesh& named : sound_meshes()) {
+        const CookedCloth model = must(cook(named.mesh));
+        const Stencil stencil = springs_of(model);
+        for (const std::uint32_t entry : stencil.entries.span()) {
+            const std::uint32_t run = stencil.runs[entry / Stencil::lanes];
+            if (run == Stencil::no_run) continue;
+            EXPECT_EQ(stencil.neighbours[entry], run + entry % Stencil::lanes) << named.name;
+            EXPECT_LE(run + Stencil::lanes, stencil.groups() * Stencil::lanes);
         }
     }
 }
