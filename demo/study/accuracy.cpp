@@ -60,6 +60,25 @@ std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScen
     return only_named(std::move(points), options.only);
 }
 
+/// append(scene, is_garment) for the garments that are wanted; a quick run has time for them only if it is
+/// asked for them.
+template <class Append>
+void append_garments(const StudyOptions& options, const Append& append) {
+    if (options.quick && options.scenes.empty()) return;
+    const bool tshirt = is_wanted(options, "tshirt"), dress = is_wanted(options, "dress");
+    if (!tshirt && !dress) return;
+    const std::filesystem::path folder = garment_folder(options);
+    if (folder.empty()) {
+        std::fputs(
+            "weft_study: garments are left out, since neither --garments nor WEFT_DATA names their folder\n",
+            stderr);
+        return;
+    }
+    if (tshirt) append(hung_garment(folder / "tshirt-iso.obj", 0, "tshirt"), true);
+    if (dress) append(hung_garment(folder / "dress-victor-iso-draped.obj", 0, "dress"), true);
+    if (tshirt && !options.quick) append(hung_garment(folder / "tshirt-iso.obj", 1, "tshirt-fine"), true);
+}
+
 std::vector<Part> parts_of(const StudyOptions& options) {
     std::vector<Part> parts;
     const auto append = [&](StudyScene scene, bool is_garment) {
@@ -73,17 +92,7 @@ std::vector<Part> parts_of(const StudyOptions& options) {
         const bool in_wind = is_wanted(options, "wind") && !(options.quick && n > 32);
         if (in_wind) append(hung_sheet(n, true), false);
     }
-    const std::filesystem::path folder = garment_folder(options);
-    if (folder.empty()) {
-        std::fputs("weft_study: no garments are run, since neither --garments nor WEFT_DATA names a folder\n",
-                   stderr);
-        return parts;
-    }
-    if (is_wanted(options, "tshirt")) append(hung_garment(folder / "tshirt-iso.obj", 0, "tshirt"), true);
-    if (options.quick) return parts;
-    if (is_wanted(options, "dress"))
-        append(hung_garment(folder / "dress-victor-iso-draped.obj", 0, "dress"), true);
-    if (is_wanted(options, "tshirt")) append(hung_garment(folder / "tshirt-iso.obj", 1, "tshirt-fine"), true);
+    append_garments(options, append);
     return parts;
 }
 

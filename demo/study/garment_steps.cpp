@@ -46,7 +46,7 @@ GarmentSteps::GarmentSteps(const StudyScene& garment, ReferenceStore& store, int
         needed.push_back(frame - 1);
         needed.push_back(frame);
     }
-    const States states = store.states(garment_, Reference::converged, needed);
+    const States states = store.states(garment_, Reference::rough, needed);
     for (const int frame : frames)
         steps_.push_back(make_step(states.at(frame - 1), states.at(frame), threads));
 }

@@ -11,8 +11,8 @@ namespace weft::study {
 
 class GarmentSteps {
   public:
-    /// Steps of the reference run whose results the garment's motion is taken from.
-    static constexpr std::array frames{5, 15, 30};
+    /// Frames of the run after which the steps are taken: falling, swinging, all but still.
+    static constexpr std::array frames{15, 30, 60};
 
     GarmentSteps(const StudyScene& garment, ReferenceStore& store, int threads);
 

@@ -6,7 +6,7 @@ namespace weft::study {
 
 namespace {
 
-constexpr int most_iterations = 200;
+constexpr int most_iterations = 1000;
 
 /// The step length in (0, 1] that lowers the functional enough (Armijo 1966). Near the solution, where
 /// differences of the functional drown in rounding, it is 1.
@@ -80,7 +80,7 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
 float ConvergedSolver::solve(const SolverStep& step) {
     const StepFunctional functional(step.model, step.equation);
     if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
-    const NewtonResult result = newton_->minimise(step, functional, 1e-8);
+    const NewtonResult result = newton_->minimise(step, functional, tolerance_);
     for (std::uint32_t i = 0; i < functional.particles(); ++i) {
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
         const Eigen::Vector3d change = result.velocities.segment<3>(at) - functional.start().segment<3>(at);

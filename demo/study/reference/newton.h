@@ -44,10 +44,14 @@ class Newton {
 /// Reference A as a method of the frame, so that it meets the same wind, pins and time scheme as all others.
 class ConvergedSolver final : public Solver {
   public:
+    static constexpr double converged = 1e-8;  ///< of the first residual
+
+    explicit ConvergedSolver(double tolerance = converged) : tolerance_(tolerance) {}
     float solve(const SolverStep& step) override;
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 
   private:
+    double tolerance_;
     std::unique_ptr<Newton> newton_;
 };
 

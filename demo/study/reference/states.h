@@ -18,7 +18,9 @@ enum class Reference {
     linearised,      ///< A1: its single linearisation about the base, solved exactly
     converged_bdf2,  ///< as A, by BDF2
     fine_time,       ///< B: tiny steps
+    rough,           ///< as A, to a thousandth of the residual: for states to step from
 };
+/// Those that trajectories are compared with.
 inline constexpr std::array all_references{Reference::converged, Reference::linearised,
                                            Reference::converged_bdf2, Reference::fine_time};
 [[nodiscard]] std::string name_of(Reference reference);

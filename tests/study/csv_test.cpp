@@ -1,0 +1,67 @@
+// Tables that runs are resumed from.
+
+#include "demo/study/csv.h"
+
+#include <gtest/gtest.h>
+#include <fstream>
+#include <stdexcept>
+
+#include "study_folder.h"
+
+namespace weft::study {
+namespace {
+
+const std::vector<std::string> columns{"method", "n", "error"};
+
+TEST(Csv, ReadsBackWhatWasAppended) {
+    const StudyFolder folder;
+    CsvWriter writer(folder.file("a.csv"), columns, false);
+    writer.append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}});
+    writer.append({{"method", "xpbd"}, {"n", "64"}});  // an error that is not known stays empty
+    const CsvTable table = read_csv(folder.file("a.csv"));
+    EXPECT_EQ(table.columns, columns);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.rows[0].at("error"), "1.5");
+    EXPECT_EQ(table.rows[1].at("error"), "");
+}
+
+TEST(Csv, ResumesAfterTheLastWholeRow) {
+    const StudyFolder folder;
+    const auto file = folder.file("a.csv");
+    { CsvWriter(file, columns, false).append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}}); }
+    { std::ofstream(file, std::ios::app) << "xpbd,6"; }  // stopped in the middle of a row
+
+    CsvWriter resumed(file, columns, true);
+    EXPECT_NE(resumed.find({{"method", "jacobi"}, {"n", "32"}}, {"method", "n"}), nullptr);
+    EXPECT_EQ(resumed.find({{"method", "jacobi"}, {"n", "64"}}, {"method", "n"}), nullptr);
+    EXPECT_EQ(resumed.find({{"method", "xpbd"}, {"n", "64"}}, {"method", "n"}), nullptr);
+    resumed.append({{"method", "xpbd"}, {"n", "64"}, {"error", "2"}});
+    EXPECT_EQ(read_csv(file).rows.size(), 2u);
+}
+
+TEST(Csv, StartsAnewUnlessResumed) {
+    const StudyFolder folder;
+    const auto file = folder.file("a.csv");
+    { CsvWriter(file, columns, false).append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}}); }
+    const CsvWriter anew(file, columns, false);
+    EXPECT_TRUE(read_csv(file).rows.empty());
+}
+
+TEST(Csv, RefusesWhatItCannotGoOnWith) {
+    const StudyFolder folder;
+    const auto file = folder.file("a.csv");
+    CsvWriter writer(file, columns, false);
+    EXPECT_THROW(CsvWriter(file, {"other"}, true), std::runtime_error);
+    EXPECT_THROW(writer.append({{"method", "with, comma"}}), std::logic_error);
+    EXPECT_THROW((void)read_csv(folder.file("none.csv")), std::runtime_error);
+}
+
+TEST(Csv, NumbersReadBackAndWhatIsNotFiniteIsEmpty) {
+    EXPECT_EQ(parse_number(number(0.125)), 0.125);
+    EXPECT_EQ(number(1.0 / 0.0), "");
+    EXPECT_EQ(parse_number(""), std::nullopt);
+    EXPECT_EQ(parse_number("3 mm"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace weft::study

@@ -1,0 +1,176 @@
+// Reference A and A1: the functional's derivatives, Newton's convergence, and the library's linearised step.
+
+#include <gtest/gtest.h>
+#include <Eigen/Dense>
+#include <random>
+
+#include "demo/study/cholesky.h"
+#include "demo/study/reference/newton.h"
+#include "demo/study/reference/states.h"
+#include "demo/study/scenes.h"
+#include "tests/cloth/fixtures.h"
+
+namespace weft::study {
+namespace {
+
+/// One step of a cloth, for a solver that is called by itself.
+class OneStep {
+  public:
+    OneStep(Cloth& cloth, float h) : cloth_(cloth), equation_(test::equation_of(cloth, h)) {}
+
+    [[nodiscard]] SolverStep step() {
+        return {.parallel = serial_,
+                .profiler = profiler_,
+                .model = cloth_.model,
+                .settings = cloth_.settings,
+                .equation = equation_,
+                .touches_collider = false,
+                .velocity_change = cloth_.velocity_change.span()};
+    }
+    [[nodiscard]] const StepEquation& equation() const { return equation_; }
+
+  private:
+    Cloth& cloth_;
+    Parallel serial_{1};
+    Profiler profiler_{stage_names};
+    StepEquation equation_;
+};
+
+constexpr float h = 1.0f / 60;
+
+/// Displaced and moving at random, with two pins, air damping and dampings of springs.
+Cloth pinned_crumple(float displacement, float spring_damping) {
+    Cloth cloth = test::crumpled(test::sheet(6, 5), displacement, 50.0f);
+    cloth.settings.fabric.damping = spring_damping;
+    cloth.settings.air_damping = 0.3f;
+    cloth.pin(0);
+    cloth.pin(4);
+    return cloth;
+}
+
+TEST(StepFunctional, ResidualIsMinusTheGradient) {
+    Cloth cloth = pinned_crumple(0.05f, 0.01f);
+    OneStep step(cloth, h);
+    const StepFunctional functional(cloth.model, step.equation());
+    const Flat v = functional.start();
+    const auto along = functional.directions(v);
+    const Flat residual = functional.residual(v);
+    for (Eigen::Index i = 0; i < v.size(); ++i) {
+        constexpr double eps = 1e-5;
+        Flat above = v, below = v;
+        above[i] += eps;
+        below[i] -= eps;
+        const double slope = (functional.value(above, along) - functional.value(below, along)) / (2 * eps);
+        const bool is_pinned = cloth.state.positions[static_cast<std::size_t>(i / 3)].w == 0;
+        EXPECT_NEAR(residual[i], is_pinned ? 0.0 : -slope, 1e-7 * residual.lpNorm<Eigen::Infinity>()) << i;
+    }
+}
+
+TEST(StepFunctional, ExactHessianIsTheGradientsDerivative) {
+    Cloth cloth = pinned_crumple(0.05f, 0);  // with dampings it leaves a small term out that is not symmetric
+    OneStep step(cloth, h);
+    const StepFunctional functional(cloth.model, step.equation());
+    BlockMatrix matrix(functional.particles(), pairs_of(functional.springs()));
+    functional.hessian(functional.start(), Curvature::exact, matrix);
+    const Eigen::MatrixXd dense = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
+    for (Eigen::Index i = 0; i < dense.cols(); ++i) {
+        if (cloth.state.positions[static_cast<std::size_t>(i / 3)].w == 0) continue;
+        constexpr double eps = 1e-5;
+        Flat above = functional.start(), below = functional.start();
+        above[i] += eps;
+        below[i] -= eps;
+        const Flat column = (functional.residual(below) - functional.residual(above)) / (2 * eps);
+        EXPECT_LT((dense.col(i) - column).lpNorm<Eigen::Infinity>(), 1e-6 * dense.lpNorm<Eigen::Infinity>())
+            << i;
+    }
+}
+
+/// The order of convergence that the last residuals show which rounding has not reached.
+double order_of(const std::vector<double>& residuals) {
+    double order = 0;
+    for (std::size_t k = 2; k < residuals.size() && residuals[k] > 1e-11 * residuals[0]; ++k)
+        order = std::log(residuals[k] / residuals[k - 1]) / std::log(residuals[k - 1] / residuals[k - 2]);
+    return order;
+}
+
+TEST(Newton, ConvergesQuadratically) {
+    for (const float displacement : {0.01f, 0.02f, 0.03f}) {
+        Cloth cloth = pinned_crumple(displacement, 0);
+        OneStep step(cloth, h);
+        const StepFunctional functional(cloth.model, step.equation());
+        const SolverStep solver_step = step.step();
+        const NewtonResult result = Newton(solver_step, functional).minimise(solver_step, functional, 1e-11);
+        EXPECT_TRUE(result.converged);
+        EXPECT_GT(order_of(result.residuals), 1.6) << displacement;
+        EXPECT_LT(functional.residual(result.velocities).norm(), 1e-10 * result.residuals.front());
+    }
+}
+
+TEST(Newton, AgreesWithItselfBySolvingDirectlyAndByIterating) {
+    const StudyScene scene = hung_sheet(16, false);
+    const auto solved = [&](std::uint32_t direct_up_to) {
+        MethodPoint point = method_of(Reference::converged);
+        struct Chosen final : Solver {
+            explicit Chosen(std::uint32_t limit) : direct_up_to(limit) {}
+            float solve(const SolverStep& step) override {
+                const StepFunctional functional(step.model, step.equation);
+                const NewtonResult result =
+                    Newton(step, functional, direct_up_to).minimise(step, functional, 1e-10);
+                for (std::uint32_t i = 0; i < functional.particles(); ++i) {
+                    const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
+                    const Eigen::Vector3d change =
+                        result.velocities.segment<3>(at) - functional.start().segment<3>(at);
+                    step.velocity_change[i] = to_vec4(change.cast<float>(), 0);
+                }
+                return 0;
+            }
+            [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
+            std::uint32_t direct_up_to;
+        };
+        point.make_solver = [=](const CookedCloth&, const ClothSettings&) {
+            return std::make_unique<Chosen>(direct_up_to);
+        };
+        study::Run run(scene, point, 1);
+        for (int frame = 0; frame < 5; ++frame) run.step();
+        return positions_of(run.cloth());
+    };
+    EXPECT_LT(rms_distance(solved(1'000'000), solved(0)), 1e-7);
+}
+
+TEST(Cholesky, SolvesTheLibrarysSystemLikeADenseSolve) {
+    Cloth cloth = pinned_crumple(0.05f, 0.01f);
+    OneStep step(cloth, h);
+    const auto system = test::assembled(cloth, h);
+    const test::DenseSystem dense = test::dense(*system);
+    const Eigen::VectorXd expected = dense.matrix.ldlt().solve(dense.right_side);
+
+    const auto deviation = [&](std::uint32_t direct_up_to) {
+        CholeskySolver solver(cloth.model, cloth.settings, direct_up_to);
+        solver.solve(step.step());
+        return (test::flat(cloth.velocity_change.span()) - expected).lpNorm<Eigen::Infinity>() /
+               expected.lpNorm<Eigen::Infinity>();
+    };
+    EXPECT_LT(deviation(1000), 1e-6);  // factorised
+    EXPECT_LT(deviation(0), 1e-6);     // A1 of large cloths, which iterates
+}
+
+/// With a single linearisation nothing is left of a linear problem: the functional's own quadratic model
+/// agrees.
+TEST(Cholesky, IsOneNewtonStepFromRest) {
+    Cloth cloth = test::crumpled(test::sheet(6, 5), 0.02f, 50.0f);
+    for (Vec4& v : cloth.state.velocities.span()) v = {};
+    OneStep step(cloth, h);
+    const StepFunctional functional(cloth.model, step.equation());
+    BlockMatrix matrix(functional.particles(), pairs_of(functional.springs()));
+    functional.hessian(functional.start(), Curvature::projected, matrix);
+    ExactSolve exact(functional.particles());
+    Eigen::VectorXd newton;
+    ASSERT_TRUE(exact.solve(matrix, functional.residual(functional.start()), 1e-12, {}, newton));
+
+    CholeskySolver(cloth.model, cloth.settings).solve(step.step());
+    const Eigen::VectorXd difference = test::flat(cloth.velocity_change.span()) - newton;
+    EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-5 * newton.lpNorm<Eigen::Infinity>());
+}
+
+}  // namespace
+}  // namespace weft::study
