@@ -8,6 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/external_row-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
@@ -77,6 +78,7 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
     const bool uses_velocities = about_base || damping > 0;
     const Lanes gamma = set(state.equation.gamma), squared_gamma = hn::Mul(gamma, gamma);
     const Lanes viscosity = set(state.equation.gamma * damping);
+    const Lanes per_unit = set(1 / matrix.unit), squared_unit = set(matrix.unit * matrix.unit);
 
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes4 position = load_rows(&state.positions[i]);
@@ -84,7 +86,7 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
         const Row row = external_row(state.equation, i, position.w, v_i);
         Lanes3 b = row.impulse;
         const Lanes zero = set(0);
-        Lanes sum_of_a = row.row_sum;
+        Lanes sum_of_a = zero;  // in units of the matrix, as are the squares
         SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
@@ -101,18 +103,17 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
                 if (about_base) b = mul_add(a, relative, b);
             }
             b = mul_add(push, springs.direction, b);
-            sum_of_a = hn::Add(sum_of_a, a);
-            sum_of_squares = add_square(sum_of_squares, d);
-            float* slot = &matrix.coefficients[std::size_t{s} * 4 * Stencil::lanes + lane];
-            hn::Store(a, Tag(), slot);
-            hn::Store(d.x, Tag(), slot + Stencil::lanes);
-            hn::Store(d.y, Tag(), slot + 2 * Stencil::lanes);
-            hn::Store(d.z, Tag(), slot + 3 * Stencil::lanes);
+            const SpringBlockLanes stored =
+                store_block({hn::Mul(hn::Mul(per_unit, per_unit), a), per_unit * d},
+                            &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
+            sum_of_a = hn::Add(sum_of_a, stored.a);
+            sum_of_squares = add_square(sum_of_squares, stored.d);
         }
         const auto free = hn::Ne(row.row_sum, set(0));
         store_rows(keep_where(free, b), row.row_sum, right_side + i);
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
-        const SymmetricLanes diagonal = add_identity(sum_of_squares, sum_of_a);
+        const SymmetricLanes diagonal =
+            add_identity(squared_unit * add_identity(sum_of_squares, sum_of_a), row.row_sum);
         store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
                         &matrix.inverse_diagonal[std::size_t{group} * 6 * Stencil::lanes + lane]);
     }

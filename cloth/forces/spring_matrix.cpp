@@ -1,5 +1,6 @@
 #include "cloth/forces/spring_matrix.h"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
 
@@ -20,18 +22,17 @@ namespace {
 /// (W x)_i for the lanes from particle `i` on.
 HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
-    const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
-    Lanes3 sum = row_sum * x_i;
+    const Lanes zero = hn::Zero(Tag());
+    Lanes3 sum = {zero, zero, zero};
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-        const float* slot = &matrix.coefficients[std::size_t{s} * 4 * Stencil::lanes + lane];
-        const Lanes a = load_lanes(slot);
-        const Lanes3 d = {load_lanes(slot + Stencil::lanes), load_lanes(slot + 2 * Stencil::lanes),
-                          load_lanes(slot + 3 * Stencil::lanes)};
+        const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
         const Lanes3 difference = x_i - neighbour_rows(stencil, s, lane, x);
         sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
     }
-    return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), sum);
+    const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
+    const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
+    return keep_where(hn::Ne(row_sum, zero), mul_add(squared_unit, sum, row_sum * x_i));
 }
 
 /// D_i^-1 v for the lanes from particle `i` on.
@@ -71,6 +72,23 @@ void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec
     }
 }
 
+void unpack(const SpringMatrix& matrix, const BlockRange& range, float* coefficients) {
+    const std::uint32_t* group_slots = matrix.stencil.group_slots.data();
+    const std::uint32_t end_group = (range.end + Stencil::lanes - 1) / Stencil::lanes;
+    const Lanes unit = hn::Set(Tag(), matrix.unit), squared_unit = hn::Mul(unit, unit);
+    for (std::uint32_t s = group_slots[range.begin / Stencil::lanes]; s < group_slots[end_group]; ++s) {
+        for (std::uint32_t lane = 0; lane < Stencil::lanes; lane += part_lanes) {
+            const std::size_t at = lane_index(s * Stencil::lanes + lane, 0, 4);
+            const SpringBlockLanes block = load_block(&matrix.coefficients[at]);
+            const Lanes3 d = unit * block.d;
+            hn::Store(hn::Mul(squared_unit, block.a), Tag(), coefficients + at);
+            hn::Store(d.x, Tag(), coefficients + at + Stencil::lanes);
+            hn::Store(d.y, Tag(), coefficients + at + 2 * Stencil::lanes);
+            hn::Store(d.z, Tag(), coefficients + at + 3 * Stencil::lanes);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -81,12 +99,21 @@ namespace weft {
 HWY_EXPORT(multiply);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
+HWY_EXPORT(unpack);
 
 SpringMatrix::SpringMatrix(Stencil neighbours)
     : stencil(std::move(neighbours)),
       coefficients(4 * stencil.neighbours.size()),
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+
+// Halves reach from 2^-14 (2^-24 with fewer digits) to 2^16. With |d| of at most 2^7 units, a is at most 2^14
+// square units, and the softest spring that keeps its digits is 2^28 times softer than the stiffest.
+void SpringMatrix::set_unit(float largest_block) {
+    int exponent = 0;
+    std::frexp(std::sqrt(largest_block), &exponent);
+    unit = largest_block > 0 ? std::ldexp(1.0f, exponent - 7) : 1.0f;
+}
 
 double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
     return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
@@ -100,6 +127,10 @@ void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x) {
     HWY_DYNAMIC_DISPATCH(precondition)(matrix, range, b, step, x);
+}
+
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, float* coefficients) {
+    HWY_DYNAMIC_DISPATCH(unpack)(matrix, range, coefficients);
 }
 
 }  // namespace weft

@@ -11,12 +11,19 @@
 namespace weft {
 
 /// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
+///
+/// a and d are kept in half precision, since a sweep takes as long as these bytes do. Invariant: both ends of
+/// a spring and the diagonal are made of the rounded values, so that W is symmetric, keeps momentum, and is
+/// positive definite.
 struct SpringMatrix {
     explicit SpringMatrix(Stencil neighbours);
+    /// Of A's that are at most this [kg].
+    void set_unit(float largest_block);
 
     Stencil stencil;
-    AlignedBuffer<float> coefficients;      ///< per slot 16 a, 16 d_x, d_y, d_z: see SpringBlocks
-    AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
+    AlignedBuffer<std::uint16_t> coefficients;  ///< per slot 16 a, 16 d_x, d_y, d_z
+    AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -31,5 +38,7 @@ void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4
                  Relaxation relaxation, Vec4* next);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x);
+/// The coefficients of a block's slots as SpringBlocks has them.
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, float* coefficients);
 
 }  // namespace weft

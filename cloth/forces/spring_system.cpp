@@ -52,6 +52,9 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     set_stiffnesses(equation.settings.fabric);
     const bool about_base = about == LinearisedAbout::base;
     if (!about_base) place(parallel, equation, velocities);
+    const Fabric& fabric = equation.settings.fabric;
+    const float stiffest = std::ranges::max(stiffness_of_kind_);
+    matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     const SpringState state =
         state_at(equation, about_base ? equation.base_positions : positions_.span(), velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
@@ -99,13 +102,16 @@ bool SpringSystem::is_minor(std::uint32_t i, std::uint32_t j) const {
     return model_.kinds[e] == SpringKind::bend && bend <= 0.05f * stretch;
 }
 
-SpringBlocks SpringSystem::spring_blocks(Parallel& /*parallel*/) {
-    return {matrix_.stencil, matrix_.coefficients.span()};
+SpringBlocks SpringSystem::spring_blocks(Parallel& parallel) {
+    if (unpacked_.size() == 0) unpacked_ = AlignedBuffer<float>(matrix_.coefficients.size());
+    parallel.ranges(model_.particle_count,
+                    [&](const BlockRange& range) { unpack_block(matrix_, range, unpacked_.data()); });
+    return {matrix_.stencil, unpacked_.span()};
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
     return ImplicitSystem::bytes() + matrix_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() +
-           positions_.bytes();
+           positions_.bytes() + unpacked_.bytes();
 }
 
 }  // namespace weft

@@ -39,6 +39,7 @@ class SpringSystem final : public ImplicitSystem {
     AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 0 where the stencil is padded
     std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
     AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
+    AlignedBuffer<float> unpacked_;  // the coefficients in single precision, once somebody has asked for them
 };
 
 }  // namespace weft

@@ -59,7 +59,8 @@ class ImplicitSystem {
     /// x = step D^-1 b: relaxation from 0.
     virtual void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) = 0;
 
-    /// The spring nearest to each off-diagonal block; the blocks themselves, for springs.
+    /// The spring nearest to each off-diagonal block; the blocks themselves, for springs. Written out by
+    /// every call, into memory that the first one takes.
     [[nodiscard]] virtual SpringBlocks spring_blocks(Parallel& parallel) = 0;
 
     /// Whether coarse levels may do without the spring between two particles, since others hold what it

@@ -54,6 +54,10 @@ HWY_INLINE SymmetricLanes add_square(const SymmetricLanes& m, const Lanes3& d) {
 HWY_INLINE SymmetricLanes add_identity(const SymmetricLanes& m, Lanes a) {
     return {hn::Add(m.xx, a), hn::Add(m.yy, a), hn::Add(m.zz, a), m.xy, m.xz, m.yz};
 }
+HWY_INLINE SymmetricLanes operator*(Lanes s, const SymmetricLanes& m) {
+    return {hn::Mul(s, m.xx), hn::Mul(s, m.yy), hn::Mul(s, m.zz),
+            hn::Mul(s, m.xy), hn::Mul(s, m.xz), hn::Mul(s, m.yz)};
+}
 template <class Mask>
 HWY_INLINE SymmetricLanes keep_where(Mask mask, const SymmetricLanes& m) {
     return {hn::IfThenElseZero(mask, m.xx), hn::IfThenElseZero(mask, m.yy), hn::IfThenElseZero(mask, m.zz),
