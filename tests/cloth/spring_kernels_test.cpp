@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <random>
@@ -327,12 +328,15 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
         for (Vec4& x : scene.positions.span()) x.w = 100;  // rows of pinned particles may hold anything
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        const auto [stencil, coefficients] = system.spring_blocks(serial);
+        const SpringBlocks blocks = system.spring_blocks(serial);
+        const Stencil& stencil = blocks.stencil;
+        const std::span<const float> coefficients = blocks.coefficients;
         const CookedCloth& model = scene.model;
         const auto half_edge = [&](std::uint32_t i, std::uint32_t j) {
             const auto row = model.neighbours.span().subspan(
                 model.spring_offsets[i], model.spring_offsets[i + 1] - model.spring_offsets[i]);
-            return stencil.entries[model.spring_offsets[i] + (std::ranges::find(row, j) - row.begin())];
+            const auto rank = static_cast<std::uint32_t>(std::ranges::find(row, j) - row.begin());
+            return stencil.entries[model.spring_offsets[i] + rank];
         };
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
