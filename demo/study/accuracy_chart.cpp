@@ -42,7 +42,7 @@ const std::vector<Kind>& kinds() {
          "worst stretch [%]",
          "worst_stretch_percent",
          false,
-         {}},
+         {{"fine-time", "the true motion (tiny steps)"}}},
         {"step",
          "distance from the converged step",
          "RMS distance of particles after one step [mm]",
@@ -202,7 +202,24 @@ std::string caption(const CsvRow& row, const Chart& chart) {
     return text;
 }
 
-/// A little more than the points need: gnuplot's own ranges are whole decades.
+/// A little more than the values need: gnuplot's own ranges are whole decades. So short an axis that it may
+/// hold no power of ten has marks at 1, 2 and 5.
+std::string range_of(char axis, const std::vector<double>& values) {
+    const auto [least, largest] = std::ranges::minmax(values);
+    const double from = 0.7 * least, to = 1.6 * largest;
+    std::ostringstream text;
+    text << "set " << axis << "range [" << from << ':' << to << "]\n";
+    if (to > 100 * from) return text.str();
+    text << "set " << axis << "tics (";
+    const char* separator = "";
+    for (double decade = std::pow(10, std::floor(std::log10(from))); decade <= to; decade *= 10) {
+        for (const double mark : {decade, 2 * decade, 5 * decade})
+            if (mark >= from && mark <= to) text << std::exchange(separator, ", ") << mark;
+    }
+    text << ")\n";
+    return text.str();
+}
+
 std::string ranges_of(const Chart& chart) {
     std::vector<double> costs, errors;
     const auto take = [&](const std::vector<Measured>& points) {
@@ -214,12 +231,7 @@ std::string ranges_of(const Chart& chart) {
     take(chart.defaults);
     for (const Curve& curve : chart.curves) take(curve.points);
     for (const auto& [label, value] : chart.levels) errors.push_back(value);
-    const auto [fastest, slowest] = std::ranges::minmax(costs);
-    const auto [least, largest] = std::ranges::minmax(errors);
-    std::ostringstream text;
-    text << "set xrange [" << 0.75 * fastest << ':' << 1.6 * slowest << "]\nset yrange [" << 0.6 * least
-         << ':' << 1.6 * largest << "]\n";
-    return text.str();
+    return range_of('x', costs) + range_of('y', errors);
 }
 
 std::string settings_of(const Kind& kind, const CsvRow& row, const Chart& chart) {

@@ -148,7 +148,7 @@ CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
     row["kappa"] = number(kappa(run.cloth(), static_cast<double>(scene.frame)));
 
     Outcome outcome = run_to(run, ComparedFrames::second);
-    put_stretch(row, structural_stretch(run.cloth()));
+    put_stretch(row, structural_stretch(run.cloth().model, outcome.states.at(ComparedFrames::second)));
     for (const NamedReference& reference : compared) {
         if (const auto at = references.find(reference.reference); at != references.end())
             put_errors(row, scene, outcome.states, reference.name, at->second);
@@ -176,9 +176,12 @@ CsvRow compare_reference(const StudyScene& scene, Reference reference,
                          const std::map<Reference, States>& references, int threads) {
     CsvRow row = identity(scene, method_of(reference), threads);
     row["status"] = "reference";
+    const States& states = references.at(reference);
+    const CookedCloth model = cook(scene.mesh).value();
+    put_stretch(row, structural_stretch(model, states.at(ComparedFrames::second)));
     for (const NamedReference& other : compared) {
         if (other.reference != reference && references.contains(other.reference))
-            put_errors(row, scene, references.at(reference), other.name, references.at(other.reference));
+            put_errors(row, scene, states, other.name, references.at(other.reference));
     }
     return row;
 }
@@ -202,7 +205,7 @@ CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int th
             if (repeat > 0) milliseconds.push_back(step_milliseconds);
         }
         const GarmentSteps::Judgement judgement = steps.judge(s, run.cloth());
-        const Stretch after = structural_stretch(run.cloth());
+        const Stretch after = structural_stretch(run.cloth().model, positions_of(run.cloth()));
         rms += judgement.rms / count;
         gap += judgement.energy_gap / count;
         stretch = {std::max(stretch.worst, after.worst), stretch.mean + after.mean / count};

@@ -66,16 +66,20 @@ double Run::step() {
     return milliseconds;
 }
 
-Stretch structural_stretch(const Cloth& cloth) {
-    const CookedCloth& model = cloth.model;
+Positions positions_of(const Cloth& cloth) {
+    Positions positions;
+    for (const Vec4& x : cloth.state.positions.span()) positions.emplace_back(xyz(x).cast<double>());
+    return positions;
+}
+
+Stretch structural_stretch(const CookedCloth& model, const Positions& positions) {
     Stretch stretch{0, 0};
     std::size_t springs = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        const Vector3 x = xyz(cloth.state.positions[i]);
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
             if (model.kinds[e] != SpringKind::structural) continue;
-            const Vector3 separation = xyz(cloth.state.positions[model.neighbours[e]]) - x;
-            const double ratio = static_cast<double>(separation.norm() / model.rest_lengths[e]);
+            const double length = (positions[model.neighbours[e]] - positions[i]).norm();
+            const double ratio = length / static_cast<double>(model.rest_lengths[e]);
             stretch.worst = std::max(stretch.worst, ratio);
             stretch.mean += ratio;
             ++springs;

@@ -120,12 +120,6 @@ double rms_distance(const Positions& a, const Positions& b) {
     return std::sqrt(squared / static_cast<double>(a.size()));
 }
 
-Positions positions_of(const Cloth& cloth) {
-    Positions positions;
-    for (const Vec4& x : cloth.state.positions.span()) positions.emplace_back(xyz(x).cast<double>());
-    return positions;
-}
-
 MethodPoint method_of(Reference reference) {
     MethodPoint point{name_of(reference), "Reference", "", {}, {}, false};
     point.configure = [=](ClothSettings& settings) {

@@ -25,13 +25,11 @@ inline constexpr std::array all_references{Reference::converged, Reference::line
                                            Reference::converged_bdf2, Reference::fine_time};
 [[nodiscard]] std::string name_of(Reference reference);
 
-/// Positions of all particles after so many frames [m].
-using Positions = std::vector<Eigen::Vector3d>;
+/// Positions after so many frames.
 using States = std::map<int, Positions>;
 
 /// Root mean square of the distances between particles [m].
 [[nodiscard]] double rms_distance(const Positions& a, const Positions& b);
-[[nodiscard]] Positions positions_of(const Cloth& cloth);
 
 /// The method of a reference that is stepped by the frame: all but fine_time.
 [[nodiscard]] MethodPoint method_of(Reference reference);
