@@ -51,13 +51,13 @@ struct Cloth {
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;
-    bool solver_is_prepared = false;            ///< for the present pins and masses
-    AlignedBuffer<Vec4> velocity_change;        ///< of the present substep [m/s], w 0
-    std::optional<History> history;             ///< only with BDF2
+    bool solver_is_prepared = false;              ///< for the present pins and masses
+    AlignedBuffer<Vec4> velocity_change;          ///< of the present substep [m/s], w 0
+    std::optional<History> history;               ///< only with BDF2
     std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
     bool tethers_are_attached = false;            ///< to the present pins
-    std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
-    std::vector<Pin> pins;                      ///< in ascending order of particles
+    std::optional<SelfContacts> self_contacts;    ///< only with self-collision on
+    std::vector<Pin> pins;                        ///< in ascending order of particles
 
     AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
     AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each particle [m/s]; empty without gusts
@@ -65,6 +65,7 @@ struct Cloth {
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 
+    bool solver_failed = false;           ///< in a substep of the present step
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of the last substep
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in the last substep

@@ -32,7 +32,8 @@ class Solver {
   public:
     virtual ~Solver() = default;
     /// Fills velocity_change; 0 for pinned particles. Returns what is left of the linear system,
-    /// |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0.
+    /// |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0; not a number where it found no
+    /// solution.
     virtual float solve(const SolverStep& step) = 0;
     /// Before the first step, and before any step that follows a change of pins or settings. May allocate.
     virtual void prepare(const CookedCloth& /*model*/, const ClothSettings& /*settings*/,

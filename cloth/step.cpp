@@ -109,6 +109,7 @@ void Simulation::solve(Cloth& cloth, const StepEquation& equation) {
                                                 .equation = equation,
                                                 .touches_collider = cloth.collider_contacts > 0,
                                                 .velocity_change = cloth.velocity_change.span()});
+    cloth.solver_failed |= std::isnan(residual);
     report.residual = std::max(report.residual, residual);
 }
 
@@ -178,7 +179,7 @@ void Simulation::avoid_self_collision(Cloth& cloth, float h) {
 void Simulation::guard(Cloth& cloth) {
     const auto timer = timed(Stage::guard);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-    if (!cloth.extent.sound) {
+    if (std::exchange(cloth.solver_failed, false) || !cloth.extent.sound) {
         cloth.restore_start_of_step();
         cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
         report.flags = report.flags | StepFlags::state_restored;

@@ -2,6 +2,7 @@
 // Preconditioned conjugate gradients on W dv = b.
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -41,12 +42,13 @@ void advance_along(Parallel& parallel, float alpha, CgVectors& vectors, std::spa
 /// Conjugate gradients (Hestenes and Stiefel 1952) from dv = 0. precondition(r, z) writes z = P r, P
 /// symmetric and positive definite on the free particles and 0 on the pinned ones, of which nothing more is
 /// needed: a direction that is 0 there stays so (the filter of Baraff and Witkin 1998). Each iteration
-/// multiplies once and preconditions once. It ends early where single precision has nothing left to find, and
-/// at what is not a number. Returns |P (b - W dv)| / |P b| of the last iterate that was preconditioned: the
-/// last but one, unless it ended early; 0 for b = 0.
+/// multiplies once and preconditions once. It ends early where single precision has nothing left to find; at
+/// what is not finite it gives up and returns not a number. Returns |P (b - W dv)| / |P b| of the last
+/// iterate that was preconditioned: the last but one, unless it ended early; 0 for b = 0.
 template <class Precondition>
 float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
                           const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
+    constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     start_from_rest(parallel, system.right_side().span(), vectors, dv);
     CgVectors::Products first, before, now;
@@ -55,13 +57,15 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
         before = now;
         now = products(parallel, vectors);
         if (k == 0) first = now;
-        if (!(now.residual > rounding * first.residual) || !std::isfinite(now.residual)) break;
+        if (!std::isfinite(now.residual)) return no_number;
+        if (!(now.residual > rounding * first.residual)) break;
 
         const double beta = k == 0 ? 0 : now.residual / before.residual;
         turn_direction(parallel, static_cast<float>(beta), vectors);
         const double curvature =
             system.multiply(parallel, std::as_const(vectors.direction).span(), vectors.product.span());
         const double alpha = now.residual / curvature;
+        if (std::isnan(curvature)) return no_number;
         if (!(curvature > 0) || !std::isfinite(alpha)) break;
         advance_along(parallel, static_cast<float>(alpha), vectors, dv);
     }

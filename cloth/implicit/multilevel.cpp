@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cloth/implicit/vectors.h"
@@ -85,6 +86,7 @@ float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) 
     for (int k = 0; k < iterations; ++k) {
         multigrid_->cycle(parallel, *system_, residual.span(), preconditioned.span());
         const double new_rho = dot_of(preconditioned, residual);
+        if (!std::isfinite(new_rho)) return std::numeric_limits<float>::quiet_NaN();
         if (!(new_rho > 0)) break;
         if (k == 0) first = new_rho;
         // `product` holds the residual before this one.

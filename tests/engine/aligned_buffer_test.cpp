@@ -12,7 +12,8 @@ TEST(AlignedBuffer, StartsOnACacheLineAndHoldsDefaultValues) {
         AlignedBuffer<Vec4> buffer(size);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(buffer.data()) % 64, 0u);
         ASSERT_EQ(buffer.size(), size);
-        EXPECT_EQ(buffer.bytes(), size * 16);
+        const std::size_t groups = (size + 15) / 16;
+        EXPECT_EQ(buffer.bytes(), groups * 16 * sizeof(Vec4)) << "whole groups of 16 elements";
         for (const Vec4& v : buffer.span()) EXPECT_TRUE(v.x == 0 && v.y == 0 && v.z == 0 && v.w == 0);
     }
 }
