@@ -169,7 +169,8 @@ TEST(Cholesky, IsOneNewtonStepFromRest) {
 
     CholeskySolver(cloth.model, cloth.settings).solve(step.step());
     const Eigen::VectorXd difference = test::flat(cloth.velocity_change.span()) - newton;
-    EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-5 * newton.lpNorm<Eigen::Infinity>());
+    EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-3 * newton.lpNorm<Eigen::Infinity>())
+        << "the library keeps W's springs in half precision";
 }
 
 }  // namespace
