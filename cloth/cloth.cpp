@@ -122,9 +122,9 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
                  (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
-                 (self_contacts ? self_contacts->bytes() : 0) +
-                 triangle_scratch.bytes() + air_velocities.bytes() + air_forces.bytes() +
-                 partial_counts.bytes() + partial_surveys.bytes();
+                 (self_contacts ? self_contacts->bytes() : 0) + triangle_scratch.bytes() +
+                 air_velocities.bytes() + air_forces.bytes() + partial_counts.bytes() +
+                 partial_surveys.bytes();
     return info;
 }
 

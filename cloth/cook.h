@@ -20,7 +20,7 @@ enum class SpringKind : std::uint8_t { structural, shear, bend };
 struct CookedCloth {
     std::uint32_t particle_count = 0;
     std::uint32_t rows = 0, columns = 0;  ///< of a grid, as in Mesh; 0: a general mesh
-    AlignedBuffer<Vec4> positions;  ///< where the cloth starts [m]; w unused
+    AlignedBuffer<Vec4> positions;        ///< where the cloth starts [m]; w unused
     AlignedBuffer<float>
         rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
 
@@ -30,8 +30,9 @@ struct CookedCloth {
     AlignedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
     AlignedBuffer<SpringKind> kinds;
 
-    std::vector<Triangle> triangles;              ///< particle indices
-    /// With a pattern: each triangle's sides from its corner 0 to corners 1 and 2, in its panel's plane [m]; else none.
+    std::vector<Triangle> triangles;  ///< particle indices
+    /// With a pattern: each triangle's sides from its corner 0 to corners 1 and 2, in its panel's plane [m];
+    /// else none.
     std::vector<std::array<Vec2, 2>> panel_sides;
     AlignedBuffer<std::uint32_t> corner_offsets;  ///< triangles of each particle
     AlignedBuffer<std::uint32_t> corner_triangles;

@@ -65,7 +65,8 @@ HWY_INLINE Lanes load_lanes(const float* values) {
 HWY_INLINE Lanes4 load_rows(const Vec4* rows) {
     const Tag d;
     Lanes4 v;
-    if constexpr (part_lanes == 16) {  // with shuffles across a register half as many as with those within quarters
+    if constexpr (part_lanes ==
+                  16) {  // with shuffles across a register half as many as with those within quarters
         const float* values = &rows->x;
         const Lanes r0 = hn::LoadU(d, values), r1 = hn::LoadU(d, values + 16);
         const Lanes r2 = hn::LoadU(d, values + 32), r3 = hn::LoadU(d, values + 48);

@@ -32,12 +32,13 @@ struct ConjugateGradient {
 /// Multigrid on any mesh, with exact Galerkin coarse operators; what it costs does not grow with stiffness.
 struct Multilevel {
     enum class Use {
-        passes,                        ///< linearise, conjugate gradients preconditioned by a cycle, and again
+        passes,  ///< linearise, conjugate gradients preconditioned by a cycle, and again
         nonlinear_conjugate_gradient,  ///< one linearisation; a cycle preconditions each true gradient
     };
     Use use = Use::passes;
-    int passes = 2;      ///< linearisations, >= 1: Newton's method as far as they go. Of Use::passes only
-    int iterations = 2;  ///< of the conjugate gradients, >= 1; with passes: in the last, after one in each other
+    int passes = 2;  ///< linearisations, >= 1: Newton's method as far as they go. Of Use::passes only
+    int iterations =
+        2;  ///< of the conjugate gradients, >= 1; with passes: in the last, after one in each other
 };
 
 /// Extended position based dynamics (Macklin, Mueller, Chentanez 2016), coloured Gauss-Seidel. Raise
