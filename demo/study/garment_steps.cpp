@@ -72,9 +72,9 @@ GarmentSteps::Step GarmentSteps::make_step(const Positions& before, const Positi
     run.step();
     step.solution = positions_of(run.cloth());
     const Flat solution = velocities_to(step, step.solution);
-    step.damped_along = step.functional.directions(solution);
-    step.solved = step.functional.value(solution, step.damped_along);
-    step.inertial = step.functional.value(inertial_start, step.damped_along);
+    step.damped = step.functional.damped_states(solution);
+    step.solved = step.functional.value(solution, step.damped);
+    step.inertial = step.functional.value(inertial_start, step.damped);
     return step;
 }
 
@@ -91,7 +91,7 @@ Flat GarmentSteps::velocities_to(const Step& step, const Positions& positions) c
 GarmentSteps::Judgement GarmentSteps::judge(std::size_t index, const Cloth& after) const {
     const Step& step = steps_[index];
     const Positions positions = positions_of(after);
-    const double value = step.functional.value(velocities_to(step, positions), step.damped_along);
+    const double value = step.functional.value(velocities_to(step, positions), step.damped);
     return {rms_distance(positions, step.solution), (value - step.solved) / (step.inertial - step.solved)};
 }
 

@@ -35,8 +35,8 @@ class GarmentSteps {
         StepFunctional functional;
         Flat start_positions;  // flat
         Positions solution;
-        std::vector<Eigen::Vector3d> damped_along;  // by the solution
-        double solved, inertial;                    // values of the functional
+        std::vector<DampedState> damped;  // by the solution
+        double solved, inertial;          // values of the functional
     };
     [[nodiscard]] Step make_step(const Positions& before, const Positions& now, int threads) const;
     [[nodiscard]] Flat velocities_to(const Step& step, const Positions& positions) const;

@@ -53,14 +53,14 @@ TEST(StepFunctional, ResidualIsMinusTheGradient) {
     OneStep step(cloth, h);
     const StepFunctional functional(cloth.model, step.equation());
     const Flat v = functional.start();
-    const auto along = functional.directions(v);
+    const auto damped = functional.damped_states(v);
     const Flat residual = functional.residual(v);
     for (Eigen::Index i = 0; i < v.size(); ++i) {
         constexpr double eps = 1e-5;
         Flat above = v, below = v;
         above[i] += eps;
         below[i] -= eps;
-        const double slope = (functional.value(above, along) - functional.value(below, along)) / (2 * eps);
+        const double slope = (functional.value(above, damped) - functional.value(below, damped)) / (2 * eps);
         const bool is_pinned = cloth.state.positions[static_cast<std::size_t>(i / 3)].w == 0;
         EXPECT_NEAR(residual[i], is_pinned ? 0.0 : -slope, 1e-7 * residual.lpNorm<Eigen::Infinity>()) << i;
     }

@@ -1,5 +1,6 @@
 #include "demo/study/reference/exact_solve.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/vector.h"
@@ -21,9 +22,9 @@ bool conjugate_gradients(const BlockMatrix::Sparse& matrix, const Eigen::VectorX
     for (int iterations = 0; r.norm() > enough && iterations < 10'000; ++iterations) {
         product.noalias() = matrix.selfadjointView<Eigen::Lower>() * p;
         const double curvature = p.dot(product);
-        if (!(curvature > 0)) return false;
-        const double step = r.dot(p) / curvature;
+        const double step = r.dot(p) / std::abs(curvature);
         x += step * p;
+        if (!(curvature > 0)) return false;
         r_before = r;
         r -= step * product;
         precondition(r, z);

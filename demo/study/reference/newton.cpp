@@ -6,18 +6,19 @@ namespace weft::study {
 
 namespace {
 
-constexpr int most_iterations = 1000;
+constexpr std::size_t most_iterations = 1000;
+constexpr std::size_t most_in_vain = 20;  // that do not halve the residual
 
 /// The step length in (0, 1] that lowers the functional enough (Armijo 1966). Near the solution, where
 /// differences of the functional drown in rounding, it is 1.
 double line_search(const StepFunctional& functional, const Flat& v, const Flat& direction,
                    const Flat& residual) {
-    const std::vector<Eigen::Vector3d> along = functional.directions(v);
-    const double start = functional.value(v, along), slope = -residual.dot(direction);
+    const std::vector<DampedState> damped = functional.damped_states(v);
+    const double start = functional.value(v, damped), slope = -residual.dot(direction);
     const double rounding = 1e-13 * std::abs(start);
     double length = 1;
     while (length > 1e-8 &&
-           functional.value(v + length * direction, along) > start + 1e-4 * length * slope + rounding)
+           functional.value(v + length * direction, damped) > start + 1e-4 * length * slope + rounding)
         length /= 2;
     return length;
 }
@@ -32,21 +33,32 @@ Newton::Newton(const SolverStep& step, const StepFunctional& functional, std::ui
     velocities_ = AlignedBuffer<Vec4>(functional.particles());
 }
 
+// Where cloth is about to buckle the functional is all but flat along some motions. There the part of the
+// damping's slope that has no potential, which the matrix lacks, can keep the iterates wandering about the
+// solution.
 NewtonResult Newton::minimise(const SolverStep& step, const StepFunctional& functional, double tolerance) {
-    NewtonResult result{functional.start(), {}, false};
-    Flat residual = functional.residual(result.velocities);
+    NewtonResult best{functional.start(), {}, false};
+    Flat v = functional.start(), residual = functional.residual(v);
     const double first = residual.norm();
-    result.residuals.push_back(first);
-    while (result.residuals.size() <= most_iterations) {
-        result.converged = residual.norm() <= tolerance * first;
-        if (result.converged) break;
-        precondition_at(step, result.velocities);
-        const Flat change = direction(functional, result.velocities, residual, residual.norm() / first);
-        result.velocities += line_search(functional, result.velocities, change, residual) * change;
-        residual = functional.residual(result.velocities);
-        result.residuals.push_back(residual.norm());
+    double least = first;
+    best.residuals.push_back(first);
+    std::size_t best_at = 0;
+    const auto wanders = [&] {
+        return least < 1e-4 * first && best.residuals.size() > best_at + most_in_vain;
+    };
+    while (least > tolerance * first && best.residuals.size() <= most_iterations && !wanders()) {
+        precondition_at(step, v);
+        const Flat change = direction(functional, v, residual, residual.norm() / first);
+        v += line_search(functional, v, change, residual) * change;
+        residual = functional.residual(v);
+        best.residuals.push_back(residual.norm());
+        if (residual.norm() >= least) continue;
+        if (residual.norm() < 0.5 * least) best_at = best.residuals.size();
+        least = residual.norm();
+        best.velocities = v;
     }
-    return result;
+    best.converged = least <= tolerance * first;
+    return best;
 }
 
 void Newton::precondition_at(const SolverStep& step, const Flat& v) {
@@ -70,7 +82,8 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
     const double tolerance = std::clamp(0.1 * left, 1e-10, 1e-2);
     if (left < 0.1) {
         functional.hessian(v, Curvature::exact, matrix_);
-        if (exact_solve_.solve(matrix_, residual, tolerance, cycle, step)) return step;
+        const bool is_definite = exact_solve_.solve(matrix_, residual, tolerance, cycle, step);
+        if (is_definite || !exact_solve_.is_direct()) return step;
     }
     functional.hessian(v, Curvature::projected, matrix_);
     exact_solve_.solve(matrix_, residual, tolerance, cycle, step);
@@ -86,7 +99,7 @@ float ConvergedSolver::solve(const SolverStep& step) {
         const Eigen::Vector3d change = result.velocities.segment<3>(at) - functional.start().segment<3>(at);
         step.velocity_change[i] = to_vec4(change.cast<float>(), 0);
     }
-    return static_cast<float>(result.residuals.back() / result.residuals.front());
+    return static_cast<float>(*std::ranges::min_element(result.residuals) / result.residuals.front());
 }
 
 }  // namespace weft::study

@@ -12,7 +12,7 @@
 namespace weft::study {
 
 struct NewtonResult {
-    Flat velocities;
+    Flat velocities;                ///< those of the least residual
     std::vector<double> residuals;  ///< norm before the first iteration and after each
     bool converged = false;
 };

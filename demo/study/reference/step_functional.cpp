@@ -72,14 +72,17 @@ Eigen::Vector3d StepFunctional::separation(const Spring& spring, const Flat& v) 
     return difference(base_positions_) + gamma_ * difference(v);
 }
 
-std::vector<Eigen::Vector3d> StepFunctional::directions(const Flat& v) const {
-    std::vector<Eigen::Vector3d> result;
+std::vector<DampedState> StepFunctional::damped_states(const Flat& v) const {
+    std::vector<DampedState> result;
     result.reserve(springs_.size());
-    for (const Spring& spring : springs_) result.push_back(direction_of(spring, separation(spring, v)));
+    for (const Spring& spring : springs_) {
+        const Eigen::Vector3d n = direction_of(spring, separation(spring, v));
+        result.push_back({n, n.dot(v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i)))});
+    }
     return result;
 }
 
-double StepFunctional::value(const Flat& v, std::span<const Eigen::Vector3d> damped_along) const {
+double StepFunctional::value(const Flat& v, std::span<const DampedState> damped) const {
     double value = 0;
     for (std::uint32_t i = 0; i < particles(); ++i) {
         if (masses_[i] == 0) continue;
@@ -92,10 +95,12 @@ double StepFunctional::value(const Flat& v, std::span<const Eigen::Vector3d> dam
     }
     for (std::size_t s = 0; s < springs_.size(); ++s) {
         const Spring& spring = springs_[s];
+        const auto& [direction, stretching] = damped[s];
         const double strain = separation(spring, v).norm() - spring.rest_length;
-        const double stretching =
-            damped_along[s].dot(v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i)));
-        value += 0.5 * spring.stiffness * (strain * strain + gamma_ * damping_ * stretching * stretching);
+        const double change =
+            direction.dot(v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i))) - stretching;
+        value += spring.stiffness * (0.5 * strain * strain + damping_ * stretching * strain +
+                                     0.5 * gamma_ * damping_ * change * change);
     }
     return value;
 }

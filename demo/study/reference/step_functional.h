@@ -4,10 +4,12 @@
 //     M (v - v_base) = gamma f(x_base + gamma v, v)
 //
 // is the stationary point of
-//     E(v) = 1/2 |v - v_base|^2_M + U(x_base + gamma v) - gamma (gravity, air) . v + 1/2 gamma (dampings)
-// (Martin et al. 2011, "Example-based elastic materials", for the form). The dampings of springs act along
-// directions that depend on v; E takes them as given, and E with the directions at v itself has the
-// equation's residual as its gradient.
+//     E(v) = 1/2 |v - v_base|^2_M + U(x_base + gamma v) - gamma (gravity, air) . v + D(v)
+// (Martin et al. 2011, "Example-based elastic materials", for the form). The springs' damping force c s n,
+// with s = dl/dt along the direction n, has no potential. D has its force at one state, and beside that state
+// its slope but for the turning of n with s, which is not symmetric:
+//     D(v) = c s0 l(v) + 1/2 gamma c (n0 . (v_j - v_i) - s0)^2
+// So E has the equation's residual as its gradient where s0 and n0 are those of v itself.
 
 #include <Eigen/Dense>
 #include <vector>
@@ -31,6 +33,12 @@ struct Spring {
 using Flat = Eigen::VectorXd;
 [[nodiscard]] Flat flat(std::span<const Vec4> values);
 
+/// Where a spring's damping is taken.
+struct DampedState {
+    Eigen::Vector3d direction;  ///< n0
+    double stretching;          ///< s0 [m/s]
+};
+
 /// What the matrix takes for the stiffness of a compressed spring across its direction.
 enum class Curvature {
     exact,      ///< negative: Newton's matrix, which can be indefinite
@@ -46,9 +54,10 @@ class StepFunctional {
     /// Velocities at the start, from which solvers set out.
     [[nodiscard]] const Flat& start() const { return start_; }
 
-    /// Directions of the springs where the velocities `v` lead.
-    [[nodiscard]] std::vector<Eigen::Vector3d> directions(const Flat& v) const;
-    [[nodiscard]] double value(const Flat& v, std::span<const Eigen::Vector3d> damped_along) const;
+    /// What the dampings are at `v`, spring by spring.
+    [[nodiscard]] std::vector<DampedState> damped_states(const Flat& v) const;
+    /// E with the dampings of those states.
+    [[nodiscard]] double value(const Flat& v, std::span<const DampedState> damped) const;
     /// gamma f - M (v - v_base) = -dE/dv, 0 for pinned particles.
     [[nodiscard]] Flat residual(const Flat& v) const;
     /// d2E/dv2 at v; rows and columns of pinned particles are those of the identity.
