@@ -72,19 +72,13 @@ void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec
     }
 }
 
-void unpack(const SpringMatrix& matrix, const BlockRange& range, float* coefficients) {
-    const std::uint32_t* group_slots = matrix.stencil.group_slots.data();
-    const std::uint32_t end_group = (range.end + Stencil::lanes - 1) / Stencil::lanes;
+void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots, Vec4* blocks) {
     const Lanes unit = hn::Set(Tag(), matrix.unit), squared_unit = hn::Mul(unit, unit);
-    for (std::uint32_t s = group_slots[range.begin / Stencil::lanes]; s < group_slots[end_group]; ++s) {
+    for (std::uint32_t k = range.begin; k < range.end; ++k) {
         for (std::uint32_t lane = 0; lane < Stencil::lanes; lane += part_lanes) {
-            const std::size_t at = lane_index(s * Stencil::lanes + lane, 0, 4);
-            const SpringBlockLanes block = load_block(&matrix.coefficients[at]);
-            const Lanes3 d = unit * block.d;
-            hn::Store(hn::Mul(squared_unit, block.a), Tag(), coefficients + at);
-            hn::Store(d.x, Tag(), coefficients + at + Stencil::lanes);
-            hn::Store(d.y, Tag(), coefficients + at + 2 * Stencil::lanes);
-            hn::Store(d.z, Tag(), coefficients + at + 3 * Stencil::lanes);
+            const std::size_t at = lane_index(slots[k] * Stencil::lanes + lane, 0, 4);
+            const auto [a, d] = load_block(&matrix.coefficients[at]);
+            store_rows(unit * d, hn::Mul(squared_unit, a), blocks + k * Stencil::lanes + lane);
         }
     }
 }
@@ -129,8 +123,9 @@ void precondition_block(const SpringMatrix& matrix, const BlockRange& range, con
     HWY_DYNAMIC_DISPATCH(precondition)(matrix, range, b, step, x);
 }
 
-void unpack_block(const SpringMatrix& matrix, const BlockRange& range, float* coefficients) {
-    HWY_DYNAMIC_DISPATCH(unpack)(matrix, range, coefficients);
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots,
+                  Vec4* blocks) {
+    HWY_DYNAMIC_DISPATCH(unpack)(matrix, range, slots, blocks);
 }
 
 }  // namespace weft

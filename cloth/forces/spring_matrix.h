@@ -38,7 +38,8 @@ void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4
                  Relaxation relaxation, Vec4* next);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x);
-/// The coefficients of a block's slots as SpringBlocks has them.
-void unpack_block(const SpringMatrix& matrix, const BlockRange& range, float* coefficients);
+/// As ImplicitSystem::spring_blocks, for the slots [range.begin, range.end) of the list.
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots,
+                  Vec4* blocks);
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 
 #include "cloth/forces/spring_forces.h"
 #include "cloth/forces/springs.h"
+#include "cloth/implicit/vectors.h"
 
 namespace weft {
 
@@ -29,12 +30,7 @@ void SpringSystem::set_stiffnesses(const Fabric& fabric) {
 }
 
 void SpringSystem::place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vec4& base = equation.base_positions[i];
-            positions_[i] = to_vec4(xyz(base) + equation.gamma * xyz(velocities[i]), base.w);
-        }
-    });
+    scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
 }
 
 SpringState SpringSystem::state_at(const StepEquation& equation, std::span<const Vec4> positions,
@@ -102,16 +98,16 @@ bool SpringSystem::is_minor(std::uint32_t i, std::uint32_t j) const {
     return model_.kinds[e] == SpringKind::bend && bend <= 0.05f * stretch;
 }
 
-SpringBlocks SpringSystem::spring_blocks(Parallel& parallel) {
-    if (unpacked_.size() == 0) unpacked_ = AlignedBuffer<float>(matrix_.coefficients.size());
-    parallel.ranges(model_.particle_count,
-                    [&](const BlockRange& range) { unpack_block(matrix_, range, unpacked_.data()); });
-    return {matrix_.stencil, unpacked_.span()};
+void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                                 std::span<Vec4> blocks) {
+    parallel.ranges(static_cast<std::uint32_t>(slots.size()), [&](const BlockRange& range) {
+        unpack_block(matrix_, range, slots.data(), blocks.data());
+    });
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
     return ImplicitSystem::bytes() + matrix_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() +
-           positions_.bytes() + unpacked_.bytes();
+           positions_.bytes();
 }
 
 }  // namespace weft

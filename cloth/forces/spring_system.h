@@ -23,7 +23,9 @@ class SpringSystem final : public ImplicitSystem {
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
                std::span<Vec4> next) override;
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
-    [[nodiscard]] SpringBlocks spring_blocks(Parallel& parallel) override;
+    [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                       std::span<Vec4> blocks) override;
     [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
@@ -39,7 +41,6 @@ class SpringSystem final : public ImplicitSystem {
     AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 0 where the stencil is padded
     std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
     AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
-    AlignedBuffer<float> unpacked_;  // the coefficients in single precision, once somebody has asked for them
 };
 
 }  // namespace weft

@@ -76,8 +76,6 @@ TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& se
         additions_.impulses = AlignedBuffer<Vec4>(model.particle_count);
         additions_.diagonals = AlignedBuffer<float>(matrix_.inverse_diagonal.size());
     }
-    if (std::holds_alternative<Multilevel>(settings.method))
-        spring_blocks_ = AlignedBuffer<float>(4 * matrix_.stencil.neighbours.size());
 }
 
 void TriangleSystem::store_dihedral_bending(const Bending& bending, const ElementRows& rows) {
@@ -243,29 +241,27 @@ void TriangleSystem::precondition(Parallel& parallel, std::span<const Vec4> b, f
 // A block with the eigenvalue b along the edge n and on average a across it is nearest to a I + (b - a) n
 // n^T, if b >= a
 // >= 0. Otherwise what is positive of it resists in all directions alike.
-SpringBlocks TriangleSystem::spring_blocks(Parallel& parallel) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            for_each_entry(matrix_.stencil, i, [&](std::uint32_t entry) {
-                const auto block = block_at(std::as_const(matrix_), entry);
-                const Vector3 edge = xyz(positions_[matrix_.stencil.neighbours[entry]]) - xyz(positions_[i]);
-                const Vector3 n = edge.stableNormalized();
-                const float trace = std::max(block.trace(), 0.0f);
-                const float along = std::clamp(n.dot(block * n), trace / 3, trace);
-                const float across = 0.5f * (trace - along);
-                const Vector3 d = std::sqrt(along - across) * n;
-                const float values[] = {across, d.x(), d.y(), d.z()};
-                for (std::uint32_t k = 0; k < 4; ++k) spring_blocks_[lane_index(entry, k, 4)] = values[k];
-            });
+void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                                   std::span<Vec4> blocks) {
+    const Stencil& stencil = matrix_.stencil;
+    parallel.ranges(static_cast<std::uint32_t>(slots.size()), [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin * Stencil::lanes; k < range.end * Stencil::lanes; ++k) {
+            const std::uint32_t slot = slots[k / Stencil::lanes], lane = k % Stencil::lanes;
+            const std::uint32_t entry = slot * Stencil::lanes + lane, i = stencil.node_of(slot, lane);
+            const auto block = block_at(std::as_const(matrix_), entry);
+            const Vector3 edge = xyz(positions_[stencil.neighbours[entry]]) - xyz(positions_[i]);
+            const Vector3 n = edge.stableNormalized();
+            const float trace = std::max(block.trace(), 0.0f);
+            const float along = std::clamp(n.dot(block * n), trace / 3, trace);
+            const float across = 0.5f * (trace - along);
+            blocks[k] = to_vec4(std::sqrt(along - across) * n, across);
         }
     });
-    return {matrix_.stencil, spring_blocks_.span()};
 }
 
 std::size_t TriangleSystem::bytes() const noexcept {
     return ImplicitSystem::bytes() + elements_.bytes() + matrix_.bytes() + sources_.bytes() +
-           additions_.bytes() + quadratic_.bytes() + (hinges_ ? hinges_->bytes() : 0) +
-           spring_blocks_.bytes() + positions_.bytes();
+           additions_.bytes() + quadratic_.bytes() + (hinges_ ? hinges_->bytes() : 0) + positions_.bytes();
 }
 
 }  // namespace weft

@@ -30,7 +30,9 @@ class TriangleSystem final : public ImplicitSystem {
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
                std::span<Vec4> next) override;
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
-    [[nodiscard]] SpringBlocks spring_blocks(Parallel& parallel) override;
+    [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                       std::span<Vec4> blocks) override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
@@ -64,7 +66,6 @@ class TriangleSystem final : public ImplicitSystem {
     RowAdditions additions_;
     AlignedBuffer<float> quadratic_;       // see TriangleState
     std::optional<HingeElements> hinges_;  // only with dihedral bending
-    AlignedBuffer<float> spring_blocks_;   // see SpringBlocks; only for methods that ask for them
     AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about
 };
 

@@ -36,7 +36,7 @@ void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
 }
 
 void CoarseLevel::finish(Parallel& parallel) {
-    parallel.ranges(nodes(), [&](const BlockRange& range) { invert_diagonal_block(range, matrix_); });
+    parallel.ranges(nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
 }
 
 void CoarseLevel::residual(Parallel& parallel, std::span<Vec4> residual) const {

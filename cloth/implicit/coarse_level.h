@@ -16,11 +16,12 @@ class CoarseLevel {
     /// Lists of the springs between this level's nodes; P leads from here to the finer level.
     CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph);
 
-    /// Links from the finest level's springs d d^T + a I, given as (d, a).
+    /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
+    /// place.
     void sum_links(Parallel& parallel, std::span<const Vec4> springs);
     /// Links and ground from another coarse level's. The finest level's ground is the caller's to sum.
     void sum(Parallel& parallel, const CoarseLevel& finer);
-    /// After links and ground: the diagonal.
+    /// After links and ground: the matrix.
     void finish(Parallel& parallel);
 
     /// residual = b - W x.

@@ -1,5 +1,7 @@
 #include "cloth/implicit/coarse_matrix.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/implicit/coarse_matrix.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
@@ -56,16 +58,28 @@ void precondition(const CoarseMatrix& matrix, const BlockRange& range, const Vec
     }
 }
 
+/// A_IJ of the links of a part of slot s.
+HWY_INLINE SymmetricLanes gather_links(const CoarseMatrix& matrix, std::uint32_t s, std::uint32_t lane) {
+    const Vec4* const rows = &matrix.links.data()->diagonal;
+    const std::uint32_t* const picked = &matrix.link_rows[s * Stencil::lanes + lane];
+    const Lanes3 diagonal = gather_rows(rows, picked), off_diagonal = gather_rows(rows + 1, picked);
+    return {diagonal.x, diagonal.y, diagonal.z, off_diagonal.x, off_diagonal.z, off_diagonal.y};
+}
+
 // A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
 // pinned particles alone has no inertia, and stays where it is.
-void invert_diagonal(const BlockRange& range, CoarseMatrix& matrix) {
+void finish(const BlockRange& range, CoarseMatrix& matrix) {
     const Stencil& stencil = matrix.stencil;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         const SymmetricLanes ground = load_block(matrix.ground, group, lane);
         SymmetricLanes diagonal = ground;
-        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
-            diagonal = diagonal + load_block(matrix.coefficients, s, lane);
+        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+            const SymmetricLanes block = gather_links(matrix, s, lane);
+            store_symmetric(
+                block, &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, CoarseMatrix::arrays)]);
+            diagonal = diagonal + block;
+        }
         const Lanes inertia = hn::Add(hn::Add(ground.xx, ground.yy), ground.zz);
         const Lanes least = hn::Mul(hn::Set(Tag(), 0.003f), inertia);
         store_symmetric(keep_where(hn::Gt(inertia, hn::Zero(Tag())), inverse(diagonal, least)),
@@ -108,16 +122,6 @@ HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D /*d*/, hn::Vec<D> v) {
     }
 }
 
-HWY_INLINE void store_link(const SplitBlock& block, std::uint32_t link, CoarseMatrix& matrix) {
-    matrix.links[link] = block;
-    const auto& [diagonal, off] = block;
-    const float values[] = {diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y};
-    float* first = &matrix.coefficients[lane_index(matrix.entries[link].at_first, 0, CoarseMatrix::arrays)];
-    float* second = &matrix.coefficients[lane_index(matrix.entries[link].at_second, 0, CoarseMatrix::arrays)];
-    for (std::uint32_t k = 0; k < CoarseMatrix::arrays; ++k)
-        first[k * Stencil::lanes] = second[k * Stencil::lanes] = values[k];
-}
-
 // sum of f (d d^T + a I): the row (dx dy dz a) times (dx dy dz 1), and times (dy dz dx .).
 void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
                  CoarseMatrix& matrix) {
@@ -143,7 +147,7 @@ void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4
         hn::Store(sum_rows(d, products), row, &sum.off_diagonal.x);
         const float a = sum.diagonal.w;
         sum.diagonal = {sum.diagonal.x + a, sum.diagonal.y + a, sum.diagonal.z + a, 0};
-        store_link(sum, k, matrix);
+        matrix.links[k] = sum;
     }
 }
 
@@ -168,7 +172,7 @@ void sum_links(const GalerkinLists& lists, const BlockRange& range, const SplitB
             }
             hn::Store(hn::Add(hn::Add(sum0, sum1), hn::Add(sum2, sum3)), d, &sum.diagonal.x + part);
         }
-        store_link(sum, k, matrix);
+        matrix.links[k] = sum;
     }
 }
 
@@ -181,7 +185,7 @@ namespace weft {
 
 HWY_EXPORT(sum_springs);
 HWY_EXPORT(sum_links);
-HWY_EXPORT(invert_diagonal);
+HWY_EXPORT(finish);
 HWY_EXPORT(residual);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
@@ -191,13 +195,15 @@ CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const std::vector<Link>& li
       coefficients(arrays * stencil.neighbours.size()),
       ground(std::size_t{arrays} * stencil.groups() * Stencil::lanes),
       inverse_diagonal(ground.size()),
-      links(link_list.size()),
-      entries(link_list.size()) {
+      links(link_list.size() + 1),
+      link_rows(stencil.neighbours.size()) {
+    const auto none = static_cast<std::uint32_t>(link_list.size());
+    std::ranges::fill(link_rows.span(), 2 * none);
     // Links ascend, and so do the graph's rows: each row meets its links in order.
     std::vector<std::uint32_t> next(graph.offsets.begin(), graph.offsets.end() - 1);
-    for (std::size_t k = 0; k < link_list.size(); ++k) {
-        const Link& link = link_list[k];
-        entries[k] = {stencil.entries[next[link.first]++], stencil.entries[next[link.second]++]};
+    for (std::uint32_t k = 0; k < none; ++k) {
+        for (const std::uint32_t node : {link_list[k].first, link_list[k].second})
+            link_rows[stencil.entries[next[node]++]] = 2 * k;
     }
 }
 
@@ -213,7 +219,7 @@ void CoarseMatrix::set_ground(std::uint32_t node, const Symmetric3& block) {
 
 std::size_t CoarseMatrix::bytes() const noexcept {
     return stencil.bytes() + coefficients.bytes() + ground.bytes() + inverse_diagonal.bytes() +
-           links.bytes() + entries.bytes();
+           links.bytes() + link_rows.bytes();
 }
 
 void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
@@ -226,8 +232,8 @@ void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const 
     HWY_DYNAMIC_DISPATCH(sum_links)(lists, range, links, matrix);
 }
 
-void invert_diagonal_block(const BlockRange& range, CoarseMatrix& matrix) {
-    HWY_DYNAMIC_DISPATCH(invert_diagonal)(range, matrix);
+void finish_block(const BlockRange& range, CoarseMatrix& matrix) {
+    HWY_DYNAMIC_DISPATCH(finish)(range, matrix);
 }
 
 void residual_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

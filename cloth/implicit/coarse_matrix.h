@@ -28,14 +28,11 @@ struct CoarseMatrix {
     CoarseMatrix(const SpringGraph& graph, const std::vector<Link>& links);
 
     Stencil stencil;
-    AlignedBuffer<float> coefficients;      ///< A_IJ per slot: 16 of each entry
-    AlignedBuffer<float> ground;            ///< G_I per group: 16 of each entry
-    AlignedBuffer<float> inverse_diagonal;  ///< likewise; 0 for nodes without inertia
-    AlignedBuffer<SplitBlock> links;        ///< A_IJ by link
-    struct Ends {
-        std::uint32_t at_first, at_second;
-    };
-    AlignedBuffer<Ends> entries;  ///< of each link in the stencil
+    AlignedBuffer<float> coefficients;       ///< A_IJ per slot: 16 of each entry
+    AlignedBuffer<float> ground;             ///< G_I per group: 16 of each entry
+    AlignedBuffer<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
+    AlignedBuffer<SplitBlock> links;         ///< A_IJ by link, and a last one that is 0
+    AlignedBuffer<std::uint32_t> link_rows;  ///< of each entry: twice its link's number, in `links` as rows
 
     [[nodiscard]] Symmetric3 ground_of(std::uint32_t node) const;
     void set_ground(std::uint32_t node, const Symmetric3& block);
@@ -48,8 +45,8 @@ void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, cons
 /// Sums the links of a block from a finer coarse level's.
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SplitBlock* links,
                      CoarseMatrix& matrix);
-/// After links and ground: the inverse of the diagonal.
-void invert_diagonal_block(const BlockRange& range, CoarseMatrix& matrix);
+/// After links and ground: a block's coefficients, and the inverse of its diagonal.
+void finish_block(const BlockRange& range, CoarseMatrix& matrix);
 
 /// residual = b - W x.
 void residual_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -27,7 +27,7 @@ struct SpringGraph {
 /// x_fine = P x_coarse, at most four weights a row. Rows sum to 1, so that rigid translations are kept; a
 /// node without springs has weights 0.
 struct Interpolation {
-    static constexpr std::uint32_t width = 4;
+    static constexpr std::uint32_t width = 3;
 
     std::uint32_t fine = 0, coarse = 0;
     AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k]

@@ -1,32 +1,28 @@
 #include "cloth/implicit/conjugate_gradient.h"
 
+#include <algorithm>
+
+#include "cloth/implicit/vectors.h"
+
 namespace weft {
 
 std::size_t CgVectors::bytes() const noexcept {
     return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
 }
 
-void start_from_rest(Parallel& parallel, std::span<const Vec4> b, CgVectors& vectors, std::span<Vec4> dv) {
-    parallel.ranges(static_cast<std::uint32_t>(dv.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            dv[i] = vectors.direction[i] = {};
-            vectors.residual[i] = to_vec4(xyz(b[i]), 0);
-        }
-    });
-}
-
-CgVectors::Products products(Parallel& parallel, CgVectors& vectors) {
+CgVectors::Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
     using Products = CgVectors::Products;
     return parallel.reduce(
-        static_cast<std::uint32_t>(vectors.residual.size()), vectors.partials.span(), Products{},
+        static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), Products{},
         [&](const BlockRange& range) {
-            Products sum;
-            for (std::uint32_t i = range.begin; i < range.end; ++i) {
-                const Vector4 z = load(vectors.preconditioned[i]);
-                sum.residual += static_cast<double>(z.dot(load(vectors.residual[i])));
-                sum.preconditioned += static_cast<double>(z.squaredNorm());
+            FourRows with_residual = FourRows::Zero(), squares = FourRows::Zero();
+            for (std::uint32_t i = range.begin; i < range.end; i += 4) {
+                const auto z = load_four(&vectors.preconditioned[i]);
+                with_residual += z * load_four(&residual[i]);
+                squares += z * z;
             }
-            return sum;
+            return Products{with_residual.topRows<3>().cast<double>().sum(),
+                            squares.topRows<3>().cast<double>().sum()};
         },
         [](const Products& l, const Products& r) {
             return Products{l.residual + r.residual, l.preconditioned + r.preconditioned};
@@ -34,20 +30,15 @@ CgVectors::Products products(Parallel& parallel, CgVectors& vectors) {
 }
 
 void turn_direction(Parallel& parallel, float beta, CgVectors& vectors) {
-    parallel.ranges(static_cast<std::uint32_t>(vectors.direction.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            store(vectors.direction[i], load(vectors.preconditioned[i]) + beta * load(vectors.direction[i]));
-        }
-    });
+    scale_and_add(parallel, 1.0f, vectors.preconditioned.span(), beta, vectors.direction.span());
 }
 
-void advance_along(Parallel& parallel, float alpha, CgVectors& vectors, std::span<Vec4> dv) {
-    parallel.ranges(static_cast<std::uint32_t>(dv.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            store(dv[i], load(dv[i]) + alpha * load(vectors.direction[i]));
-            store(vectors.residual[i], load(vectors.residual[i]) - alpha * load(vectors.product[i]));
-        }
-    });
+void advance_along(Parallel& parallel, float alpha, const CgVectors& vectors, std::span<Vec4> dv) {
+    scale_and_add(parallel, alpha, vectors.direction.span(), 1.0f, dv);
+}
+
+void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> residual, CgVectors& vectors) {
+    scale_and_add(parallel, -alpha, vectors.product.span(), residual, vectors.residual.span());
 }
 
 ConjugateGradientSolver::ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings)
@@ -57,6 +48,7 @@ float ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSyst
     const auto block_diagonal = [&](std::span<const Vec4> residual, std::span<Vec4> preconditioned) {
         system.precondition(step.parallel, residual, 1.0f, preconditioned);
     };
+    std::ranges::fill(step.velocity_change, Vec4{});
     return conjugate_gradients(step.parallel, system,
                                std::get<ConjugateGradient>(step.settings.method).iterations, block_diagonal,
                                vectors_, step.velocity_change);

@@ -26,48 +26,55 @@ struct CgVectors {
           partials(block_count(particles)) {}
     [[nodiscard]] std::size_t bytes() const noexcept;
 
-    AlignedBuffer<Vec4> residual, preconditioned, direction, product;  ///< r, z, p and W p; w 0
+    AlignedBuffer<Vec4> residual, preconditioned, direction, product;  ///< r, z, p and W p
     AlignedBuffer<Products> partials;
 };
 
 // The passes over whole vectors that an iteration is made of.
-/// dv = 0, p = 0, r = b.
-void start_from_rest(Parallel& parallel, std::span<const Vec4> b, CgVectors& vectors, std::span<Vec4> dv);
-[[nodiscard]] CgVectors::Products products(Parallel& parallel, CgVectors& vectors);
+[[nodiscard]] CgVectors::Products products(Parallel& parallel, std::span<const Vec4> residual,
+                                           CgVectors& vectors);
 /// p = z + beta p.
 void turn_direction(Parallel& parallel, float beta, CgVectors& vectors);
-/// dv += alpha p, r -= alpha W p.
-void advance_along(Parallel& parallel, float alpha, CgVectors& vectors, std::span<Vec4> dv);
+/// dv += alpha p.
+void advance_along(Parallel& parallel, float alpha, const CgVectors& vectors, std::span<Vec4> dv);
+/// r = residual - alpha W p.
+void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> residual, CgVectors& vectors);
 
-/// Conjugate gradients (Hestenes and Stiefel 1952) from dv = 0. precondition(r, z) writes z = P r, P
-/// symmetric and positive definite on the free particles and 0 on the pinned ones, of which nothing more is
-/// needed: a direction that is 0 there stays so (the filter of Baraff and Witkin 1998). Each iteration
-/// multiplies once and preconditions once. It ends early where single precision has nothing left to find; at
-/// what is not finite it gives up and returns not a number. Returns |P (b - W dv)| / |P b| of the last
-/// iterate that was preconditioned: the last but one, unless it ended early; 0 for b = 0.
+/// Conjugate gradients (Hestenes and Stiefel 1952) from 0: the solution is added to dv. precondition(r, z)
+/// writes z = P r from r, of which w may be anything, P symmetric and positive definite on the free particles
+/// and 0 on the pinned ones, of which nothing more is needed: a direction that is 0 there stays so (the
+/// filter of Baraff and Witkin 1998). Each iteration multiplies once and preconditions once. It ends early
+/// where single precision has nothing left to find; at what is not finite it gives up and returns not a
+/// number. Returns |P (b - W dv)| / |P b| of the last iterate that was preconditioned: the last but one,
+/// unless it ended early; 0 for b = 0.
 template <class Precondition>
 float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
                           const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
-    start_from_rest(parallel, system.right_side().span(), vectors, dv);
+    std::span<const Vec4> residual = system.right_side().span();
     CgVectors::Products first, before, now;
     for (int k = 0; k < iterations; ++k) {
-        precondition(std::as_const(vectors.residual).span(), vectors.preconditioned.span());
+        precondition(residual, vectors.preconditioned.span());
         before = now;
-        now = products(parallel, vectors);
+        now = products(parallel, residual, vectors);
         if (k == 0) first = now;
         if (!std::isfinite(now.residual)) return no_number;
         if (!(now.residual > rounding * first.residual)) break;
 
-        const double beta = k == 0 ? 0 : now.residual / before.residual;
-        turn_direction(parallel, static_cast<float>(beta), vectors);
+        if (k == 0)
+            std::swap(vectors.direction, vectors.preconditioned);
+        else
+            turn_direction(parallel, static_cast<float>(now.residual / before.residual), vectors);
         const double curvature =
             system.multiply(parallel, std::as_const(vectors.direction).span(), vectors.product.span());
         const double alpha = now.residual / curvature;
         if (std::isnan(curvature)) return no_number;
         if (!(curvature > 0) || !std::isfinite(alpha)) break;
         advance_along(parallel, static_cast<float>(alpha), vectors, dv);
+        if (k + 1 == iterations) break;
+        update_residual(parallel, static_cast<float>(alpha), residual, vectors);
+        residual = vectors.residual.span();
     }
     return first.preconditioned > 0 ? static_cast<float>(std::sqrt(now.preconditioned / first.preconditioned))
                                     : 0.0f;

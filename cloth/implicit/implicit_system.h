@@ -26,14 +26,6 @@ struct Relaxation {
     float momentum = 0;
 };
 
-/// Off-diagonal blocks in the form a I + d d^T >= 0, one per entry of the stencil: per slot 16 a [kg], then
-/// 16 d_x, d_y, d_z [sqrt(kg)]. From these the coarse levels are made. Blocks of pinned particles' own rows
-/// may hold anything.
-struct SpringBlocks {
-    const Stencil& stencil;
-    std::span<const float> coefficients;
-};
-
 /// Vectors are one Vec4 a particle, w 0, in AlignedBuffers (kernels read whole groups of 16). W is symmetric
 /// positive definite on the free particles; rows of pinned ones (inverse mass 0) are as if they were not
 /// there: 0 comes out.
@@ -59,9 +51,15 @@ class ImplicitSystem {
     /// x = step D^-1 b: relaxation from 0.
     virtual void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) = 0;
 
-    /// The spring nearest to each off-diagonal block; the blocks themselves, for springs. Written out by
-    /// every call, into memory that the first one takes.
-    [[nodiscard]] virtual SpringBlocks spring_blocks(Parallel& parallel) = 0;
+    /// Who has a block off the diagonal.
+    [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
+    /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots of the stencil; the
+    /// block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of slots[k]:
+    /// d [sqrt(kg)], w a [kg]. Blocks in pinned particles' own rows may hold anything.
+    virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                               std::span<Vec4> blocks) = 0;
+    /// Of all slots: one for each entry of the stencil. Allocates; not for the steady step.
+    [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
     /// Whether coarse levels may do without the spring between two particles, since others hold what it
     /// holds.

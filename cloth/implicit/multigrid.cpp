@@ -12,9 +12,8 @@ namespace weft {
 
 namespace {
 
-constexpr float ratio = 7;                    // of nodes, from level to level
+constexpr float ratio = 9;                    // of nodes, from level to level
 constexpr std::uint32_t coarsest_nodes = 16;  // few enough for a dense factorisation
-constexpr std::uint32_t tied = ~0u;
 
 /// Chebyshev semi-iteration on [low, high] (Golub and Varga 1961), from its first step on.
 struct Chebyshev2 {
@@ -29,9 +28,9 @@ constexpr Chebyshev2 chebyshev2(float low, float high) {
 // indefinite, 3.4 was measured; the polynomial for [0.6, 3] damps up to 3.6.
 constexpr float finest_step = 2 / (0.4f + 2.0f);
 constexpr Chebyshev2 coarse_smoothing = chebyshev2(0.6f, 3.0f);
+constexpr float first_coarse_step = 2 / (0.5f + 3.0f);
 
-SpringGraph graph_of(const SpringBlocks& blocks, std::span<const Vec4> positions) {
-    const Stencil& stencil = blocks.stencil;
+SpringGraph graph_of(const Stencil& stencil, std::span<const Vec4> blocks, std::span<const Vec4> positions) {
     SpringGraph graph;
     graph.offsets.push_back(0);
     for (std::uint32_t i = 0; i < stencil.nodes; ++i) {
@@ -39,9 +38,8 @@ SpringGraph graph_of(const SpringBlocks& blocks, std::span<const Vec4> positions
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane, j = stencil.neighbours[entry];
             if (j == i) continue;
-            const float* c = &blocks.coefficients[lane_index(entry, 0, 4)];
             graph.neighbours.push_back(j);
-            graph.stiffness.push_back(3 * c[0] + c[16] * c[16] + c[32] * c[32] + c[48] * c[48]);
+            graph.stiffness.push_back(3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm());
             graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
         }
         graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
@@ -66,14 +64,14 @@ std::uint32_t entry_of(const Stencil& stencil, const Link& link) {
 }  // namespace
 
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : stencil_(&system.spring_blocks(parallel).stencil),
-      smooth_(positions.size()),
-      product_(positions.size()) {
-    SpringGraph graph = graph_of(system.spring_blocks(parallel), positions);
+    : stencil_(&system.stencil()), smooth_(positions.size()), product_(positions.size()) {
+    SpringGraph graph = graph_of(*stencil_, system.all_spring_blocks(parallel).span(), positions);
     links_ = links_of(graph);
     std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
-    sources_ = AlignedBuffer<std::uint32_t>(links_.size());
-    springs_ = AlignedBuffer<Vec4>(links_.size());
+    for (const Link& link : links_) slots_.push_back(entry_of(*stencil_, link) / Stencil::lanes);
+    std::ranges::sort(slots_);
+    slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
+    slots_of_links_ = slots_.size();
 
     std::vector<Link> links = links_;
     while (graph.nodes() > coarsest_nodes) {
@@ -82,7 +80,10 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
         GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation);
         graph = make_coarse_graph(graph, coarsening, links, lists);
         links = lists.links;
-        if (coarse_.empty()) weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
+        if (coarse_.empty()) {
+            weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
+            for (std::uint32_t& link : lists.fine_links.span()) link = spring_of(links_[link]);
+        }
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph);
     }
     const auto n = static_cast<Eigen::Index>(3 * (coarse_.empty() ? 0 : coarse_.back().nodes()));
@@ -92,6 +93,12 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     set_pins(positions);
 }
 
+std::uint32_t Multigrid::spring_of(const Link& link) const {
+    const std::uint32_t entry = entry_of(*stencil_, link);
+    const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
+    return static_cast<std::uint32_t>(slot - slots_.begin()) * Stencil::lanes + entry % Stencil::lanes;
+}
+
 void Multigrid::set_pins(std::span<const Vec4> positions) {
     if (coarse_.empty()) return;
     const Interpolation& p = coarse_.front().interpolation();
@@ -99,43 +106,43 @@ void Multigrid::set_pins(std::span<const Vec4> positions) {
         for (std::uint32_t e = Interpolation::width * i; e < Interpolation::width * (i + 1); ++e)
             weights_[e] = positions[i].w == 0 ? 0 : p.weights[e];
     }
+    tie_to(positions);
+    if (springs_.size() != slots_.size() * Stencil::lanes)
+        springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
+}
+
+void Multigrid::tie_to(std::span<const Vec4> positions) {
+    slots_.resize(slots_of_links_);
+    held_.clear();
     ties_.clear();
-    for (std::size_t k = 0; k < links_.size(); ++k) {
-        const Link& link = links_[k];
+    const Interpolation& p = coarse_.front().interpolation();
+    for (const Link& link : links_) {
         const bool first_is_pinned = positions[link.first].w == 0,
                    second_is_pinned = positions[link.second].w == 0;
-        const auto source = static_cast<std::uint32_t>(lane_index(entry_of(*stencil_, link), 0, 4));
-        sources_[k] = first_is_pinned || second_is_pinned ? tied : source;
+        if (first_is_pinned || second_is_pinned) held_.push_back(spring_of(link));
         if (first_is_pinned == second_is_pinned) continue;
         // The free particle's own half-edge: blocks of pinned rows may hold anything.
         const Link own = second_is_pinned ? link : Link{link.second, link.first};
-        const auto own_source = static_cast<std::uint32_t>(lane_index(entry_of(*stencil_, own), 0, 4));
+        const std::uint32_t entry = entry_of(*stencil_, own);
+        const auto spring =
+            static_cast<std::uint32_t>(slots_.size()) * Stencil::lanes + entry % Stencil::lanes;
+        slots_.push_back(entry / Stencil::lanes);
         for (std::uint32_t e = Interpolation::width * own.first; e < Interpolation::width * (own.first + 1);
              ++e) {
-            if (p.weights[e] != 0) ties_.push_back({p.nodes[e], own_source, p.weights[e]});
+            if (p.weights[e] != 0) ties_.push_back({p.nodes[e], spring, p.weights[e]});
         }
     }
     std::ranges::sort(ties_, [](const Tie& a, const Tie& b) {
-        return std::tie(a.coarse, a.source) < std::tie(b.coarse, b.source);
+        return std::tie(a.coarse, a.spring) < std::tie(b.coarse, b.spring);
     });
 }
 
 void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     if (coarse_.empty()) return;
-    const std::span<const float> coefficients = system.spring_blocks(parallel).coefficients;
-    parallel.ranges(static_cast<std::uint32_t>(links_.size()), [&](const BlockRange& range) {
-        for (std::uint32_t k = range.begin; k < range.end; ++k) {
-            const std::uint32_t source = sources_[k];
-            if (source == tied) {
-                springs_[k] = {};
-                continue;
-            }
-            const float* c = &coefficients[source];
-            springs_[k] = {c[16], c[32], c[48], c[0]};
-        }
-    });
+    system.spring_blocks(parallel, slots_, springs_.span());
+    for (const std::uint32_t spring : held_) springs_[spring] = {};
     coarse_.front().sum_links(parallel, springs_.span());
-    sum_first_ground(parallel, system, coefficients);
+    sum_first_ground(parallel, system);
     coarse_.front().finish(parallel);
     for (std::size_t k = 1; k < coarse_.size(); ++k) {
         coarse_[k].sum(parallel, coarse_[k - 1]);
@@ -144,8 +151,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     factorise_coarsest();
 }
 
-void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system,
-                                 std::span<const float> coefficients) {
+void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
     CoarseLevel& first = coarse_.front();
     const Interpolation& p = first.interpolation();
     parallel.ranges(p.coarse, [&](const BlockRange& range) {
@@ -157,9 +163,9 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
         }
     });
     for (const Tie& tie : ties_) {
-        const float* c = &coefficients[tie.source];
+        const Vec4& spring = springs_[tie.spring];
         Symmetric3 ground = first.matrix().ground_of(tie.coarse);
-        ground.add(tie.weight * c[0], std::sqrt(tie.weight) * Vector3(c[16], c[32], c[48]));
+        ground.add(tie.weight * spring.w, std::sqrt(tie.weight) * xyz(spring));
         first.matrix().set_ground(tie.coarse, ground);
     }
 }
@@ -202,15 +208,17 @@ void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<cons
 void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
     CoarseLevel& level = coarse_[k];
     if (k + 1 == coarse_.size()) return solve_coarsest();
-    level.relax_from_zero(parallel, coarse_smoothing.first.step);
-    level.relax(parallel, coarse_smoothing.second);
+    // Once on the largest of them, which costs as much as all others: a second step there gains less.
+    const bool once = k == 0;
+    level.relax_from_zero(parallel, once ? first_coarse_step : coarse_smoothing.first.step);
+    if (!once) level.relax(parallel, coarse_smoothing.second);
     level.residual(parallel, level.before());
     const Interpolation& p = coarse_[k + 1].interpolation();
     restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
     solve_level(parallel, k + 1);
     prolong_from(parallel, p, p.weights.span(), coarse_[k + 1].x(), level.x());
-    level.relax(parallel, coarse_smoothing.first);
-    level.relax(parallel, coarse_smoothing.second);
+    level.relax(parallel, once ? Relaxation{.step = first_coarse_step} : coarse_smoothing.first);
+    if (!once) level.relax(parallel, coarse_smoothing.second);
 }
 
 void Multigrid::solve_coarsest() {
@@ -223,8 +231,9 @@ void Multigrid::solve_coarsest() {
 }
 
 std::size_t Multigrid::bytes() const noexcept {
-    std::size_t sum = links_.size() * sizeof(Link) + sources_.bytes() + springs_.bytes() + weights_.bytes() +
-                      ties_.size() * sizeof(Tie) + smooth_.bytes() + product_.bytes();
+    std::size_t sum = links_.size() * sizeof(Link) + (slots_.size() + held_.size()) * sizeof(std::uint32_t) +
+                      springs_.bytes() + weights_.bytes() + ties_.size() * sizeof(Tie) + smooth_.bytes() +
+                      product_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

@@ -36,21 +36,27 @@ class Multigrid {
     /// A spring from a free particle to a pinned one, and how much of it a node of the first coarse level
     /// feels.
     struct Tie {
-        std::uint32_t coarse, source;
+        std::uint32_t coarse, spring;
         float weight;
     };
-    void sum_first_ground(Parallel& parallel, const ImplicitSystem& system,
-                          std::span<const float> coefficients);
+    /// The place of a link of the finest level in springs_.
+    [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
+    void tie_to(std::span<const Vec4> positions);
+    void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
     void factorise_coarsest();
     void solve_level(Parallel& parallel, std::size_t level);
     void solve_coarsest();
 
     Stencil const* stencil_;
-    std::vector<Link> links_;               // of the finest level
-    AlignedBuffer<std::uint32_t> sources_;  // of each link: where its coefficients begin, or `tied`
-    AlignedBuffer<Vec4> springs_;           // of each link: d, a
-    AlignedBuffer<float> weights_;          // of the first level's P, rows of pinned particles 0
-    std::vector<Tie> ties_;                 // ascending by coarse node
+    std::vector<Link> links_;  // of the finest level
+    // Slots of the stencil that hold the links from their first end, and slots of free particles with springs
+    // to pins.
+    std::vector<std::uint32_t> slots_;
+    std::size_t slots_of_links_ = 0;
+    AlignedBuffer<Vec4> springs_;      // of these slots: see ImplicitSystem::spring_blocks
+    std::vector<std::uint32_t> held_;  // springs with a pinned end, which are not summed
+    AlignedBuffer<float> weights_;     // of the first level's P, rows of pinned particles 0
+    std::vector<Tie> ties_;            // ascending by coarse node
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, product_;
     Eigen::MatrixXd coarsest_;

@@ -45,10 +45,7 @@ float MultilevelSolver::solve(const SolverStep& step) {
     std::ranges::copy(step.equation.velocities, velocities_.data());
     const float residual = method.use == Multilevel::Use::passes ? solve_in_passes(step, method)
                                                                  : solve_nonlinear(step, method.iterations);
-    step.parallel.ranges(static_cast<std::uint32_t>(velocities_.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            step.velocity_change[i] = to_vec4(xyz(velocities_[i]) - xyz(step.equation.velocities[i]), 0);
-    });
+    scale_and_add(step.parallel, -1.0f, step.equation.velocities, velocities_.span(), step.velocity_change);
     return residual;
 }
 
@@ -123,8 +120,7 @@ float MultilevelSolver::solve_in_passes(const SolverStep& step, const Multilevel
         residual = conjugate_gradients(
             parallel, *system_, pass + 1 < method.passes ? 1 : method.iterations,
             [&](std::span<const Vec4> r, std::span<Vec4> z) { multigrid_->cycle(parallel, *system_, r, z); },
-            vectors_, step.velocity_change);
-        scale_and_add(parallel, 1.0f, step.velocity_change, 1.0f, velocities_.span());
+            vectors_, velocities_.span());
     }
     return residual;
 }

@@ -79,4 +79,10 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
     }
 }
 
+std::uint32_t Stencil::node_of(std::uint32_t slot, std::uint32_t lane) const noexcept {
+    const auto next_group = std::ranges::upper_bound(group_slots.span(), slot);
+    const auto group = static_cast<std::uint32_t>(next_group - group_slots.span().begin()) - 1;
+    return std::min(group * lanes + lane, nodes - 1);
+}
+
 }  // namespace weft

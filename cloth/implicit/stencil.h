@@ -35,6 +35,8 @@ struct Stencil {
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
     [[nodiscard]] std::uint32_t slots() const noexcept { return nodes == 0 ? 0 : group_slots[groups()]; }
+    /// Whose neighbour a slot has in a lane: found by bisection.
+    [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept {
         return group_slots.bytes() + neighbours.bytes() + runs.bytes() + entries.bytes();
     }

@@ -49,12 +49,26 @@ inline double norm(Parallel& parallel, std::span<const Vec4> v, std::span<double
     return std::sqrt(dot(parallel, v, v, partials));
 }
 
+/// out = row by row(i), which gives the four from i on.
+template <class Rows>
+void fill_fours(Parallel& parallel, std::span<Vec4> out, const Rows& rows) {
+    parallel.ranges(static_cast<std::uint32_t>(out.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; i += 4)
+            Eigen::Map<FourRows, Eigen::Aligned16>(&out[i].x) = rows(i);
+    });
+}
+
 /// y = a x + b y.
 inline void scale_and_add(Parallel& parallel, float a, std::span<const Vec4> x, float b, std::span<Vec4> y) {
-    parallel.ranges(static_cast<std::uint32_t>(y.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; i += 4)
-            Eigen::Map<FourRows, Eigen::Aligned16>(&y[i].x) = a * load_four(&x[i]) + b * load_four(&y[i]);
-    });
+    fill_fours(parallel, y,
+               [&](std::uint32_t i) -> FourRows { return a * load_four(&x[i]) + b * load_four(&y[i]); });
+}
+
+/// out = a x + y.
+inline void scale_and_add(Parallel& parallel, float a, std::span<const Vec4> x, std::span<const Vec4> y,
+                          std::span<Vec4> out) {
+    fill_fours(parallel, out,
+               [&](std::uint32_t i) -> FourRows { return a * load_four(&x[i]) + load_four(&y[i]); });
 }
 
 }  // namespace weft

@@ -16,13 +16,10 @@ std::vector<ParticlePair> pairs_of(const CookedCloth& model) {
     return pairs;
 }
 
-/// a I + d d^T of an entry.
-Eigen::Matrix3d block_of(std::span<const float> coefficients, std::uint32_t entry) {
-    const auto c = [&](std::uint32_t k) {
-        return static_cast<double>(coefficients[lane_index(entry, k, 4)]);
-    };
-    const Eigen::Vector3d d(c(1), c(2), c(3));
-    return c(0) * Eigen::Matrix3d::Identity() + d * d.transpose();
+/// a I + d d^T.
+Eigen::Matrix3d block_of(const Vec4& spring) {
+    const Eigen::Vector3d d = xyz(spring).cast<double>();
+    return static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
 }
 
 }  // namespace
@@ -54,7 +51,8 @@ float CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& syste
 // read.
 void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system) {
     const std::span<const Vec4> b = system.right_side().span();
-    const auto [stencil, coefficients] = system.spring_blocks(step.parallel);
+    const AlignedBuffer<Vec4> springs = system.all_spring_blocks(step.parallel);
+    const Stencil& stencil = system.stencil();
     const auto is_free = [&](std::uint32_t i) { return b[i].w > 0; };
     matrix_.set_zero();
     std::size_t pair = 0;
@@ -64,7 +62,7 @@ void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system)
         for (std::uint32_t e = step.model.spring_offsets[i]; e < step.model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t j = step.model.neighbours[e];
             if (is_free(i)) {
-                const Eigen::Matrix3d block = block_of(coefficients, stencil.entries[e]);
+                const Eigen::Matrix3d block = block_of(springs[stencil.entries[e]]);
                 diagonal += block;
                 if (j > i && is_free(j)) matrix_.add_pair(pair, -block);
             }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,6 +33,7 @@ struct Problem {
     }
     template <class Precondition>
     float solve(int iterations, const Precondition& precondition) {
+        std::ranges::fill(dv.span(), Vec4{});
         return conjugate_gradients(serial, *system, iterations, precondition, vectors, dv.span());
     }
     /// Of dv, in the energy norm, relative to that of dv = 0.

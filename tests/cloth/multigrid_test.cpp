@@ -176,8 +176,8 @@ TEST_P(OnMeshes, CycleIsSymmetricPositiveDefiniteAndLeavesPinsAlone) {
 int iterations_needed(const Cloth& cloth) {
     Levels levels(cloth);
     CgVectors vectors(cloth.model.particle_count);
-    AlignedBuffer<Vec4> dv(cloth.model.particle_count);
     for (int k = 1; k < 100; ++k) {
+        AlignedBuffer<Vec4> dv(cloth.model.particle_count);
         const float left = conjugate_gradients(
             levels.serial, *levels.system, k + 1,
             [&](auto r, auto z) { levels.multigrid->cycle(levels.serial, *levels.system, r, z); }, vectors,

@@ -130,14 +130,14 @@ struct Reference {
     /// to zero on some machines.
     void take_blocks(const Scene& scene, SpringSystem& system) {
         Parallel serial(1);
-        const auto [stencil, coefficients] = system.spring_blocks(serial);
+        const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
         for (std::uint32_t i = 0; i < size; ++i) {
             std::uint32_t e = scene.model.spring_offsets[i];
             for (Link& link : links[i]) {
-                const float* c = &coefficients[lane_index(stencil.entries[e++], 0, 4)];
-                const Eigen::Vector3d d = Vector3(c[16], c[32], c[48]).cast<double>();
+                const Vec4& spring = blocks[system.stencil().entries[e++]];
+                const Eigen::Vector3d d = xyz(spring).cast<double>();
                 const Eigen::Matrix3d block =
-                    static_cast<double>(c[0]) * Eigen::Matrix3d::Identity() + d * d.transpose();
+                    static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
                 EXPECT_LE((block - link.block).norm(), 0x1p-9 * link.block.trace()) << i << " to " << link.to;
                 diagonal[i] += block - link.block;
                 link.block = block;
@@ -328,9 +328,8 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
         for (Vec4& x : scene.positions.span()) x.w = 100;  // rows of pinned particles may hold anything
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        const SpringBlocks blocks = system.spring_blocks(serial);
-        const Stencil& stencil = blocks.stencil;
-        const std::span<const float> coefficients = blocks.coefficients;
+        const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
+        const Stencil& stencil = system.stencil();
         const CookedCloth& model = scene.model;
         const auto half_edge = [&](std::uint32_t i, std::uint32_t j) {
             const auto row = model.neighbours.span().subspan(
@@ -341,10 +340,9 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
                 const std::uint32_t here = stencil.entries[e], there = half_edge(model.neighbours[e], i);
-                EXPECT_EQ(coefficients[lane_index(here, 0, 4)], coefficients[lane_index(there, 0, 4)]);
-                EXPECT_GE(coefficients[lane_index(here, 0, 4)], 0);
-                for (std::uint32_t k = 1; k < 4; ++k)
-                    EXPECT_EQ(coefficients[lane_index(here, k, 4)], -coefficients[lane_index(there, k, 4)]);
+                EXPECT_EQ(blocks[here].w, blocks[there].w);
+                EXPECT_GE(blocks[here].w, 0);
+                EXPECT_EQ(xyz(blocks[here]), -xyz(blocks[there]));
             }
         }
     }

@@ -36,7 +36,7 @@ struct Multilevel {
         nonlinear_conjugate_gradient,  ///< one linearisation; a cycle preconditions each true gradient
     };
     Use use = Use::passes;
-    int passes = 2;  ///< linearisations, >= 1: Newton's method as far as they go. Of Use::passes only
+    int passes = 3;  ///< linearisations, >= 1: Newton's method as far as they go. Of Use::passes only
     int iterations =
         2;  ///< of the conjugate gradients, >= 1; with passes: in the last, after one in each other
 };
