@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"
 
@@ -21,25 +22,21 @@ double chebyshev_polynomial(int n, double x) {
     return x < 0 && n % 2 == 1 ? -magnitude : magnitude;
 }
 
-/// The eigenvectors v of W v = lambda D v, D being the blocks of the diagonal: v^T D v = 1.
-struct Modes {
-    explicit Modes(const Eigen::MatrixXd& w) : diagonal(Eigen::MatrixXd::Zero(w.rows(), w.cols())) {
-        for (Eigen::Index i = 0; i < w.rows(); i += 3) diagonal.block<3, 3>(i, i) = w.block<3, 3>(i, i);
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(w, diagonal);
-        eigenvalues = solver.eigenvalues();
-        vectors = solver.eigenvectors();
-    }
-    Eigen::MatrixXd diagonal, vectors;
-    Eigen::VectorXd eigenvalues;  // ascending
-};
+/// The blocks D of W's diagonal.
+Eigen::MatrixXd block_diagonal(const Eigen::MatrixXd& w) {
+    Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(w.rows(), w.cols());
+    for (Eigen::Index i = 0; i < w.rows(); i += 3) diagonal.block<3, 3>(i, i) = w.block<3, 3>(i, i);
+    return diagonal;
+}
 
 struct Problem {
     explicit Problem(Cloth of, float h = 1.0f / 60)
         : cloth(std::move(of)),
           system(assembled(cloth, h)),
           reference(dense(*system)),
-          modes(reference.matrix),
-          exact(reference.matrix.ldlt().solve(reference.right_side)),
+          diagonal(block_diagonal(reference.matrix)),
+          modes(test::modes(reference.matrix, diagonal)),
+          exact(solution(reference.matrix, reference.right_side)),
           dv(cloth.model.particle_count),
           vectors(cloth.model.particle_count) {}
 
@@ -58,6 +55,7 @@ struct Problem {
     Cloth cloth;
     std::unique_ptr<ImplicitSystem> system;
     DenseSystem reference;
+    Eigen::MatrixXd diagonal;
     Modes modes;
     Eigen::VectorXd exact;
     AlignedBuffer<Vec4> dv;
@@ -88,7 +86,7 @@ TEST(Chebyshev, ErrorIsItsPolynomialOfTheEigenvalues) {
                          chebyshev_polynomial(n, centre / half_width);
             }
             const Eigen::VectorXd coefficients =
-                modes.vectors.transpose() * (modes.diagonal * -problem.exact);
+                modes.vectors.transpose() * (problem.diagonal * -problem.exact);
             const Eigen::VectorXd expected = modes.vectors * factors.cwiseProduct(coefficients);
             EXPECT_LT((problem.error() - expected).norm(), 1e-4 * problem.exact.norm()) << iterations;
         }
@@ -121,7 +119,7 @@ TEST(Chebyshev, DivergesWhereTheIntervalEndsBelowTheLargestEigenvalue) {
 TEST(Chebyshev, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
     Problem problem(crumpled(sheet(5, 5), 0.03f, 200.0f));
     const auto preconditioned = [&](const Eigen::VectorXd& r) {
-        return problem.modes.diagonal.ldlt().solve(r).norm();
+        return solution(problem.diagonal, r).norm();
     };
     const Spectrum interval{0.05, 2};
     for (int iterations = 2; iterations <= 9; ++iterations) {

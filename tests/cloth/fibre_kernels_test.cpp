@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "dense_algebra.h"
 #include "engine/aligned_buffer.h"
 #include "engine/vector.h"
 
@@ -87,7 +88,7 @@ Eigen::MatrixXd densely_solved(const Fibres16& fibres, std::uint32_t lane) {
     right -= gamma * jacobian * displacements;
     Eigen::MatrixXd matrix = (1 + gamma) * jacobian * weights * jacobian.transpose();
     matrix += Eigen::MatrixXd::Identity(n, n) / kappa;
-    return positions + weights * jacobian.transpose() * matrix.ldlt().solve(right);
+    return positions + weights * jacobian.transpose() * solution(matrix, right);
 }
 
 TEST(FibreLdlt, EqualsADenseSolve) {

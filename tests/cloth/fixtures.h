@@ -1,7 +1,7 @@
 #pragma once
 // Cloths and dense references that several test files share.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <random>
 
 #include "cloth/cloth.h"

@@ -1,0 +1,29 @@
+#include "dense_algebra.h"
+
+#include <Eigen/Dense>
+
+namespace weft::test {
+
+Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+    return a.ldlt().solve(b);
+}
+
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+double largest_real_part(const Eigen::MatrixXd& any) {
+    return any.eigenvalues().real().maxCoeff();
+}
+
+Modes modes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(a, b);
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+SingularValues singular_values(const Eigen::Matrix3d& a) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
+}
+
+}  // namespace weft::test

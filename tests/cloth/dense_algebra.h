@@ -1,0 +1,29 @@
+#pragma once
+// Eigen's decompositions as plain functions: compiled once, not in every test file that compares with one.
+
+#include <Eigen/Core>
+
+namespace weft::test {
+
+/// Of a x = b, a symmetric.
+[[nodiscard]] Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// Of a symmetric matrix, ascending.
+[[nodiscard]] Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
+/// The largest real part of any matrix's eigenvalues.
+[[nodiscard]] double largest_real_part(const Eigen::MatrixXd& any);
+
+/// a v = lambda b v, both symmetric and b positive definite: v^T b v = 1.
+struct Modes {
+    Eigen::VectorXd eigenvalues;  ///< ascending
+    Eigen::MatrixXd vectors;
+};
+[[nodiscard]] Modes modes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// a = u diag(s) v^T.
+struct SingularValues {
+    Eigen::Matrix3d u, v;
+    Eigen::Vector3d s;
+};
+[[nodiscard]] SingularValues singular_values(const Eigen::Matrix3d& a);
+
+}  // namespace weft::test
