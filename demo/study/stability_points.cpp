@@ -118,7 +118,7 @@ std::vector<StabilityPoint> stability_points() {
     return {
         weft_default(),
         multilevel("1", "1 pass", one_linearisation, {.use = passes, .passes = 1}),
-        multilevel("3", "3 passes", newton, {.use = passes, .passes = 3}),
+        multilevel("2", "2 passes", newton, {.use = passes, .passes = 2}),
         multilevel("bdf2", "3 passes; BDF2", newton, {.use = passes, .passes = 3}, TimeScheme::bdf2),
         multilevel("nonlinear", "nonlinear CG", newton,
                    {.use = nonlinear_conjugate_gradient, .iterations = 8}),

@@ -1,6 +1,7 @@
 #include "demo/study/reference/newton.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace weft::study {
 
@@ -36,12 +37,22 @@ Newton::Newton(const SolverStep& step, const StepFunctional& functional, std::ui
 // Where cloth is about to buckle the functional is all but flat along some motions. There the part of the
 // damping's slope that has no potential, which the matrix lacks, can keep the iterates wandering about the
 // solution.
-NewtonResult Newton::minimise(const SolverStep& step, const StepFunctional& functional, double tolerance) {
+NewtonResult Newton::minimise(const SolverStep& step, const StepFunctional& functional, double tolerance,
+                              const Flat& nearby) {
     NewtonResult best{functional.start(), {}, false};
-    Flat v = functional.start(), residual = functional.residual(v);
+    Flat residual = functional.residual(best.velocities);
     const double first = residual.norm();
     double least = first;
     best.residuals.push_back(first);
+    if (nearby.size() > 0) {
+        const Flat there = functional.residual(nearby);
+        if (there.norm() < first) {
+            best.velocities = nearby;
+            residual = there;
+            least = residual.norm();
+        }
+    }
+    Flat v = best.velocities;
     std::size_t best_at = 0;
     const auto wanders = [&] {
         return least < 1e-4 * first && best.residuals.size() > best_at + most_in_vain;
@@ -90,10 +101,35 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
     return step;
 }
 
+void ConvergedSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
+                              const ClothState& state) {
+    if (model.particle_count <= ExactSolve::usual_limit) return;
+    if (!approach_) {
+        approach_settings_ = settings;
+        approach_settings_.method = Multilevel{.passes = 8, .iterations = 4};
+        approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_);
+    }
+    approach_->prepare(model, approach_settings_, state);
+}
+
+Flat ConvergedSolver::approach(const SolverStep& step, const Flat& start) {
+    if (!approach_) return {};
+    const float residual = approach_->solve({.parallel = step.parallel,
+                                             .profiler = step.profiler,
+                                             .model = step.model,
+                                             .settings = approach_settings_,
+                                             .equation = step.equation,
+                                             .touches_collider = step.touches_collider,
+                                             .velocity_change = step.velocity_change});
+    if (!std::isfinite(residual)) return {};
+    return start + flat(step.velocity_change);
+}
+
 float ConvergedSolver::solve(const SolverStep& step) {
     const StepFunctional functional(step.model, step.equation);
     if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
-    const NewtonResult result = newton_->minimise(step, functional, tolerance_);
+    const Flat nearby = approach(step, functional.start());
+    const NewtonResult result = newton_->minimise(step, functional, tolerance_, nearby);
     for (std::uint32_t i = 0; i < functional.particles(); ++i) {
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
         const Eigen::Vector3d change = result.velocities.segment<3>(at) - functional.start().segment<3>(at);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cloth/implicit/multilevel.h"
 #include "cloth/solver.h"
 #include "demo/study/reference/exact_solve.h"
 #include "demo/study/reference/step_functional.h"
@@ -25,8 +26,9 @@ class Newton {
     /// What is solved by iteration is preconditioned with the library's multigrid.
     Newton(const SolverStep& step, const StepFunctional& functional,
            std::uint32_t direct_up_to = ExactSolve::usual_limit);
+    /// `nearby`: velocities from which to set out, should their residual be less than that of the start.
     [[nodiscard]] NewtonResult minimise(const SolverStep& step, const StepFunctional& functional,
-                                        double tolerance);
+                                        double tolerance, const Flat& nearby = {});
 
   private:
     [[nodiscard]] Flat direction(const StepFunctional& functional, const Flat& v, const Flat& residual,
@@ -42,17 +44,25 @@ class Newton {
 };
 
 /// Reference A as a method of the frame, so that it meets the same wind, pins and time scheme as all others.
+/// Large cloths are brought near the solution in single precision, by the library's multilevel method: far
+/// from it, double precision is lost time.
 class ConvergedSolver final : public Solver {
   public:
     static constexpr double converged = 1e-8;  ///< of the first residual
 
     explicit ConvergedSolver(double tolerance = converged) : tolerance_(tolerance) {}
+    void prepare(const CookedCloth& model, const ClothSettings& settings, const ClothState& state) override;
     float solve(const SolverStep& step) override;
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 
   private:
+    /// Velocities near the solution; none for small cloths.
+    [[nodiscard]] Flat approach(const SolverStep& step, const Flat& start);
+
     double tolerance_;
     std::unique_ptr<Newton> newton_;
+    ClothSettings approach_settings_;
+    std::unique_ptr<MultilevelSolver> approach_;
 };
 
 }  // namespace weft::study
