@@ -1,6 +1,5 @@
 #include "cloth/forces/spring_forces.h"
 
-#include "cloth/implicit/symmetric3.h"
 #include "engine/separating_direction.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,10 +1,8 @@
 #include "cloth/forces/spring_matrix.h"
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "cloth/implicit/symmetric3.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/forces/spring_matrix.cpp"
@@ -13,12 +11,12 @@
 
 #include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
-namespace {
-
+// Found by the loops through their vectors' namespace, so not in the file's own.
 /// (W x)_i for the lanes from particle `i` on.
 HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
@@ -37,39 +35,22 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const
 
 /// D_i^-1 v for the lanes from particle `i` on.
 HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
-    const std::size_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-    return load_symmetric(&matrix.inverse_diagonal[group * 6 * Stencil::lanes + lane]) * v;
+    return load_symmetric(&matrix.inverse_diagonal[lane_index(i, 0, 6)]) * v;
 }
 
+namespace {
+
 double multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    const Lanes zero = hn::Zero(Tag());
-    alignas(64) float dots[Stencil::lanes] = {};  // by lane, so that the sum is the same at any width
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 x_i = xyz(load_rows(x + i));
-        const Lanes3 row = row_product(matrix, i, x, x_i);
-        store_rows(row, zero, product + i);
-        float* const partial = dots + i % Stencil::lanes;
-        hn::Store(hn::Add(load_lanes(partial), dot(row, x_i)), Tag(), partial);
-    }
-    return std::accumulate(std::begin(dots), std::end(dots), 0.0);
+    return multiply_rows(matrix, range, x, product);
 }
 
 void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
-    const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 x_i = xyz(load_rows(x + i));
-        const Lanes3 residual = xyz(load_rows(b + i)) - row_product(matrix, i, x, x_i);
-        const Lanes3 moved = mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i);
-        store_rows(mul_add(step, preconditioned(matrix, i, residual), moved), hn::Zero(Tag()), next + i);
-    }
+    relax_rows(matrix, range, b, x, relaxation, next);
 }
 
 void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 v = preconditioned(matrix, i, xyz(load_rows(b + i)));
-        store_rows(hn::Set(Tag(), step) * v, hn::Zero(Tag()), x + i);
-    }
+    precondition_rows(matrix, range, b, step, x);
 }
 
 void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots, Vec4* blocks) {

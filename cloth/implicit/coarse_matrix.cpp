@@ -8,6 +8,7 @@
 #include "hwy/highway.h"
 
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,6 +21,9 @@ HWY_INLINE SymmetricLanes load_block(const AlignedBuffer<float>& values, std::ui
     return load_symmetric(&values[std::size_t{slot} * CoarseMatrix::arrays * Stencil::lanes + lane]);
 }
 
+}  // namespace
+
+// Found by the loops through their vectors' namespace, so not in the file's own.
 HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
@@ -33,6 +37,8 @@ HWY_INLINE Lanes3 preconditioned(const CoarseMatrix& matrix, std::uint32_t i, co
     return load_block(matrix.inverse_diagonal, i / Stencil::lanes, i % Stencil::lanes) * v;
 }
 
+namespace {
+
 void residual(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* out) {
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 row = row_product(matrix, i, x, xyz(load_rows(x + i)));
@@ -42,20 +48,11 @@ void residual(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b
 
 void relax(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
-    const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 x_i = xyz(load_rows(x + i));
-        const Lanes3 left = xyz(load_rows(b + i)) - row_product(matrix, i, x, x_i);
-        const Lanes3 moved = mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i);
-        store_rows(mul_add(step, preconditioned(matrix, i, left), moved), hn::Zero(Tag()), next + i);
-    }
+    relax_rows(matrix, range, b, x, relaxation, next);
 }
 
 void precondition(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 v = preconditioned(matrix, i, xyz(load_rows(b + i)));
-        store_rows(hn::Set(Tag(), step) * v, hn::Zero(Tag()), x + i);
-    }
+    precondition_rows(matrix, range, b, step, x);
 }
 
 /// A_IJ of the links of a part of slot s.

@@ -88,7 +88,7 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     }
     const auto n = static_cast<Eigen::Index>(3 * (coarse_.empty() ? 0 : coarse_.back().nodes()));
     coarsest_.resize(n, n);
-    factor_ = Eigen::LLT<Eigen::MatrixXd>(n);
+    factor_.compute(Eigen::MatrixXd::Identity(n, n));  // takes its memory
     coarsest_x_.resize(n);
     set_pins(positions);
 }

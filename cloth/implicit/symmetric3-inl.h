@@ -8,6 +8,7 @@
 #endif
 
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/symmetric3.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
