@@ -44,11 +44,13 @@ class Newton {
 };
 
 /// Reference A as a method of the frame, so that it meets the same wind, pins and time scheme as all others.
-/// Large cloths are brought near the solution in single precision, by the library's multilevel method: far
-/// from it, double precision is lost time.
+/// Large cloths are brought near the solution in single precision, by the library's multilevel method with
+/// many passes: far from it, double precision is lost time. The largest are left there: a sheet of 64 x 64
+/// is then less than a millimetre from A after 0.5 s, and after 1 s within what buckling leaves open.
 class ConvergedSolver final : public Solver {
   public:
-    static constexpr double converged = 1e-8;  ///< of the first residual
+    static constexpr double converged = 1e-8;                    ///< of the first residual
+    static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
     explicit ConvergedSolver(double tolerance = converged) : tolerance_(tolerance) {}
     void prepare(const CookedCloth& model, const ClothSettings& settings, const ClothState& state) override;
@@ -56,7 +58,7 @@ class ConvergedSolver final : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 
   private:
-    /// Velocities near the solution; none for small cloths.
+    /// Velocities near the solution; none for small cloths, and where there are none.
     [[nodiscard]] Flat approach(const SolverStep& step, const Flat& start);
 
     double tolerance_;
