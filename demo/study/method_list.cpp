@@ -117,7 +117,7 @@ void add_multilevel(List& list) {
 
 void add_positional(List& list) {
     list.curve("xpbd", "XPBD: substeps");
-    for (const int substeps : {4, 8, 16, 32, 64, 128})
+    for (const int substeps : {1, 2, 4, 8, 16, 32, 64})
         list.add(substeps == 8 || substeps == 32, text("substeps", substeps), Xpbd{1}, substeps);
     list.curve("xpbd-iterations", "XPBD: iterations");
     for (const int k : {4, 16, 64}) list.add(false, text("iterations", k), Xpbd{k});
