@@ -166,6 +166,7 @@ class Accuracy {
 
     template <class Measure>
     void run_points(const Part& part, const Measure& measure) {
+        bool is_warm = false;
         for (const MethodPoint& point : part.points) {
             const double cost = part.cost(work_of(point));
             if (table_.find(identity(part.scene, point, threads_), accuracy_keys()) != nullptr) {
@@ -173,6 +174,8 @@ class Accuracy {
                 continue;
             }
             progress_.begin(title(part) + " " + point.name + " " + point.setting);
+            // The first runs of all on caches and clocks that are cold: once for nothing.
+            if (!std::exchange(is_warm, true)) measure(point);
             append(measure(point));
             progress_.end(cost);
         }
