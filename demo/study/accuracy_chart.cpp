@@ -109,7 +109,7 @@ std::optional<double> positive(const CsvRow& row, const std::string& column) {
     return value && *value > 0 ? value : std::nullopt;
 }
 
-/// The rows that can be drawn; the default's apart, since it is drawn on top.
+/// The rows that can be drawn; the default's once more, since it is marked.
 struct Chart {
     std::vector<Curve> curves;
     std::vector<Measured> defaults;
@@ -129,10 +129,7 @@ Chart chart_of(const Rows& rows, const Kind& kind) {
         }
         if (row->at("status") != "ok" || !error || !cost) continue;
         const Measured measured{{*cost, *error}, row->at("setting")};
-        if (row->at("default") == "yes") {
-            chart.defaults.push_back(measured);
-            continue;
-        }
+        if (row->at("default") == "yes") chart.defaults.push_back(measured);
         const auto at = std::ranges::find(chart.curves, row->at("method"), &Curve::method);
         Curve& curve = at != chart.curves.end()
                            ? *at
@@ -144,7 +141,7 @@ Chart chart_of(const Rows& rows, const Kind& kind) {
 
 /// The front over all curves.
 std::vector<Measured> front_of_chart(const Chart& chart) {
-    std::vector<Measured> all = chart.defaults;
+    std::vector<Measured> all;
     for (const Curve& curve : chart.curves) all.insert(all.end(), curve.points.begin(), curve.points.end());
     std::vector<CostAndError> points;
     for (const Measured& measured : all) points.push_back(measured.at);

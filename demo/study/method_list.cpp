@@ -53,13 +53,20 @@ std::string text(const std::string& what, int number, const std::string& other, 
     return text(what, number) + " " + text(other, other_number);
 }
 
-/// What Weft does if it is told nothing.
-void add_default(List& list) {
+/// Marks what Weft does if it is told nothing; adds it if it is not yet there.
+void mark_default(std::vector<MethodPoint>& points) {
     const ClothSettings shipped;
-    list.curve("default", "Weft's default");
-    MethodPoint* const point =
-        list.add(true, "as shipped", shipped.method, shipped.substeps, shipped.time_scheme);
-    point->is_default = true;
+    const auto is_shipped = [&](const MethodPoint& point) {
+        const ClothSettings settings = point.applied_to({});
+        return !point.make_solver && settings.method == shipped.method &&
+               settings.substeps == shipped.substeps && settings.time_scheme == shipped.time_scheme &&
+               !settings.tethers.enabled;
+    };
+    auto at = std::ranges::find_if(points, is_shipped);
+    if (at == points.end())
+        at = points.insert(points.begin(),
+                           {"default", "Weft's default", "as shipped", [](ClothSettings&) {}, {}, false});
+    at->is_default = true;
 }
 
 void add_iterative(List& list) {
@@ -169,13 +176,14 @@ std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scen
     const bool is_large = scene.mesh.positions.size() > 20'000,
                is_medium = scene.mesh.positions.size() > 5'000;
     List list(coverage);
-    add_default(list);
     add_iterative(list);
     add_multilevel(list);
     add_positional(list);
     if (!is_large) add_explicit(list, scene);
     if (!is_medium) add_cholesky(list);
-    return list.take();
+    std::vector<MethodPoint> points = list.take();
+    mark_default(points);
+    return points;
 }
 
 std::vector<MethodPoint> only_named(std::vector<MethodPoint> points, const std::string& text) {
