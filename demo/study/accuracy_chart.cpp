@@ -136,6 +136,8 @@ Chart chart_of(const Rows& rows, const Kind& kind) {
                            : chart.curves.emplace_back(Curve{row->at("method"), row->at("label"), {}});
         curve.points.push_back(measured);
     }
+    for (Curve& curve : chart.curves)
+        std::ranges::sort(curve.points, {}, [](const Measured& point) { return point.at.cost; });
     return chart;
 }
 

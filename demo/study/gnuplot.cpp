@@ -8,7 +8,14 @@ namespace weft::study {
 
 std::string quoted(const std::string& text) {
     std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+    for (const char c : text) {
+        if (c == '\'')
+            result += "''";
+        else if (c == '\n')
+            result += R"('."\n".')";  // a string of gnuplot's ends with its line
+        else
+            result += c;
+    }
     return result + "'";
 }
 
