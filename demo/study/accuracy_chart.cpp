@@ -164,7 +164,7 @@ std::string data_block(const std::string& name, const std::vector<Measured>& poi
 
 std::string scene_title(const CsvRow& row) {
     static const std::map<std::string, std::string> titles{{"hanging", "Sheet hung by two corners"},
-                                                           {"wind", "Sheet hung by two corners in wind"},
+                                                           {"wind", "Hung sheet in wind"},
                                                            {"tshirt", "T-shirt hung by its neck"},
                                                            {"tshirt-fine", "T-shirt hung by its neck"},
                                                            {"dress", "Dress hung by its neck"}};
