@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/forces/spring_matrix.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
