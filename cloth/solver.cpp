@@ -18,6 +18,8 @@ template <class... Makers>
 struct Overload : Makers... {
     using Makers::operator()...;
 };
+template <class... Makers>
+Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by itself before 17
 
 }  // namespace
 

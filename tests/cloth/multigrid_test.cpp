@@ -109,7 +109,7 @@ Eigen::MatrixXd dense_matrix(const CoarseMatrix& matrix) {
     AlignedBuffer<Vec4> unit(n), zero(n), product(n);
     Eigen::MatrixXd result(3 * n, 3 * n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
             unit[i] = to_vec4(Vector3::Unit(axis), 0);
             for (std::uint32_t block = 0; block < block_count(n); ++block) {
                 const BlockRange range{block * block_size, std::min(n, (block + 1) * block_size), block};
@@ -157,7 +157,7 @@ TEST_P(OnMeshes, CycleIsSymmetricPositiveDefiniteAndLeavesPinsAlone) {
     Eigen::MatrixXd inverse(3 * n, 3 * n);
     AlignedBuffer<Vec4> r(n), z(n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
             if (cloth.state.positions[i].w != 0) r[i] = to_vec4(Vector3::Unit(axis), 0);
             levels.multigrid->cycle(levels.serial, *levels.system, r.span(), z.span());
             inverse.col(3 * i + axis) = flat(z.span());
