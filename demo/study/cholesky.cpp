@@ -39,7 +39,7 @@ float CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& syste
     std::optional<MultigridCycle> cycle;
     if (!exact_solve_.is_direct()) cycle.emplace(step.parallel, system, step.equation.positions);
     exact_solve_.solve(
-        matrix_, right_side, 1e-8, [&](const auto& r, auto& z) { cycle->apply(r, z); }, change);
+        matrix_, right_side, 1e-10, [&](const auto& r, auto& z) { cycle->apply(r, z); }, change);
     for (std::uint32_t i = 0; i < b.size(); ++i) {
         const Eigen::Vector3d change_i = change.segment<3>(3 * static_cast<Eigen::Index>(i));
         step.velocity_change[i] = to_vec4(change_i.cast<float>(), 0);

@@ -8,7 +8,7 @@ namespace weft::study {
 namespace {
 
 constexpr std::size_t most_iterations = 1000;
-constexpr std::size_t most_in_vain = 6;  // that do not halve the residual
+constexpr std::size_t most_in_vain = 20;  // that do not halve the residual
 
 /// The step length in (0, 1] that lowers the functional enough (Armijo 1966). Near the solution, where
 /// differences of the functional drown in rounding, it is 1.
@@ -50,6 +50,7 @@ NewtonResult Newton::minimise(const SolverStep& step, const StepFunctional& func
             best.velocities = nearby;
             residual = there;
             least = residual.norm();
+            best.residuals.push_back(least);
         }
     }
     Flat v = best.velocities;

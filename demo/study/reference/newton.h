@@ -13,8 +13,9 @@
 namespace weft::study {
 
 struct NewtonResult {
-    Flat velocities;                ///< those of the least residual
-    std::vector<double> residuals;  ///< norm before the first iteration and after each
+    Flat velocities;  ///< those of the least residual
+    std::vector<double>
+        residuals;  ///< norm at the start, nearby if it set out from there, after each iteration
     bool converged = false;
 };
 
