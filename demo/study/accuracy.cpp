@@ -100,6 +100,7 @@ class Accuracy {
   public:
     Accuracy(const StudyOptions& options, const std::vector<Part>& parts)
         : is_quick_(options.quick),
+          fine_time_limit_(options.fine_time_limit),
           threads_(options.threads),
           table_(options.csv, accuracy_columns(), options.resume),
           store_(cache_folder(options), options.threads),
@@ -147,8 +148,8 @@ class Accuracy {
         progress_.begin(title(part) + " references");
         for (const Reference reference : all_references) {
             if (is_quick_ && reference == Reference::converged_bdf2) continue;
-            // At 256 x 256, 7000 steps a frame: an hour a scene.
-            if (reference == Reference::fine_time && part.scene.mesh.positions.size() > 20'000) continue;
+            if (reference == Reference::fine_time && part.scene.mesh.positions.size() > fine_time_limit_)
+                continue;
             references[reference] = store_.states(part.scene, reference, frames);
         }
         for (const auto& [reference, states] : references)
@@ -192,6 +193,7 @@ class Accuracy {
     }
 
     bool is_quick_;
+    std::uint32_t fine_time_limit_;
     int threads_;
     CsvWriter table_;
     ReferenceStore store_;
