@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "cloth/ordering.h"
 #include "cloth/topology.h"
 
 namespace weft {
@@ -263,6 +264,8 @@ Result<CookedCloth> cook(const Mesh& mesh) {
     Topology& topology = *built;
     if (is_grid(mesh))
         if (Result<void> grid = check_grid(mesh, topology); !grid) return grid.error();
+    // Rows of a grid are in order already: neighbours lie at the same few distances from all particles.
+    if (!is_grid(mesh)) renumber(topology, memory_order(topology));
 
     std::vector<Spring> springs = is_grid(mesh) ? springs_of_grid(mesh) : springs_of_mesh(mesh, topology);
     keep_one_per_pair(springs);

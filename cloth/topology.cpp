@@ -234,7 +234,17 @@ std::vector<std::uint32_t> component_roots(const Topology& topology) {
     return parents;
 }
 
+std::uint32_t count_loose(const Topology& topology) {
+    std::vector<bool> used(topology.particle_count(), false);
+    for (const Triangle& triangle : topology.triangles)
+        for (const std::uint32_t particle : triangle) used[particle] = true;
+    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
+}
+
+}  // namespace
+
 void build_components(Topology& topology) {
+    topology.component_offsets.clear();
     const std::vector<std::uint32_t> roots = component_roots(topology);
     topology.component_particles.resize(roots.size());
     std::iota(topology.component_particles.begin(), topology.component_particles.end(), 0u);
@@ -245,15 +255,6 @@ void build_components(Topology& topology) {
             topology.component_offsets.push_back(i);
     topology.component_offsets.push_back(topology.particle_count());
 }
-
-std::uint32_t count_loose(const Topology& topology) {
-    std::vector<bool> used(topology.particle_count(), false);
-    for (const Triangle& triangle : topology.triangles)
-        for (const std::uint32_t particle : triangle) used[particle] = true;
-    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
-}
-
-}  // namespace
 
 Result<void> check_mesh(const Mesh& mesh) {
     if (Result<void> sizes = check_sizes(mesh); !sizes) return sizes;

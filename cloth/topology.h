@@ -25,7 +25,8 @@ struct Edge {
     [[nodiscard]] bool is_border() const noexcept { return triangles[1] == none; }
 };
 
-/// Particles are numbered by their first vertex, ascending, so that a mesh without seams keeps its numbers.
+/// As built, particles are numbered by their first vertex, ascending, so that a mesh without seams keeps its
+/// numbers; see ordering.h.
 struct Topology {
     std::vector<std::uint32_t> vertex_to_particle;
     std::vector<std::uint32_t> first_vertices;  ///< of each particle
@@ -50,6 +51,9 @@ struct Topology {
 /// Error: see check_mesh; or an edge of more than two triangles, two triangles of the same three particles,
 /// or no triangle that has an area.
 [[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
+
+/// Finds the components of the present edges and particles.
+void build_components(Topology& topology);
 
 /// Error, which names the element and its value: coordinates that are not finite or too large, an index out
 /// of range, no triangles, arrays whose sizes do not fit each other.

@@ -176,14 +176,17 @@ TEST_P(HeavyElastica, StripHangsAsTheElasticaDoes) {
                                 .bending = 1,
                                 .dihedral = expected.dihedral};
     Cloth cloth(cook(strip(columns + 1, rows, cell, expected.irregular)).value(), settings);
+    const auto at = [&](std::uint32_t row, std::uint32_t column) {
+        return cloth.model.vertex_to_particle[row * (columns + 2) + column];
+    };
     for (std::uint32_t r = 0; r <= rows; ++r) {
-        cloth.pin(r * (columns + 2));
-        cloth.pin(r * (columns + 2) + 1);
+        cloth.pin(at(r, 0));
+        cloth.pin(at(r, 1));
     }
     relax_to_rest(cloth, {0, -g, 0}, 0.3f, 40);
     double reach = 0, drop = 0;
     for (std::uint32_t r = 0; r <= rows; ++r) {
-        const Vec4& tip = cloth.state.positions[r * (columns + 2) + columns + 1];
+        const Vec4& tip = cloth.state.positions[at(r, columns + 1)];
         reach += static_cast<double>(tip.x + 0.5f * cell) / (rows + 1);
         drop -= static_cast<double>(tip.y) / (rows + 1);
     }

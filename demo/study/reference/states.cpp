@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t file_version = 1;  // of what references compute, too: raise it where they change
 
-/// Of everything that the states depend on.
+/// Of everything that the states depend on, and of the order in which particles lie in them.
 std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const std::vector<int>& frames) {
     const Fabric& fabric = scene.cloth.fabric;
     const Wind& wind = scene.world.wind;
@@ -50,6 +50,7 @@ std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const st
     hash.add(std::span<const std::uint32_t>(scene.pins));
     hash.add(std::span<const Vec4>(scene.start_positions));
     hash.add(std::span<const Vec4>(scene.start_velocities));
+    if (mesh.rows == 0) hash.add(std::span<const std::uint32_t>(cook(mesh).value().vertex_to_particle));
     return hash.value();
 }
 
