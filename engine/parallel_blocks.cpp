@@ -1,46 +1,54 @@
 #include "engine/parallel_blocks.h"
 
+#include <utility>
+
+#include "engine/loop_team.h"
+
 #ifdef WEFT_STD_THREADS
-#include "engine/thread_pool.h"
+#include "engine/helper_threads.h"
 #else
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 #endif
 
 namespace weft {
 
+namespace {
+
 #ifdef WEFT_STD_THREADS
-
-class Parallel::Arena : public ThreadPool {
-  public:
-    using ThreadPool::ThreadPool;
-};
-
+using Helpers = HelperThreads;
 #else
-
-class Parallel::Arena {
+class Helpers {
   public:
-    explicit Arena(int threads) : arena_(threads) { arena_.initialize(); }
-
-    void run(std::uint32_t block_count, Executor::Body body, void* context) {
-        arena_.execute([=] {
-            tbb::parallel_for(
-                tbb::blocked_range<std::uint32_t>(0, block_count),
-                [=](const tbb::blocked_range<std::uint32_t>& blocks) {
-                    for (std::uint32_t block = blocks.begin(); block < blocks.end(); ++block)
-                        body(context, block);
-                },
-                tbb::static_partitioner());
-        });
+    Helpers(std::shared_ptr<LoopTeam> team, int threads) : team_(std::move(team)), arena_(threads) {
+        arena_.initialize();
+    }
+    // Its task may come late, after all of this has gone: it holds the team.
+    void send(std::uint32_t place) {
+        arena_.enqueue([team = team_, place] { team->help(place); });
     }
 
   private:
+    std::shared_ptr<LoopTeam> team_;
     tbb::task_arena arena_;
 };
-
 #endif
+
+}  // namespace
+
+class Parallel::Arena {
+  public:
+    explicit Arena(int threads)
+        : team_(std::make_shared<LoopTeam>(static_cast<std::uint32_t>(threads))), helpers_(team_, threads) {}
+    ~Arena() { team_->close(); }
+
+    void run(std::uint32_t block_count, Executor::Body body, void* context) {
+        team_->run(block_count, body, context, [this](std::uint32_t place) { helpers_.send(place); });
+    }
+
+  private:
+    std::shared_ptr<LoopTeam> team_;
+    Helpers helpers_;
+};
 
 Parallel::Parallel(int threads) {
     executor_.width = threads;

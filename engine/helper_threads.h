@@ -1,0 +1,32 @@
+#pragma once
+// Helpers of a LoopTeam on threads from the standard library, in place of a oneTBB arena's where every
+// synchronisation has to be visible to the thread sanitizer. Built in that configuration only.
+
+#include <atomic>
+#include <memory>
+#include <semaphore>
+#include <thread>
+#include <vector>
+
+#include "engine/loop_team.h"
+
+namespace weft {
+
+class HelperThreads {
+  public:
+    explicit HelperThreads(std::shared_ptr<LoopTeam> team, int threads);
+    ~HelperThreads();
+    HelperThreads(const HelperThreads&) = delete;
+    HelperThreads& operator=(const HelperThreads&) = delete;
+
+    /// Has the thread of a place, 1 to threads - 1, help.
+    void send(std::uint32_t place) { wanted_[place - 1]->release(); }
+
+  private:
+    std::shared_ptr<LoopTeam> team_;
+    std::atomic<bool> stopping_ = false;
+    std::vector<std::unique_ptr<std::binary_semaphore>> wanted_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace weft
