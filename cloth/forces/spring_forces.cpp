@@ -24,25 +24,25 @@ struct Springs {
     Lanes stiffness;   ///< a + b, b being the axial one [N/m]
 };
 
-/// `directions`, but where the ends coincide, which is rare, a direction made from their numbers.
+/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. By
+/// value, so that the loops keep theirs in registers.
 template <class Mask>
-HWY_NOINLINE Lanes3 with_separating_directions(const Lanes3& directions, Mask apart,
+HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask apart,
                                                const std::uint32_t* neighbours, std::uint32_t i) {
-    alignas(64) float x[part_lanes], y[part_lanes], z[part_lanes];
+    alignas(64) float xs[part_lanes], ys[part_lanes], zs[part_lanes], is_apart[part_lanes];
     const Tag d;
-    hn::Store(directions.x, d, x);
-    hn::Store(directions.y, d, y);
-    hn::Store(directions.z, d, z);
-    alignas(64) float is_apart[part_lanes];
+    hn::Store(x, d, xs);
+    hn::Store(y, d, ys);
+    hn::Store(z, d, zs);
     hn::Store(hn::IfThenElseZero(apart, set(1)), d, is_apart);
     for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
         if (is_apart[lane] != 0) continue;
         const Vector3 n = separating_direction(neighbours[lane], i + lane);
-        x[lane] = n.x();
-        y[lane] = n.y();
-        z[lane] = n.z();
+        xs[lane] = n.x();
+        ys[lane] = n.y();
+        zs[lane] = n.z();
     }
-    return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+    return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
 /// Of slot s, for the lanes from particle `i` on, which are at x_i.
@@ -57,7 +57,8 @@ HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::ui
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
     if (HWY_UNLIKELY(!hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0))))))
-        direction = with_separating_directions(direction, apart, &state.stencil.neighbours[entry], i);
+        direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
+                                               &state.stencil.neighbours[entry], i);
 
     const Lanes tension = hn::Mul(stiffness, hn::Sub(length, rest_length));
     const Lanes isotropic = hn::IfThenElseZero(
