@@ -281,6 +281,7 @@ Result<CookedCloth> cook(const Mesh& mesh) {
     store_panel_sides(mesh, topology, cloth);
     store_springs(springs, cloth);
     cloth.triangles = std::move(topology.triangles);
+    cloth.triangles.shrink_to_fit();
     store_corners(cloth);
     cloth.component_offsets = std::move(topology.component_offsets);
     cloth.component_particles = std::move(topology.component_particles);

@@ -41,6 +41,19 @@ Error stale_id(const char* type, Id id) {
                                      "} is of an object that was removed, or of another World"};
 }
 
+/// With all the memory that its steps will need, but what depends on pins.
+Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
+                                          const ClothSettings& settings) {
+    if (const auto valid = validate(settings); !valid) return valid.error();
+    auto cooked = cook(mesh);
+    if (!cooked) return cooked.error();
+    auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
+    simulation.prepare(*cloth);
+    cloth->solver->prepare(cloth->model, cloth->settings, cloth->state);
+    cloth->solver_is_prepared = true;
+    return cloth;
+}
+
 /// The particle of a mesh vertex.
 Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
     const auto& map = cloth.model.vertex_to_particle;
@@ -86,13 +99,18 @@ Result<void> World::set_settings(const WorldSettings& settings) {
 }
 
 Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings) {
-    if (const auto valid = validate(settings); !valid) return valid.error();
     return without_exceptions([&]() -> Result<ClothId> {
-        auto cooked = cook(mesh);
-        if (!cooked) return cooked.error();
-        auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
-        impl_->simulation.prepare(*cloth);
-        return impl_->simulation.cloths.insert(std::move(cloth));
+        auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        if (!cloth) return cloth.error();
+        return impl_->simulation.cloths.insert(std::move(cloth).value());
+    });
+}
+
+Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& settings) const {
+    return without_exceptions([&]() -> Result<ClothInfo> {
+        const auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        if (!cloth) return cloth.error();
+        return (*cloth)->info();
     });
 }
 

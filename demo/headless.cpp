@@ -1,5 +1,6 @@
 #include "demo/headless.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <optional>
@@ -55,6 +56,11 @@ void print_summary(const Simulation& simulation, const FrameTable& table, const 
     const StepReport& report = simulation.world().report();
     std::printf("scene %s, %u particles, %d substeps, %" PRIu64 " frames of 1/60 s\n",
                 simulation.entry().name, report.particles, report.substeps, report.step);
+    std::uint64_t bytes = 0;
+    for (const SceneCloth& cloth : simulation.content().cloths)
+        bytes += simulation.world().cloth_info(cloth.id).value().bytes;
+    std::printf("cloths take %.1f MB, %.0f bytes a particle\n", 1e-6 * static_cast<double>(bytes),
+                static_cast<double>(bytes) / std::max(1.0, static_cast<double>(report.particles)));
     std::fputs(table.summary().c_str(), stdout);
     if (troubles.frames > 0)
         std::printf("in %d frames: %s", troubles.frames, flags_text(troubles.flags).c_str());

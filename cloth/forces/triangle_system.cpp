@@ -254,7 +254,9 @@ void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint
             const float trace = std::max(block.trace(), 0.0f);
             const float along = std::clamp(n.dot(block * n), trace / 3, trace);
             const float across = 0.5f * (trace - along);
-            blocks[k] = to_vec4(std::sqrt(along - across) * n, across);
+            const float beyond =
+                std::max(along - across, 0.0f);  // a rounding below 0 where along is trace / 3
+            blocks[k] = to_vec4(std::sqrt(beyond) * n, across);
         }
     });
 }

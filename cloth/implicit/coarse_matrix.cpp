@@ -119,12 +119,24 @@ HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D /*d*/, hn::Vec<D> v) {
     }
 }
 
+/// The same, of 16 lanes' worth of registers, in the order in which one of 16 lanes would be summed: the
+/// bytes do not depend on how many lanes there are.
+template <class D>
+HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D d, const hn::Vec<D>* parts) {
+    constexpr std::uint32_t lanes = hn::MaxLanes(D());
+    if constexpr (lanes == 4) {
+        return hn::Add(hn::Add(parts[0], parts[2]), hn::Add(parts[1], parts[3]));
+    } else {
+        return sum_rows(d, lanes == 16 ? parts[0] : hn::Add(parts[0], parts[16 / lanes - 1]));
+    }
+}
+
 // sum of f (d d^T + a I): the row (dx dy dz a) times (dx dy dz 1), and times (dy dz dx .).
 void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
                  CoarseMatrix& matrix) {
     const Tag d;
     const hn::FixedTag<float, 4> row;
-    constexpr std::uint32_t at_once = part_lanes / 4;
+    constexpr std::uint32_t at_once = part_lanes / 4, parts = 4 / at_once;  // of four terms
     alignas(64) static constexpr std::int32_t next_axis[] = {1, 2,  0, 3,  5,  6,  4,  7,
                                                              9, 10, 8, 11, 13, 14, 12, 15};
     const auto rotation = hn::SetTableIndices(d, next_axis);
@@ -132,12 +144,16 @@ void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4
     const Lanes one = hn::Set(d, 1.0f);
     const auto is_last = hn::Eq(hn::Load(d, last_axis), one);
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        Lanes squares = hn::Zero(d), products = hn::Zero(d);
-        for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; t += at_once) {
-            const Lanes spring = rows_side_by_side(d, springs, &lists.fine_links[t]);
-            const Lanes scaled = hn::Mul(each_four_times(&lists.factors[t]), spring);
-            squares = hn::MulAdd(scaled, hn::IfThenElse(is_last, one, spring), squares);
-            products = hn::MulAdd(scaled, hn::TableLookupLanes(spring, rotation), products);
+        Lanes squares[parts], products[parts];
+        for (std::uint32_t part = 0; part < parts; ++part) squares[part] = products[part] = hn::Zero(d);
+        for (std::uint32_t first = lists.offsets[k]; first < lists.offsets[k + 1]; first += 4) {
+            for (std::uint32_t part = 0; part < parts; ++part) {
+                const std::uint32_t t = first + part * at_once;
+                const Lanes spring = rows_side_by_side(d, springs, &lists.fine_links[t]);
+                const Lanes scaled = hn::Mul(each_four_times(&lists.factors[t]), spring);
+                squares[part] = hn::MulAdd(scaled, hn::IfThenElse(is_last, one, spring), squares[part]);
+                products[part] = hn::MulAdd(scaled, hn::TableLookupLanes(spring, rotation), products[part]);
+            }
         }
         SplitBlock sum;
         hn::Store(sum_rows(d, squares), row, &sum.diagonal.x);

@@ -152,6 +152,7 @@ Coarsening coarsen(const SpringGraph& graph, float ratio) {
     const auto wanted = static_cast<std::uint32_t>(std::ceil(static_cast<float>(graph.nodes()) / ratio));
     Interpolation p;
     Voronoi voronoi = sample_farthest(graph, wanted, p.kept);
+    p.kept.shrink_to_fit();
     p.fine = graph.nodes();
     p.coarse = static_cast<std::uint32_t>(p.kept.size());
     p.nodes = AlignedBuffer<std::uint32_t>(std::size_t{Interpolation::width} * p.fine);

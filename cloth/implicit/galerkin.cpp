@@ -130,6 +130,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
     }
     lists.fill_up();
     if (!lists.links.empty()) lists.offsets.push_back(static_cast<std::uint32_t>(lists.factors.size()));
+    lists.links.shrink_to_fit();
     return {std::move(lists.links), copied(lists.offsets), copied(lists.fine_links), copied(lists.factors)};
 }
 

@@ -72,6 +72,8 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     std::ranges::sort(slots_);
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
     slots_of_links_ = slots_.size();
+    links_.shrink_to_fit();
+    slots_.shrink_to_fit();
 
     std::vector<Link> links = links_;
     while (graph.nodes() > coarsest_nodes) {

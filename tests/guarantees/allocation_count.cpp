@@ -1,5 +1,7 @@
 #include "tests/guarantees/allocation_count.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -7,12 +9,20 @@
 namespace {
 
 std::atomic<std::uint64_t> allocations = 0;
+std::atomic<std::int64_t> bytes = 0;
 
 void* allocate(std::size_t size, std::size_t alignment) noexcept {
     ++allocations;
     // aligned_alloc wants whole multiples of the alignment.
     const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-    return std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
+    void* const memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
+    bytes += static_cast<std::int64_t>(malloc_usable_size(memory));
+    return memory;
+}
+
+void release(void* memory) noexcept {
+    bytes -= static_cast<std::int64_t>(malloc_usable_size(memory));
+    std::free(memory);
 }
 
 void* allocate_or_throw(std::size_t size, std::size_t alignment) {
@@ -31,6 +41,10 @@ namespace weft {
 
 std::uint64_t allocation_count() noexcept {
     return allocations;
+}
+
+std::int64_t allocated_bytes() noexcept {
+    return bytes;
 }
 
 }  // namespace weft
@@ -61,38 +75,38 @@ void* operator new[](std::size_t n, std::align_val_t a, const std::nothrow_t&) n
 }
 
 void operator delete(void* p) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete(void* p, std::size_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p, std::size_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete(void* p, std::align_val_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p, std::align_val_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete(void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept {
-    std::free(p);
+    release(p);
 }
 void operator delete[](void* p, std::align_val_t, const std::nothrow_t&) noexcept {
-    std::free(p);
+    release(p);
 }

@@ -11,4 +11,7 @@ namespace weft {
 /// Allocations since the program started.
 [[nodiscard]] std::uint64_t allocation_count() noexcept;
 
+/// Bytes that are allocated now, as the allocator rounds them.
+[[nodiscard]] std::int64_t allocated_bytes() noexcept;
+
 }  // namespace weft

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "tests/guarantees/allocation_count.h"
+#include "tests/guarantees/method_cases.h"
 #include "tests/guarantees/scene_run.h"
 
 namespace weft::demo {
@@ -25,22 +26,36 @@ TEST(AllocationCount, SeesEveryFormOfNew) {
     EXPECT_EQ(allocation_count() - before, 8u);
 }
 
+struct WarmSteps {
+    std::uint64_t count = 0;  ///< of allocations
+    std::uint32_t collider_contacts = 0, self_contacts = 0;
+};
+
+/// Of 60 steps, after 30 to warm up.
+template <class Run>
+WarmSteps allocations_when_warm(Run& run) {
+    constexpr int warm_up = 30, frames = 60;
+    WarmSteps seen;
+    for (int frame = 0; frame < warm_up + frames; ++frame) {
+        run.before_step();  // the host may allocate
+        const std::uint64_t before = allocation_count();
+        const StepReport& report = run.step();
+        if (frame < warm_up) continue;
+        seen.count += allocation_count() - before;
+        seen.collider_contacts += report.collider_contacts;
+        seen.self_contacts += report.self_contacts;
+    }
+    return seen;
+}
+
 class Allocation : public testing::TestWithParam<std::tuple<SceneEntry, int>> {};
 
 TEST_P(Allocation, DoesNotHappenInAWarmStep) {
     const auto& [entry, threads] = GetParam();
     if (const auto why = cannot_run(entry); !why.empty()) GTEST_SKIP() << why;
 
-    constexpr int warm_up = 30, frames = 60;
     SceneRun run(entry, threads);
-    std::uint64_t allocations = 0;
-    for (int frame = 0; frame < warm_up + frames; ++frame) {
-        run.before_step();  // the scene may allocate
-        const std::uint64_t before = allocation_count();
-        run.step();
-        if (frame >= warm_up) allocations += allocation_count() - before;
-    }
-    EXPECT_EQ(allocations, 0u) << "in " << frames << " steps";
+    EXPECT_EQ(allocations_when_warm(run).count, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Allocation,
@@ -51,6 +66,23 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Allocation,
                                                                                    ? "_one_thread"
                                                                                    : "_two_threads");
                          });
+
+class MethodAllocation : public testing::TestWithParam<test::MethodCase> {};
+
+TEST_P(MethodAllocation, DoesNotHappenInAWarmStep) {
+    for (const int threads : {1, 2}) {
+        test::LoweredSheet run(GetParam(), threads);
+        const WarmSteps seen = allocations_when_warm(run);
+        EXPECT_EQ(seen.count, 0u) << threads << " threads";
+        EXPECT_GT(seen.collider_contacts, 0u);
+        if (GetParam().cloth.self_collision.enabled) {
+            EXPECT_GT(seen.self_contacts, 0u);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MethodAllocation, testing::ValuesIn(test::method_cases()),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace weft::demo

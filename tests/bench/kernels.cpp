@@ -1,0 +1,215 @@
+#include "tests/bench/kernels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "cloth/implicit/multigrid.h"
+#include "cloth/positional/xpbd_kernel.h"
+#include "collision/hash_grid.h"
+#include "tests/bench/stopwatch.h"
+
+namespace weft::bench {
+
+namespace {
+
+/// What the formulas count in, all per particle.
+struct Counts {
+    double half_edges, indices, triangles, contacts;
+
+    explicit Counts(const Cloth& cloth, const Stencil& stencil) {
+        const auto n = static_cast<double>(cloth.model.particle_count);
+        half_edges = static_cast<double>(cloth.model.neighbours.size()) / n;
+        triangles = static_cast<double>(cloth.model.triangles.size()) / n;
+        contacts = 2 * static_cast<double>(cloth.self_counts.pairs) / n;
+        double gathered = 0;
+        for (std::uint32_t s = 0; s < stencil.slots(); ++s) gathered += stencil.runs[s] == Stencil::no_run;
+        indices = half_edges * gathered / std::max(1u, stencil.slots());
+    }
+};
+
+// Rows of x y z w are 16 bytes; a half-edge's block a, d_x, d_y, d_z is 8 in half precision, its index 4
+// where neighbours are not runs, its rest length and stiffness 8; D^-1 is 24.
+Traffic linearise_traffic(
+    const Counts& c) {  // x v air in, b out; per half-edge some 65: n, tension, a, d, b, D
+    return {.bytes = 4 * 16 + 4 + 24 + c.half_edges * (8 + 8) + 4 * c.indices,
+            .flops = 60 + 65 * c.half_edges};
+}
+Traffic residual_traffic(const Counts& c) {  // v in, x of the iterate out and in, residual out
+    return {.bytes = 6 * 16 + 8 * c.half_edges + 4 * c.indices, .flops = 20 + 35 * c.half_edges};
+}
+Traffic multiply_traffic(const Counts& c) {  // a (x_i - x_j) + d (d . (x_i - x_j)): 3 + 5 + 9 + 3
+    return {.bytes = 2 * 16 + 4 + 8 * c.half_edges + 4 * c.indices, .flops = 12 + 20 * c.half_edges};
+}
+Traffic relax_traffic(const Counts& c) {  // b x in, next in and out
+    return {.bytes = 4 * 16 + 4 + 24 + 8 * c.half_edges + 4 * c.indices, .flops = 36 + 20 * c.half_edges};
+}
+Traffic precondition_traffic() {
+    return {.bytes = 2 * 16 + 24, .flops = 18};
+}
+
+/// Sums over the coarse levels, per particle of the finest.
+struct CoarseCounts {
+    double terms = 0, lists = 0, matrices = 0, read_by_cycle = 0, flops_of_cycle = 0;
+
+    CoarseCounts(const Multigrid& multigrid, double n) {
+        for (std::size_t k = 0; k < multigrid.levels(); ++k) {
+            const CoarseLevel& level = multigrid.level(k);
+            const auto nodes = static_cast<double>(level.nodes());
+            const double slots = 16.0 * level.matrix().stencil.slots();
+            terms += static_cast<double>(level.lists().factors.size()) / n;
+            lists += static_cast<double>(level.lists().bytes()) / n;
+            matrices += static_cast<double>(level.matrix().bytes()) / n;
+            read_by_cycle +=
+                (28 * slots + (4 * 16 + 24) * nodes) / n;  // blocks of 24, indices of 4; b, x, D^-1
+            const double passes = k == 0 ? 2 : 4;
+            flops_of_cycle += passes * (24 * slots + 36 * nodes) / n;
+        }
+    }
+};
+Traffic build_traffic(const Counts& c,
+                      const CoarseCounts& coarse) {  // half of the blocks are unpacked, then summed
+    return {.bytes = 0.5 * c.half_edges * (8 + 2 * 16) + coarse.lists + coarse.matrices,
+            .flops = 18 * coarse.terms};
+}
+Traffic cycle_traffic(const Counts& c,
+                      const CoarseCounts& coarse) {  // P and P^T: 3 weights and 3 indices a node
+    return {.bytes = relax_traffic(c).bytes + 2 * 16 + 2 * 24 + coarse.read_by_cycle,
+            .flops = precondition_traffic().flops + multiply_traffic(c).flops + relax_traffic(c).flops +
+                     2 * 18 + coarse.flops_of_cycle};
+}
+Traffic xpbd_traffic(const Counts& c) {  // 9 values a spring; start in, moved in and out
+    const double springs = 0.5 * c.half_edges;
+    return {.bytes = springs * 36 + 3 * 16, .flops = 45 * springs};
+}
+Traffic grid_traffic() {  // x; (bucket, particle) out and in; x again; particle, x, y, z out; starts, two per
+                          // particle
+    return {.bytes = 16 + 16 + 16 + 16 + 8, .flops = 12};
+}
+
+}  // namespace
+
+struct Kernels::Work {
+    explicit Work(Scene& s)
+        : scene(s),
+          equation(s.equation()),
+          system(make_system(s.cloth().model, s.cloth().settings)),
+          x(s.particles()),
+          y(s.particles()),
+          grid(s.particles()),
+          colours(colour_springs(s.cloth().model)),
+          springs(colours.springs()),
+          start(s.particles() + SpringColours::stand_ins),
+          moved(s.particles() + SpringColours::stand_ins) {
+        Parallel& parallel = s.simulation().parallel;
+        const auto velocities = std::as_const(s.cloth().state.velocities).span();
+        system->linearise(parallel, equation, velocities, LinearisedAbout::base);
+        multigrid = std::make_unique<Multigrid>(parallel, *system, s.cloth().state.positions.span());
+        multigrid->set_pins(s.cloth().state.positions.span());
+        std::ranges::copy(s.cloth().state.positions.span(), start.data());
+        for (std::uint32_t k = 0; k < colours.springs(); ++k) {
+            const std::uint32_t half_edge = colours.half_edges[k];
+            if (half_edge == SpringColours::no_half_edge) continue;
+            const float first = start[colours.first[k]].w, second = start[colours.second[k]].w;
+            springs.rest_lengths[k] = s.cloth().model.rest_lengths[half_edge];
+            springs.first_weights[k] = first;
+            springs.second_weights[k] = second;
+            springs.responses[k] = first + second > 0 ? 0.5f / (first + second) : 0.0f;
+        }
+    }
+
+    void sweep_springs() {
+        for (std::uint32_t c = 0; c < colours.colours(); ++c)
+            project_springs(colours, colours.offsets[c], colours.offsets[c + 1], 0,
+                            {.first = true, .last = true}, springs, start.data(), moved.data());
+    }
+
+    Scene& scene;
+    StepEquation equation;
+    std::unique_ptr<ImplicitSystem> system;
+    std::unique_ptr<Multigrid> multigrid;
+    AlignedBuffer<Vec4> x, y;
+    HashGrid grid;
+    SpringColours colours;
+    XpbdSprings springs;
+    AlignedBuffer<Vec4> start, moved;
+};
+
+std::vector<KernelName> Kernels::names() {
+    std::vector<KernelName> names;
+    for (const char* name : {"linearise", "residual", "multiply", "relax", "precondition", "coarse operators",
+                             "V-cycle", "xpbd sweep", "grid build"})
+        names.push_back({name, false});
+    for (const char* name :
+         {"wind", "advance", "colliders", "self search", "self response", "guard", "normals"})
+        names.push_back({name, true});
+    return names;
+}
+
+Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
+    Work& w = *work_;
+    Parallel& parallel = scene.simulation().parallel;
+    const Counts c(scene.cloth(), w.system->stencil());
+    const CoarseCounts coarse(*w.multigrid, scene.particles());
+    const auto add = [&](const char* name, const Traffic& traffic, auto run) {
+        kernels_.push_back({name, traffic, [run, &parallel] { return seconds_of(parallel.width(), run); }});
+    };
+    const auto velocities = std::as_const(scene.cloth().state.velocities).span();
+    const auto b = std::as_const(w.system->right_side()).span();
+
+    add("linearise", linearise_traffic(c), [&w, &parallel, velocities] {
+        w.system->linearise(parallel, w.equation, velocities, LinearisedAbout::base);
+    });
+    add("residual", residual_traffic(c),
+        [&w, &parallel, velocities] { w.system->residual(parallel, w.equation, velocities, w.y.span()); });
+    add("multiply", multiply_traffic(c), [&w, &parallel, b] { w.system->multiply(parallel, b, w.y.span()); });
+    add("relax", relax_traffic(c),
+        [&w, &parallel, b] { w.system->relax(parallel, b, w.x.span(), {.step = 0.8f}, w.y.span()); });
+    add("precondition", precondition_traffic(),
+        [&w, &parallel, b] { w.system->precondition(parallel, b, 0.8f, w.y.span()); });
+    add("coarse operators", build_traffic(c, coarse),
+        [&w, &parallel] { w.multigrid->build(parallel, *w.system); });
+    add("V-cycle", cycle_traffic(c, coarse),
+        [&w, &parallel, b] { w.multigrid->cycle(parallel, *w.system, b, w.y.span()); });
+    add("xpbd sweep", xpbd_traffic(c), [&w] { w.sweep_springs(); });
+    add("grid build", grid_traffic(), [&w, &parallel] {
+        Cloth& cloth = w.scene.cloth();
+        w.grid.build_rows(parallel, cloth.state.positions.span(), {cloth.extent.lower, cloth.extent.upper},
+                          cloth.self_collision_distance());
+    });
+
+    const auto add_stage = [&](const char* name, const Traffic& traffic, bool each_substep = true) {
+        const int times = each_substep ? scene.simulation().settings.substeps : 1;
+        kernels_.push_back({name, traffic, [&w, name, times] {
+                                w.scene.frame();
+                                for (const StageTime& stage : w.scene.simulation().profiler.stages())
+                                    if (std::strcmp(stage.name, name) == 0)
+                                        return 1e-3 * static_cast<double>(stage.last) / times;
+                                throw std::runtime_error(std::string("the step has no stage ") + name);
+                            }});
+    };
+    // Per triangle its corners' indices, 12, and a result of 16 out and in; per corner the list's 4.
+    add_stage("wind",
+              {.bytes = 3 * 16 + c.triangles * (12 + 2 * 16 + 3 * 4), .flops = (80 + 9) * c.triangles});
+    add_stage("advance", {.bytes = 6 * 16, .flops = 20});
+    add_stage("colliders", {.bytes = 2 * 16, .flops = 25});
+    // A survey and the grid, then 64 candidates in four runs of a group: 8 flops each; contacts out.
+    add_stage("self search",
+              {.bytes = 2 * 16 + grid_traffic().bytes + 16 + 1 + 4 * c.contacts, .flops = 15 + 12 + 64 * 8});
+    add_stage("self response", {.bytes = 1 + c.contacts * (4 + 2 * 32 + 2 * 32), .flops = 60 * c.contacts});
+    add_stage("guard", {.bytes = 2 * 16, .flops = 15}, false);
+    add_stage("normals",
+              {.bytes = 2 * 16 + c.triangles * (12 + 2 * 16 + 3 * 4), .flops = (20 + 9) * c.triangles + 10},
+              false);
+}
+
+Kernels::~Kernels() = default;
+Kernels::Kernels(Kernels&&) noexcept = default;
+
+const Kernel* Kernels::find(const std::string& name) const {
+    const auto at = std::ranges::find(kernels_, name, &Kernel::name);
+    return at == kernels_.end() ? nullptr : &*at;
+}
+
+}  // namespace weft::bench

@@ -1,0 +1,144 @@
+#include "tests/guarantees/method_cases.h"
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace weft::test {
+
+namespace {
+
+constexpr float dt = 1.0f / 60.0f;
+constexpr float lowering_speed = 2.0f;  // [m/s]
+constexpr float width = 0.6f;           // of the sheet [m]
+
+template <class T>
+T need(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().message);
+    return *std::move(result);
+}
+void need(const Result<void>& result) {
+    if (!result) throw std::runtime_error(result.error().message);
+}
+
+struct NamedSettings {
+    const char* name;
+    ClothSettings settings;
+};
+
+/// Soft enough for the explicit method in the substeps that it has here.
+std::vector<NamedSettings> methods() {
+    const auto with = [](const Method& method, int substeps = 1) {
+        ClothSettings settings;
+        settings.fabric = {.areal_density = 0.2f, .stretch = 100, .shear = 25, .bend = 1};
+        settings.finite_elements = {.warp = 100, .weft = 80, .shear = 25};
+        settings.method = method;
+        settings.substeps = substeps;
+        return settings;
+    };
+    return {
+        {"multilevel", with(Multilevel{})},
+        {"multilevel_nonlinear",
+         with(
+             Multilevel{.use = Multilevel::Use::nonlinear_conjugate_gradient, .passes = 1, .iterations = 3})},
+        {"jacobi", with(Jacobi{})},
+        {"chebyshev", with(Chebyshev{})},
+        {"conjugate_gradient", with(ConjugateGradient{})},
+        {"xpbd", with(Xpbd{}, 2)},
+        {"fibres", with(Fibres{})},
+        {"symplectic_euler", with(SymplecticEuler{}, 24)},
+    };
+}
+
+bool takes_elements(const Method& method) {
+    return is_implicit(method) || std::holds_alternative<SymplecticEuler>(method);
+}
+
+void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
+    const MethodCase plain{.name = method.name, .cloth = method.settings, .world = {}};
+    const auto add = [&](const char* option, const auto&... changes) {
+        MethodCase& made = cases.emplace_back(plain);
+        made.name += option;
+        (changes(made), ...);
+    };
+    const auto bdf2 = [](MethodCase& c) { c.cloth.time_scheme = TimeScheme::bdf2; };
+    const auto tethers = [](MethodCase& c) { c.cloth.tethers.enabled = true; };
+    const auto self = [](MethodCase& c) { c.cloth.self_collision.enabled = true; };
+    const auto gusts = [](MethodCase& c) {
+        c.world.wind.velocity = {0, 0, 3};
+        c.world.wind.gust = 0.5f;
+    };
+    const auto mesh = [](MethodCase& c) { c.grid = false; };
+    const auto elements = [](MethodCase& c) { c.cloth.finite_elements.enabled = true; };
+    const auto hinges = [](MethodCase& c) { c.cloth.finite_elements.dihedral = true; };
+    const auto consistent = [](MethodCase& c) { c.cloth.finite_elements.consistent_mass = true; };
+
+    add("");
+    add("_mesh", mesh);
+    add("_tethers", tethers);
+    add("_self", self);
+    add("_gusts", gusts);
+    if (!takes_elements(method.settings.method)) return add("_mesh_all", mesh, tethers, self, gusts);
+    add("_elements", elements);
+    add("_hinges", elements, hinges);
+    add("_consistent", elements, consistent);
+    if (!is_implicit(method.settings.method))
+        return add("_mesh_all", mesh, tethers, self, gusts, elements, hinges, consistent);
+    add("_bdf2", bdf2);
+    add("_mesh_all", mesh, bdf2, tethers, self, gusts, elements, hinges, consistent);
+}
+
+}  // namespace
+
+bool is_implicit(const Method& method) {
+    return !std::holds_alternative<Xpbd>(method) && !std::holds_alternative<Fibres>(method) &&
+           !std::holds_alternative<SymplecticEuler>(method);
+}
+
+void PrintTo(const MethodCase& method_case, std::ostream* out) {
+    *out << method_case.name;
+}
+
+std::vector<MethodCase> method_cases() {
+    std::vector<MethodCase> cases;
+    for (const NamedSettings& method : methods()) add_options(method, cases);
+    return cases;
+}
+
+Mesh LoweredSheet::mesh(bool grid, std::uint32_t side) {
+    Mesh mesh = need(make_sheet({.rows = side,
+                                 .columns = side,
+                                 .origin = {-0.5f * width, width + 0.02f, 0},
+                                 .u = {width, 0, 0},
+                                 .v = {0, -width, 0}}));
+    if (!grid) mesh.rows = mesh.columns = 0;
+    return mesh;
+}
+
+LoweredSheet::LoweredSheet(const MethodCase& method_case, int threads, std::uint32_t side)
+    : world_([&] {
+          WorldSettings settings = method_case.world;
+          settings.threads = threads;
+          return need(World::create(settings));
+      }()),
+      cloth_(need(world_.add_cloth(mesh(method_case.grid, side), method_case.cloth))),
+      side_(side) {
+    need(world_.pin(cloth_, 0));
+    need(world_.pin(cloth_, side - 1));
+    need(world_.add_collider({.shape = Plane{}, .friction = 0.6f}));
+    need(world_.add_collider({.shape = Sphere{{0, 0, 0.05f}, 0.1f}, .friction = 0.4f}));
+}
+
+void LoweredSheet::before_step() {
+    if (lowered_ < width) lowered_ += lowering_speed * dt;
+    for (const std::uint32_t corner : {0u, side_ - 1}) {
+        const float x = (corner == 0 ? -0.5f : 0.5f) * width;
+        need(world_.move_pin(cloth_, corner, {x, width + 0.04f - lowered_, 0.3f * lowered_}));
+    }
+}
+
+const StepReport& LoweredSheet::step() {
+    return world_.step(dt);
+}
+
+}  // namespace weft::test

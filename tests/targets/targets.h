@@ -1,0 +1,18 @@
+#pragma once
+// Highway's targets: which this machine can run, and which one the kernels use.
+
+#include <cstdint>
+#include <vector>
+
+namespace weft::test {
+
+/// Plain C++, one lane after the other: what all others are compared with.
+[[nodiscard]] std::int64_t reference_target();
+/// All others that are compiled and that this machine can run, the widest first.
+[[nodiscard]] std::vector<std::int64_t> vector_targets();
+/// Whether a * b + c is rounded once.
+[[nodiscard]] bool is_fused(std::int64_t target);
+/// From here on, in all kernels of this process.
+void use_target(std::int64_t target);
+
+}  // namespace weft::test
