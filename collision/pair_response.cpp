@@ -41,13 +41,17 @@ void respond(const ResponseSettings& settings, const Vec4* positions, const Vec4
     const Tag d;
     const Lanes zero = set(0), distance = set(settings.distance);
     // The last group reads on: pairs of a particle with itself, whose results nobody reads.
-    for (std::uint32_t k = batch.count; k % part_lanes != 0; ++k) batch.i[k] = batch.j[k] = batch.i[0];
+    for (std::uint32_t k = batch.count; k % part_lanes != 0; ++k) {
+        batch.i[k] = batch.j[k] = batch.i[0];
+        batch.sharers[k] = 1;
+    }
     for (std::uint32_t k = 0; k < batch.count; k += part_lanes) {
         const std::uint32_t *const i = &batch.i[k], *const j = &batch.j[k];
         const Lanes4 at_i = gather_rows_with_w(positions, i), at_j = gather_rows_with_w(positions, j);
         const Lanes3 apart = xyz(at_i) - xyz(at_j);
         const Lanes length = hn::Sqrt(dot(apart, apart));
-        const Lanes per_mobility = hn::Div(set(1), hn::Add(at_i.w, at_j.w));
+        const Lanes mobility = hn::Add(at_i.w, at_j.w);
+        const Lanes share = hn::Div(at_i.w, hn::Mul(mobility, load_lanes(&batch.sharers[k])));
         Lanes3 normal = hn::Div(set(1), length) * apart;
         const auto coincident = hn::Le(length, hn::Mul(set(1e-6f), distance));
         if (HWY_UNLIKELY(!hn::AllFalse(d, coincident)))
@@ -58,11 +62,10 @@ void respond(const ResponseSettings& settings, const Vec4* positions, const Vec4
         const Lanes3 sliding = mul_add(approach, normal, relative);
         const Lanes3 stopped = keep_where(
             hn::Gt(approach, zero), stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
-        const Lanes3 kick = per_mobility * (approach * normal - stopped);
         const Lanes overlap = hn::Max(zero, hn::Sub(distance, length));
-        const Lanes3 push = per_mobility * (overlap * normal - set(settings.h) * stopped);
-        store_rows(push, zero, &batch.push[k]);
-        store_rows(kick, zero, &batch.kick[k]);
+        const Lanes3 push = overlap * normal - set(settings.h) * stopped;
+        store_rows(share * push, zero, &batch.displacement[k]);
+        store_rows(share * (approach * normal - stopped), zero, &batch.velocity_change[k]);
     }
 }
 

@@ -13,14 +13,15 @@ struct ResponseSettings {
     float distance, friction, h;
 };
 
-/// Pairs (i, j) on their way through the arithmetic, and the changes that result, as i feels them: times
-/// inverse mass they are a displacement [m] and a change of velocity [m/s].
+/// Pairs (i, j) on their way through the arithmetic, and what comes out: i's displacement [m] and change of
+/// velocity [m/s].
 struct PairBatch {
     static constexpr std::uint32_t capacity = 64;
 
     std::uint32_t count = 0;
     alignas(64) std::array<std::uint32_t, capacity> i, j;
-    std::array<Vec4, capacity> push, kick;
+    alignas(64) std::array<float, capacity> sharers;  ///< what is asked for is divided by it
+    std::array<Vec4, capacity> displacement, velocity_change;
 };
 
 /// Kang, section IV, equations 8 to 10, about the pair's centre of mass and to the stated distance (equation

@@ -37,15 +37,18 @@ SelfContactCounts SelfContacts::respond(Parallel& parallel, float distance, floa
                                         std::span<Vec4> positions, std::span<Vec4> velocities) {
     const ResponseSettings settings{distance, friction, h};
 
-    // Adds the batch's changes to its particles, pair by pair in the order of their lists.
+    // A particle's pairs follow one another, in the order of its list, and are all in one batch.
     const auto resolve = [&](PairBatch& batch) {
         respond_to_pairs(settings, positions.data(), velocities.data(), batch);
-        for (std::uint32_t k = 0; k < batch.count; ++k) {
+        for (std::uint32_t k = 0; k < batch.count;) {
             const std::uint32_t i = batch.i[k];
-            const auto contacts_of_busier = std::max(contacts(i).size(), contacts(batch.j[k]).size());
-            const float share = positions[i].w / static_cast<float>(contacts_of_busier);
-            store(displacements_[i], load(displacements_[i]) + share * load(batch.push[k]));
-            store(velocity_changes_[i], load(velocity_changes_[i]) + share * load(batch.kick[k]));
+            Vector4 displacement = Vector4::Zero(), velocity_change = Vector4::Zero();
+            for (; k < batch.count && batch.i[k] == i; ++k) {
+                displacement += load(batch.displacement[k]);
+                velocity_change += load(batch.velocity_change[k]);
+            }
+            store(displacements_[i], displacement);
+            store(velocity_changes_[i], velocity_change);
         }
         batch.count = 0;
     };
@@ -58,7 +61,8 @@ SelfContactCounts SelfContacts::respond(Parallel& parallel, float distance, floa
             for (const std::uint32_t j : list) {
                 if (positions[i].w + positions[j].w <= 0 || !is_mutual(i, j)) continue;
                 batch.i[batch.count] = i;
-                batch.j[batch.count++] = j;
+                batch.j[batch.count] = j;
+                batch.sharers[batch.count++] = static_cast<float>(std::max(list.size(), contacts(j).size()));
                 counts.pairs += i < j ? 1 : 0;
             }
             counts.dropped += counts_[i] == overflowed ? 1 : 0;
