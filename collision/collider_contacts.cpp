@@ -1,25 +1,18 @@
 #include "collision/collider_contacts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
-#include "collision/coulomb.h"
+#include "collision/collider_kernels.h"
 #include "engine/error_text.h"
 
 namespace weft {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 struct UnitPlane {
     Vector3 normal;
@@ -29,125 +22,80 @@ UnitPlane unit(const Plane& plane) {
     return {to_vector(plane.normal).stableNormalized(), plane.offset};
 }
 
-// Shapes over one substep. Each answers, for a point p: how far is the surface at the substep's end (negative
-// inside), and, for a point near it, which way is out and how fast does the surface move there.
+// Whether a shape is clear of all that lies in the bounds, by more than `reach`: first and cheapest. Bounds
+// that are not numbers are clear of nothing.
 
-struct Surface {
-    Vector3 normal;    // of unit length, outward
-    Vector3 velocity;  // [m/s]
-};
+bool are_clear(const Capsule& capsule, float reach, const Bounds& bounds) {
+    const float far = capsule.radius + reach;
+    const auto apart = [far](float a, float b, float lower, float upper) {
+        return std::min(a, b) - far > upper || std::max(a, b) + far < lower;
+    };
+    const Vec3 &lower = bounds.lower, &upper = bounds.upper;
+    return apart(capsule.a.x, capsule.b.x, lower.x, upper.x) ||
+           apart(capsule.a.y, capsule.b.y, lower.y, upper.y) ||
+           apart(capsule.a.z, capsule.b.z, lower.z, upper.z);
+}
 
-/// Spheres (a == b) and capsules.
-class RoundedSegment {
-  public:
-    RoundedSegment(const Capsule& start, const Capsule& end, float h)
-        : a_(to_vector(end.a)),
-          axis_(to_vector(end.b) - a_),
-          radius_(end.radius),
-          velocity_a_((a_ - to_vector(start.a)) / h),
-          velocity_b_((to_vector(end.b) - to_vector(start.b)) / h),
-          growth_((end.radius - start.radius) / h) {
-        const float length_squared = axis_.squaredNorm();
-        per_length_squared_ = length_squared > 0 ? 1 / length_squared : 0;
-    }
-
-    [[nodiscard]] float distance(const Vector3& p) const { return from_axis(p, along(p)).norm() - radius_; }
-
-    [[nodiscard]] Surface surface(const Vector3& p) const {
-        const float t = along(p);
-        const Vector3 out = from_axis(p, t);
-        const float length = out.norm();
-        const Vector3 normal = length > 1e-6f * radius_ ? Vector3(out / length) : across_axis();
-        return {normal, velocity_a_ + t * (velocity_b_ - velocity_a_) + growth_ * normal};
-    }
-
-  private:
-    /// Fraction of the way from a to b of the axis point nearest to p.
-    [[nodiscard]] float along(const Vector3& p) const {
-        return std::clamp((p - a_).dot(axis_) * per_length_squared_, 0.0f, 1.0f);
-    }
-    [[nodiscard]] Vector3 from_axis(const Vector3& p, float t) const { return p - (a_ + t * axis_); }
-    /// The way out for a point on the axis: some fixed direction across it, and up for a sphere.
-    [[nodiscard]] Vector3 across_axis() const {
-        return per_length_squared_ > 0 ? axis_.unitOrthogonal() : Vector3::UnitY();
-    }
-
-    Vector3 a_, axis_;
-    float radius_, per_length_squared_;
-    Vector3 velocity_a_, velocity_b_;
-    float growth_;
-};
-
-class HalfSpace {
-  public:
-    HalfSpace(const Plane& start, const Plane& end, float h)
-        : start_(unit(start)), end_(unit(end)), per_h_(1 / h) {}
-
-    [[nodiscard]] float distance(const Vector3& p) const { return end_.normal.dot(p) - end_.offset; }
-
-    /// A plane moves along its normal: how it slides in itself cannot be told from its two ends.
-    [[nodiscard]] Surface surface(const Vector3& p) const {
-        const float advance = (end_.offset - start_.offset) - (end_.normal - start_.normal).dot(p);
-        return {end_.normal, end_.normal * (advance * per_h_)};
-    }
-
-  private:
-    UnitPlane start_, end_;
-    float per_h_;
-};
+bool are_clear(const UnitPlane& plane, float reach, const Bounds& bounds) {
+    const Vector3 nearest =
+        (plane.normal.array() > 0).select(to_vector(bounds.lower), to_vector(bounds.upper));
+    return plane.normal.dot(nearest) - plane.offset > reach;
+}
 
 Capsule as_capsule(const Sphere& sphere) {
     return {sphere.center, sphere.center, sphere.radius};
 }
 
-/// Calls f with the shape's RoundedSegment or HalfSpace.
-template <class F>
-void with_shape(const ColliderMotion& motion, float h, const F& f) {
-    const auto* start = &motion.start.shape;
-    std::visit(Overloaded{
-                   [&](const Sphere& end) {
-                       f(RoundedSegment(as_capsule(*std::get_if<Sphere>(start)), as_capsule(end), h));
-                   },
-                   [&](const Capsule& end) { f(RoundedSegment(*std::get_if<Capsule>(start), end, h)); },
-                   [&](const Plane& end) { f(HalfSpace(*std::get_if<Plane>(start), end, h)); },
-               },
-               motion.end.shape);
+MovingCapsule moving(const Capsule& start, const Capsule& end, float h) {
+    const Vector3 axis = to_vector(end.b) - to_vector(end.a);
+    const Vector3 velocity_a = (to_vector(end.a) - to_vector(start.a)) / h;
+    const Vector3 velocity_b = (to_vector(end.b) - to_vector(start.b)) / h;
+    const float length_squared = axis.squaredNorm();
+    const bool is_sphere = !(length_squared > 0);
+    return {.a = to_vector(end.a),
+            .axis = axis,
+            .per_length_squared = is_sphere ? 0 : 1 / length_squared,
+            .radius = end.radius,
+            .growth = (end.radius - start.radius) / h,
+            .velocity = velocity_a,
+            .difference = velocity_b - velocity_a,
+            .across = is_sphere ? Vector3::UnitY() : axis.unitOrthogonal()};
 }
 
-/// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
-/// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
-/// rest.
-void respond(const Surface& surface, float penetration, float friction, float h, Vec4& position,
-             Vec4& velocity) {
-    Vector3 displacement = penetration * surface.normal;
-    const Vector3 relative = xyz(velocity) - surface.velocity;
-    const float approach = -relative.dot(surface.normal);
-    if (approach > 0) {
-        const Vector3 sliding = relative + approach * surface.normal;
-        const Vector3 stopped = stopped_by_friction(sliding, friction * approach);
-        set_xyz(velocity, xyz(velocity) + approach * surface.normal - stopped);
-        displacement -= h * stopped;
-    }
-    set_xyz(position, xyz(position) + displacement);
+MovingPlane moving(const UnitPlane& start, const UnitPlane& end, float h) {
+    return {.normal = end.normal,
+            .offset = end.offset,
+            .advance = (end.offset - start.offset) / h,
+            .turn = (end.normal - start.normal) / h};
+}
+
+void collide(const Capsule& start, const Capsule& end, const ContactSettings& settings,
+             CollidingBlock& block) {
+    if (are_clear(end, settings.thickness, block.bounds)) return;
+    collide(moving(start, end, settings.h), settings, block);
+}
+
+void collide(const Plane& start, const Plane& end, const ContactSettings& settings, CollidingBlock& block) {
+    const UnitPlane unit_end = unit(end);
+    if (are_clear(unit_end, settings.thickness, block.bounds)) return;
+    collide(moving(unit(start), unit_end, settings.h), settings, block);
+}
+
+void collide(const Sphere& start, const Sphere& end, const ContactSettings& settings, CollidingBlock& block) {
+    collide(as_capsule(start), as_capsule(end), settings, block);
 }
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thickness, float friction,
                             float h, std::span<Vec4> positions, std::span<Vec4> velocities) {
-    std::array<bool, block_size> met{};
+    CollidingBlock block{positions, velocities, bounds_of(positions)};
     for (const ColliderMotion& motion : colliders) {
-        const float pair_friction = friction * motion.end.friction;
-        with_shape(motion, h, [&](const auto& shape) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                const Vector3 p = xyz(positions[i]);
-                const float distance = shape.distance(p);
-                if (!(distance < thickness) || positions[i].w <= 0) continue;
-                respond(shape.surface(p), thickness - distance, pair_friction, h, positions[i],
-                        velocities[i]);
-                met[i] = true;
-            }
-        });
+        const ContactSettings settings{thickness, friction * motion.end.friction, h};
+        const auto collide_with = [&]<class Shape>(const Shape& end) {
+            collide(*std::get_if<Shape>(&motion.start.shape), end, settings, block);
+        };
+        std::visit(collide_with, motion.end.shape);
     }
-    return static_cast<std::uint32_t>(std::count(met.begin(), met.end(), true));
+    return std::accumulate(block.met.begin(), block.met.end(), 0u);
 }
 
 Result<void> validate_point(const char* name, const Vec3& point) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
+#include "collision/search_kernels.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -14,15 +14,11 @@ namespace {
 class PairTest {
   public:
     PairTest(const HashGrid& grid, const RestFilter& filter, float distance)
-        : particles(grid.particles()),
-          x(grid.x()),
-          y(grid.y()),
-          z(grid.z()),
-          distance_squared(distance * distance),
-          filter(filter) {}
+        : grid(grid), distance_squared(distance * distance), filter(filter) {}
 
     [[nodiscard]] bool is_close(std::uint32_t slot, std::uint32_t other) const {
-        const float dx = x[slot] - x[other], dy = y[slot] - y[other], dz = z[slot] - z[other];
+        const float dx = grid.x()[slot] - grid.x()[other], dy = grid.y()[slot] - grid.y()[other],
+                    dz = grid.z()[slot] - grid.z()[other];
         return dx * dx + dy * dy + dz * dz < distance_squared;
     }
 
@@ -38,8 +34,7 @@ class PairTest {
         return std::find(springs.begin(), springs.end(), j) != springs.end();
     }
 
-    const std::uint32_t* particles;
-    const float *x, *y, *z;
+    const HashGrid& grid;
     float distance_squared;
 
   private:
@@ -53,15 +48,16 @@ class ContactList {
 
     /// False if there was no room.
     bool add(std::uint32_t contact) {
-        std::uint32_t* const end = contacts_ + count_;
-        std::uint32_t* const place = std::lower_bound(contacts_, end, contact);
-        if (place != end && *place == contact) return true;
+        if (count_ > SelfContacts::capacity) return false;
+        std::uint32_t place = count_;
+        while (place > 0 && contacts_[place - 1] > contact) --place;
+        if (place > 0 && contacts_[place - 1] == contact) return true;
         if (count_ == SelfContacts::capacity) {
             count_ = SelfContacts::capacity + 1;
             return false;
         }
-        std::copy_backward(place, end, end + 1);
-        *place = contact;
+        for (std::uint32_t k = count_; k > place; --k) contacts_[k] = contacts_[k - 1];
+        contacts_[place] = contact;
         ++count_;
         return true;
     }
@@ -70,43 +66,6 @@ class ContactList {
     std::uint32_t* contacts_;
     std::uint8_t& count_;
 };
-
-/// Four floats in one register, and what a comparison makes of them: -1 where it holds. This is an extension
-/// of g++ and clang.
-using Lanes = float __attribute__((vector_size(16)));
-using Marks = std::int32_t __attribute__((vector_size(16)));
-constexpr std::uint32_t lane_count = 4;
-static_assert(lane_count <= HashGrid::padding);
-
-Lanes load(const float* from) {
-    Lanes lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
-}
-
-/// False if the ranges, among which that of the particle itself, surely hold no contact of it. So it is for
-/// most particles, and here they are told from the others, without a branch that depends on the outcome. What
-/// a last group of lanes covers past a range's end is at worst a false alarm, as is a crowded range.
-template <std::size_t N>
-bool may_have_contacts(const PairTest& test, std::uint32_t slot, const std::array<SlotRange, N>& ranges) {
-    constexpr std::uint32_t crowd = 16 * lane_count;
-    const float x = test.x[slot], y = test.y[slot], z = test.z[slot],
-                distance_squared = test.distance_squared;
-    Marks close{};
-    bool crowded = false;
-    for (const SlotRange& range : ranges) {
-        const std::uint32_t end = std::min(range.end, range.begin + crowd);
-        crowded |= range.end > end;
-        std::uint32_t s = range.begin;
-        do {
-            const Lanes dx = load(test.x + s) - x, dy = load(test.y + s) - y, dz = load(test.z + s) - z;
-            close += dx * dx + dy * dy + dz * dz < distance_squared;
-            s += lane_count;
-        } while (s < end);
-    }
-    const std::int32_t count = -(close[0] + close[1] + close[2] + close[3]);
-    return crowded || count > 1;  // the particle itself is one
-}
 
 /// Shows `visit` the slots of a range, until it says false; returns what it said last. From a slot in the
 /// range it goes outward: particles crowded at one point then fill their lists with one another, not all with
@@ -127,51 +86,19 @@ bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     return true;
 }
 
-/// So many candidates at most are gathered without a branch that depends on the outcome.
-constexpr std::uint32_t few = 32;
-
-std::uint32_t candidates(std::span<const SlotRange> ranges) {
-    std::uint32_t sum = 0;
-    for (const SlotRange& range : ranges) sum += range.end - range.begin;
-    return sum;
-}
-
-void add_from_few(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
-                  ContactList list) {
-    std::array<std::uint32_t, few + 1> close;
-    std::uint32_t count = 0;
-    for (const SlotRange& range : ranges) {
-        for (std::uint32_t other = range.begin; other < range.end; ++other) {
-            close[count] = test.particles[other];
-            count += (test.is_close(slot, other) ? 1u : 0u) & (other != slot ? 1u : 0u);
-        }
-    }
-    const std::uint32_t particle = test.particles[slot];
-    for (const std::uint32_t contact : std::span(close).first(count)) {
-        if (!test.is_left_alone(particle, contact) && !list.add(contact)) return;
-    }
-}
-
 /// It ends when the list is full, so that even n particles at one point cost no more than n times its
 /// capacity.
-void add_from_crowd(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
-                    ContactList list) {
-    const std::uint32_t particle = test.particles[slot];
+void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
+                  ContactList list) {
+    const std::uint32_t particle = test.grid.particles()[slot];
     const auto add_if_close = [&](std::uint32_t other) {
         if (!test.is_close(slot, other)) return true;
-        const std::uint32_t contact = test.particles[other];
+        const std::uint32_t contact = test.grid.particles()[other];
         return test.is_left_alone(particle, contact) || list.add(contact);
     };
     for (const SlotRange& range : ranges) {
         if (!visit_from(slot, range, add_if_close)) return;
     }
-}
-
-/// Adds to the list what is in contact with the particle of `slot`.
-void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
-                  ContactList list) {
-    const auto add = candidates(ranges) <= few ? add_from_few : add_from_crowd;
-    add(test, slot, ranges, list);
 }
 
 }  // namespace
@@ -186,56 +113,37 @@ SelfContacts::SelfContacts(std::uint32_t particle_count)
 
 void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
                         const RestFilter& filter, float distance, SelfCollisionSearch search) {
-    std::fill_n(counts_.data(), counts_.size(), std::uint8_t{0});
+    parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
+        std::fill(&counts_[block.begin], &counts_[block.end], std::uint8_t{0});
+    });
     if (search == SelfCollisionSearch::exact) {
         grid_.build_rows(parallel, positions, bounds, distance);
-        search_rows(parallel, filter, distance);
+        search_grid(parallel, CellShape::row, filter, distance);
         return;
     }
-    for (const float shift : {0.0f, 0.5f}) {
+    for (const float shift : {0.0f, 0.5f}) {  // Kang, section IV: each particle against its own bucket
         grid_.build_cubes(parallel, positions, bounds, distance, shift);
-        search_buckets(parallel, filter, distance);
+        search_grid(parallel, CellShape::cube, filter, distance);
     }
 }
 
-void SelfContacts::search_rows(Parallel& parallel, const RestFilter& filter, float distance) {
+void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter,
+                               float distance) {
     const PairTest test(grid_, filter, distance);
     const auto list_of = [&](std::uint32_t particle) {
         return ContactList(&contacts_[particle * capacity], counts_[particle]);
     };
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
-        HashGrid::Runs runs;
-        grid_.runs_of(block, runs);
-
-        std::array<std::uint32_t, block_size> suspects;
-        std::uint32_t suspect_count = 0;
-        for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
-            const std::uint32_t k = slot - block.begin;
-            const std::array<SlotRange, 4> ranges{grid_.run(runs[0][k]), grid_.run(runs[1][k]),
-                                                  grid_.run(runs[2][k]), grid_.run(runs[3][k])};
-            const std::uint32_t last = std::max({runs[0][k], runs[1][k], runs[2][k], runs[3][k]});
-            suspects[suspect_count] = slot;
-            suspect_count += grid_.wraps(last) || may_have_contacts(test, slot, ranges) ? 1 : 0;
-        }
-        for (const std::uint32_t slot : std::span(suspects).first(suspect_count)) {
-            const HashGrid::Near near = grid_.near(test.x[slot], test.y[slot], test.z[slot]);
-            add_contacts(test, slot, std::span(near.ranges).first(near.count), list_of(test.particles[slot]));
-        }
-    });
-}
-
-/// Kang, section IV: each particle against its own bucket.
-void SelfContacts::search_buckets(Parallel& parallel, const RestFilter& filter, float distance) {
-    const PairTest test(grid_, filter, distance);
-    const auto list_of = [&](std::uint32_t particle) {
-        return ContactList(&contacts_[particle * capacity], counts_[particle]);
-    };
-    parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
-        for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
-            const std::array bucket{grid_.own_bucket(test.x[slot], test.y[slot], test.z[slot])};
-            if (!may_have_contacts(test, slot, bucket) || counts_[test.particles[slot]] == overflowed)
-                continue;
-            add_contacts(test, slot, bucket, list_of(test.particles[slot]));
+        BlockHits hits;
+        find_hits(grid_, shape, test.distance_squared, block, hits);
+        drop_rest_pairs(filter, test.distance_squared, hits);
+        for (std::uint32_t k = 0; k < hits.count; ++k) list_of(hits.particles[k]).add(hits.others[k]);
+        for (const std::uint32_t slot : std::span(hits.left_over).first(hits.left_over_count)) {
+            const float x = grid_.x()[slot], y = grid_.y()[slot], z = grid_.z()[slot];
+            const HashGrid::Near near =
+                shape == CellShape::row ? grid_.near(x, y, z) : grid_.near_in_bucket(x, y, z);
+            add_contacts(test, slot, std::span(near.ranges).first(near.count),
+                         list_of(grid_.particles()[slot]));
         }
     });
 }

@@ -6,20 +6,13 @@
 #include <span>
 
 #include "collision/hash_grid.h"
+#include "collision/rest_filter.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
 
 namespace weft {
-
-/// Which close pairs are meant to be close. Per particle i: `neighbours[offsets[i] .. offsets[i + 1])` are
-/// its spring neighbours, and pairs closer than the distance in `rest_positions` are left alone.
-struct RestFilter {
-    std::span<const Vec4> rest_positions;
-    std::span<const std::uint32_t> offsets;
-    std::span<const std::uint32_t> neighbours;
-};
 
 struct SelfContactCounts {
     std::uint32_t pairs = 0;    ///< contacts that were resolved
@@ -54,8 +47,9 @@ class SelfContacts {
     // In counts_: the list is full, and there were more.
     static constexpr std::uint8_t overflowed = capacity + 1;
 
-    void search_rows(Parallel& parallel, const RestFilter& filter, float distance);
-    void search_buckets(Parallel& parallel, const RestFilter& filter, float distance);
+    void search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter, float distance);
+    template <class Visit>
+    void for_each_touching(const BlockRange& block, const Visit& visit) const;
     [[nodiscard]] bool is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept;
 
     HashGrid grid_;

@@ -13,9 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-HWY_INLINE Lanes set(float value) {
-    return hn::Set(Tag(), value);
-}
 HWY_INLINE Lanes3 set(const Vector3& v) {
     return {set(v.x()), set(v.y()), set(v.z())};
 }

@@ -9,6 +9,8 @@
 #include <random>
 #include <string>
 
+#include "collider_reference.h"
+
 namespace weft::test {
 namespace {
 
@@ -194,6 +196,61 @@ TEST(Colliders, AGrowingSphereASwingingCapsuleAndATurningPlanePushAtTheirSurface
     particles = {{{-2, 0, 0, 1}}, {{}}};
     meet(particles, {{{Plane{{0, 1, 0}, 0}, 0}, {Plane{{std::sin(turn), std::cos(turn), 0}, 0}, 0}}}, 0);
     EXPECT_NEAR(particles.velocities[0].y, 2, 0.05f);
+}
+
+TEST(Colliders, ManyAtATimeDoAsOneByOne) {
+    const std::vector<ColliderMotion> all{
+        {{Sphere{{0, 0, 0}, 0.5f}, 0.4f}, {Sphere{{0.01f, 0, 0.02f}, 0.51f}, 0.4f}},
+        {{Capsule{{-1, 0.4f, 0}, {1, 0.5f, 0}, 0.2f}, 0.2f},
+         {Capsule{{-1, 0.42f, 0}, {1, 0.5f, 0.02f}, 0.2f}, 0.2f}},
+        {{Plane{{0, 1, 0.1f}, -0.5f}, 0.9f}, {Plane{{0, 2, 0.21f}, -0.49f}, 0.9f}},
+        at_rest({Sphere{{7, 7, 7}, 0.5f}, 0.4f}),
+        at_rest({Plane{{1, 0, 0}, -3}, 0.4f})};
+    for (const std::size_t n : {1u, 15u, 16u, 300u, 1037u}) {
+        for (const float friction : {0.0f, 0.3f, 5.0f}) {
+            Particles expected = cloud(n);
+            for (std::size_t i = 0; i < n; i += 5) expected.positions[i].w = 0;
+            Particles several = expected;
+            std::uint32_t expected_to_meet = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                bool met = false;
+                for (const ColliderMotion& motion : all) {
+                    met |= reference_collide(motion, 0.02f, friction, h, expected.positions[i],
+                                             expected.velocities[i]);
+                }
+                expected_to_meet += met ? 1 : 0;
+            }
+            EXPECT_EQ(meet(several, all, 0.02f, friction), expected_to_meet);
+            for (std::size_t i = 0; i < n; ++i) {
+                const Vec4 &x = several.positions[i], &v = several.velocities[i];
+                ASSERT_LT((xyz(x) - xyz(expected.positions[i])).norm(), 2e-6f) << i << " of " << n;
+                ASSERT_LT((xyz(v) - xyz(expected.velocities[i])).norm(), 1e-4f) << i << " of " << n;
+                ASSERT_EQ(x.w, expected.positions[i].w);
+            }
+        }
+    }
+}
+
+TEST(Colliders, WhatOneColliderPushesOutOfTheBlocksBoundsTheNextOneMeets) {
+    const std::vector<ColliderMotion> all{at_rest({Sphere{{0, 0, 0}, 1}, 0}),
+                                          at_rest({Sphere{{0, 1.2f, 0}, 0.3f}, 0})};
+    for (const std::size_t n : {1u, 16u, 20u}) {
+        Particles particles{std::vector<Vec4>(n, Vec4{0, 0.1f, 0, 1}), std::vector<Vec4>(n)};
+        EXPECT_EQ(meet(particles, all, 0), n);
+        for (const Vec4& p : particles.positions) EXPECT_NEAR(p.y, 0.9f, 1e-5f);
+    }
+}
+
+TEST(Colliders, ParticlesThatAreNotFiniteDoNotHideOthersOfTheirBlock) {
+    const std::vector<ColliderMotion> all{at_rest({Sphere{{0, 0, 0}, 1}, 0}), at_rest({Plane{}, 0})};
+    for (const float value : {nan, inf, -inf}) {
+        Particles particles{std::vector<Vec4>(50, Vec4{value, 5, value, 1}), std::vector<Vec4>(50)};
+        particles.positions[3] = {0, 0.5f, 0, 1};
+        particles.positions[49] = {3, -0.5f, 0, 1};
+        EXPECT_EQ(meet(particles, all, 0), 2u);
+        EXPECT_NEAR(particles.positions[3].y, 1, 1e-6f);
+        EXPECT_NEAR(particles.positions[49].y, 0, 1e-6f);
+    }
 }
 
 TEST(Colliders, BytesAreTheSameForAnyNumberOfThreads) {

@@ -1,0 +1,53 @@
+#pragma once
+// A block of particles against one collider, many particles at a time; compiled once for each kind of
+// machine.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/parallel_blocks.h"
+#include "engine/vector.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// A capsule, or a sphere (axis 0), at a substep's end, and how its surface moves.
+struct MovingCapsule {
+    Vector3 a, axis;               ///< [m]; from a to b
+    float per_length_squared;      ///< 1 / axis^2; 0 for a sphere
+    float radius;                  ///< [m]
+    float growth;                  ///< of the radius [m/s]
+    Vector3 velocity, difference;  ///< of a, and what b's is more [m/s]
+    Vector3 across;                ///< the way out for a point on the axis
+};
+
+/// A half space normal . p <= offset at a substep's end. Its surface moves along the normal, at p by
+/// (advance - turn . p): how it slides in itself cannot be told from its two ends.
+struct MovingPlane {
+    Vector3 normal;
+    float offset;   ///< [m]
+    float advance;  ///< [m/s]
+    Vector3 turn;   ///< [1/s]
+};
+
+struct ContactSettings {
+    float thickness;  ///< [m]
+    float friction;   ///< of cloth and collider together
+    float h;          ///< [s]
+};
+
+struct CollidingBlock {
+    std::span<Vec4> positions, velocities;
+    Bounds bounds;  ///< hold all finite positions, also after they were moved
+    alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
+};
+
+/// Of those that are numbers.
+[[nodiscard]] Bounds bounds_of(std::span<const Vec4> positions);
+
+/// collide() of collider_contacts.h, for one block and one collider.
+void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
+void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
+
+}  // namespace weft

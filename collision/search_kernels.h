@@ -1,0 +1,36 @@
+#pragma once
+// The search for contacts in a block of slots, many candidates at a time; compiled once for each kind of
+// machine.
+
+#include <array>
+#include <cstdint>
+
+#include "collision/grid_kernels.h"
+#include "collision/hash_grid.h"
+#include "collision/rest_filter.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// Pairs closer than the distance, in order of the first one's slot.
+struct BlockHits {
+    /// A slot with more than so many, or with a longer range to look through, is left to others.
+    static constexpr std::uint32_t per_slot = 16, longest_range = 64;
+    static_assert(longest_range <= HashGrid::padding, "all ranges of a slot are read as far as its longest");
+    static constexpr std::uint32_t capacity = block_size * per_slot + 4 * longest_range;
+
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, capacity + 16> particles, others;
+    std::uint32_t left_over_count = 0;
+    BlockOfIndices left_over;  // slots that were not looked at
+};
+
+/// Finds the hits of the particles in a block of slots. What two of a slot's ranges share is found twice.
+/// `shape`: as the grid was built.
+void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& slots,
+               BlockHits& hits);
+
+/// Takes out the pairs that are meant to be close.
+void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& hits);
+
+}  // namespace weft

@@ -1,0 +1,65 @@
+#pragma once
+// Particles against colliders one by one, as the definitions say it: what the kernels are compared with.
+
+#include <algorithm>
+#include <variant>
+
+#include "collision/collider_contacts.h"
+#include "engine/vector.h"
+
+namespace weft::test {
+
+/// Where a collider's surface is nearest to a point at the substep's end.
+struct ReferenceSurface {
+    float distance;  // negative inside
+    Vector3 normal;  // of unit length, outward
+    Vector3 velocity;
+};
+
+inline ReferenceSurface reference_surface(const Capsule& start, const Capsule& end, float h,
+                                          const Vector3& p) {
+    const Vector3 a = to_vector(end.a), axis = to_vector(end.b) - a;
+    const float squared = axis.squaredNorm();
+    const float t = squared > 0 ? std::clamp((p - a).dot(axis) / squared, 0.0f, 1.0f) : 0.0f;
+    const Vector3 out = p - (a + t * axis);
+    const Vector3 normal = out / out.norm();
+    const Vector3 velocity_a = (a - to_vector(start.a)) / h;
+    const Vector3 velocity_b = (to_vector(end.b) - to_vector(start.b)) / h;
+    const float growth = (end.radius - start.radius) / h;
+    return {out.norm() - end.radius, normal, velocity_a + t * (velocity_b - velocity_a) + growth * normal};
+}
+
+inline ReferenceSurface reference_surface(const Sphere& start, const Sphere& end, float h, const Vector3& p) {
+    return reference_surface(Capsule{start.center, start.center, start.radius},
+                             Capsule{end.center, end.center, end.radius}, h, p);
+}
+
+inline ReferenceSurface reference_surface(const Plane& start, const Plane& end, float h, const Vector3& p) {
+    const Vector3 from = to_vector(start.normal).normalized(), normal = to_vector(end.normal).normalized();
+    const float advance = (end.offset - start.offset) - (normal - from).dot(p);
+    return {normal.dot(p) - end.offset, normal, normal * (advance / h)};
+}
+
+/// False where the particle is not near.
+inline bool reference_collide(const ColliderMotion& motion, float thickness, float friction, float h,
+                              Vec4& position, Vec4& velocity) {
+    const auto surface_of = [&]<class Shape>(const Shape& end) {
+        return reference_surface(std::get<Shape>(motion.start.shape), end, h, xyz(position));
+    };
+    const ReferenceSurface surface = std::visit(surface_of, motion.end.shape);
+    if (!(surface.distance < thickness) || position.w <= 0) return false;
+    Vector3 displacement = (thickness - surface.distance) * surface.normal;
+    const Vector3 relative = xyz(velocity) - surface.velocity;
+    const float approach = -relative.dot(surface.normal);
+    if (approach > 0) {
+        const Vector3 sliding = relative + approach * surface.normal;
+        const float limit = friction * motion.end.friction * approach, speed = sliding.norm();
+        const Vector3 stopped = speed > limit ? Vector3(sliding * (limit / speed)) : sliding;
+        set_xyz(velocity, xyz(velocity) + approach * surface.normal - stopped);
+        displacement -= h * stopped;
+    }
+    set_xyz(position, xyz(position) + displacement);
+    return true;
+}
+
+}  // namespace weft::test
