@@ -66,6 +66,8 @@ struct Cloth {
     AlignedBuffer<Survey> partial_surveys;
 
     bool solver_failed = false;           ///< in a substep of the present step
+    bool restored = false;                ///< by the present step's guard
+    float residual = 0;                   ///< the largest of the present step's substeps
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of the last substep
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in the last substep

@@ -22,20 +22,33 @@ Parallel make_parallel(const WorldSettings& settings) {
 }  // namespace
 
 Simulation::Simulation(const WorldSettings& initial)
-    : settings(initial), parallel(make_parallel(initial)), profiler(stage_names) {}
+    : settings(initial), parallel(make_parallel(initial)), profiler(stage_names) {
+    parallel.trace_to(&profiler.trace());
+    reserve_motions(0);
+}
 
 void Simulation::apply(const WorldSettings& changed) {
     const bool other_threads =
         changed.threads != settings.threads || changed.executor.run != settings.executor.run ||
         changed.executor.user != settings.executor.user || changed.executor.width != settings.executor.width;
-    if (other_threads) parallel = make_parallel(changed);
+    if (other_threads) {
+        parallel = make_parallel(changed);
+        parallel.trace_to(&profiler.trace());
+        reserve_motions(colliders.size());
+    }
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         cloth->set_air(changed.wind.air_density > 0, has_gusts(changed.wind));
     });
     settings = changed;
 }
 
+void Simulation::reserve_motions(std::size_t count) {
+    motions_.resize(static_cast<std::size_t>(parallel.width()));
+    for (std::vector<ColliderMotion>& motions : motions_) motions.reserve(count);
+}
+
 void Simulation::prepare(Cloth& cloth) {
+    schedule_.reserve(cloths.size() + 1);
     cloth.set_air(air_is_on(), has_gusts(settings.wind));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);

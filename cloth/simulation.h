@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/cloth.h"
+#include "cloth/schedule.h"
 #include "cloth/stages.h"
 #include "collision/collider_contacts.h"
 #include "engine/parallel_blocks.h"
@@ -20,11 +21,19 @@ struct ColliderSlot {
     Collider current, target;
 };
 
+/// What a thread has to itself while it steps a cloth.
+struct Worker {
+    Parallel& parallel;                    ///< of all threads, or of this one alone
+    std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
+};
+
 /// Settings are validated before they get here.
 struct Simulation {
     explicit Simulation(const WorldSettings& settings);
     void apply(const WorldSettings& settings);
 
+    /// Memory for colliders' motions, so that no step needs to allocate it.
+    void reserve_motions(std::size_t count);
     /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step, and memory
     /// for gusts.
     void prepare(Cloth& cloth);
@@ -36,29 +45,35 @@ struct Simulation {
     Profiler profiler;
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths;
     SlotMap<ColliderId, ColliderSlot> colliders;
-    std::vector<ColliderMotion>
-        motions;      ///< one per collider, over the present substep; reserved by add_collider
-    double time = 0;  ///< [s] since the start
+    double time = 0;                    ///< [s] since the start
     std::array<double, 3> wind_path{};  ///< path of the mean wind since the start [m]
     StepReport report;
 
   private:
-    void begin(float dt);
-    void feel_wind(Cloth& cloth);
-    void move_colliders(float begin, float end);
-    void air_forces(Cloth& cloth);
-    [[nodiscard]] StepEquation equation_of(Cloth& cloth, float h);
-    void solve(Cloth& cloth, const StepEquation& equation);
-    void advance(Cloth& cloth, const StepEquation& equation, bool first_substep);
-    void hold_by_tethers(Cloth& cloth);
-    void collide_with_colliders(Cloth& cloth, float h);
-    void avoid_self_collision(Cloth& cloth, float h);
-    void guard(Cloth& cloth);
-    void finish(Cloth& cloth);
+    void begin();
+    template <class StepCloth>
+    void for_each_cloth(const StepCloth& step_cloth);
+    void begin_cloth(Cloth& cloth, float dt) const;
+    void feel_wind(Worker& worker, Cloth& cloth);
+    void move_colliders(Worker& worker, float begin, float end) const;
+    void air_forces(Worker& worker, Cloth& cloth);
+    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
+    void solve(Worker& worker, Cloth& cloth, const StepEquation& equation);
+    void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep);
+    void hold_by_tethers(Worker& worker, Cloth& cloth);
+    void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
+    void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
+    void guard(Worker& worker, Cloth& cloth);
+    void finish(Worker& worker, Cloth& cloth);
+    void add_to_report(const Cloth& cloth);
     void end(float dt);
 
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
+
+    Parallel serial_{1};
+    Schedule schedule_;
+    std::vector<std::vector<ColliderMotion>> motions_;  // one list for each thread
 };
 
 }  // namespace weft

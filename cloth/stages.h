@@ -4,12 +4,17 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/profiler.h"
+
 namespace weft {
 
 enum class Stage : std::uint32_t {
+    cloths,
     wind,
     assemble,
+    coarse_operators,
     solve,
+    cycles,
     advance,
     tethers,
     colliders,
@@ -18,7 +23,21 @@ enum class Stage : std::uint32_t {
     guard,
     normals
 };
-inline constexpr std::array stage_names{"wind",      "assemble",    "solve",         "advance", "tethers",
-                                        "colliders", "self search", "self response", "guard",   "normals"};
+/// Each with its depth in the tree, after the stage that it is part of.
+inline constexpr std::array stage_names{
+    StageName{"cloths", 1},    //
+    StageName{"wind", 2},      //
+    StageName{"assemble", 2},  //
+    StageName{"coarse operators", 3},
+    StageName{"solve", 2},          //
+    StageName{"cycles", 3},         //
+    StageName{"advance", 2},        //
+    StageName{"tethers", 2},        //
+    StageName{"colliders", 2},      //
+    StageName{"self search", 2},    //
+    StageName{"self response", 2},  //
+    StageName{"guard", 2},          //
+    StageName{"normals", 2},
+};
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 // The frame: one function that reads as the method, and the stages that it names.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -20,70 +21,88 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 }  // namespace
 
 void Simulation::step(float dt) {
-    begin(dt);
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { feel_wind(*cloth); });
-    for (int substep = 0; substep < settings.substeps; ++substep) {
-        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-            const int own = cloth->settings.substeps;
-            const float all = static_cast<float>(settings.substeps * own);
-            for (int s = substep * own; s < (substep + 1) * own; ++s) {
-                move_colliders(static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
-                air_forces(*cloth);
-                const StepEquation equation = equation_of(*cloth, dt / all);
-                solve(*cloth, equation);
-                advance(*cloth, equation, s == 0);
-                hold_by_tethers(*cloth);
-                collide_with_colliders(*cloth, equation.h);
-                avoid_self_collision(*cloth, equation.h);
-            }
-        });
-    }
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        guard(*cloth);
-        finish(*cloth);
+    begin();
+    for_each_cloth([&](Worker& worker, Cloth& cloth) {
+        const auto timer = timed(Stage::cloths);
+        begin_cloth(cloth, dt);
+        feel_wind(worker, cloth);
+        const int substeps = settings.substeps * cloth.settings.substeps;
+        const auto all = static_cast<float>(substeps);
+        for (int s = 0; s < substeps; ++s) {
+            move_colliders(worker, static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
+            air_forces(worker, cloth);
+            const StepEquation equation = equation_of(worker, cloth, dt / all);
+            solve(worker, cloth, equation);
+            advance(worker, cloth, equation, s == 0);
+            hold_by_tethers(worker, cloth);
+            collide_with_colliders(worker, cloth, equation.h);
+            avoid_self_collision(worker, cloth, equation.h);
+        }
+        guard(worker, cloth);
+        finish(worker, cloth);
     });
     end(dt);
 }
 
-void Simulation::begin(float dt) {
-    profiler.begin_step();
-    report = {.step = report.step + 1, .substeps = settings.substeps};
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        for (const Pin& pin : cloth->pins) {
-            const Vector3 velocity = (pin.target - xyz(cloth->state.positions[pin.particle])) / dt;
-            set_xyz(cloth->state.velocities[pin.particle], limited(velocity, settings.max_speed));
-        }
-    });
+// Cloths do not meet: each takes its whole step by itself. First the threads take small cloths, each the next
+// that is left, then all of them work on one large cloth after the other. No loop runs within another.
+template <class StepCloth>
+void Simulation::for_each_cloth(const StepCloth& step_cloth) {
+    schedule_.plan(cloths, parallel.width());
+    const std::span<const Schedule::Entry> small = schedule_.side_by_side();
+    std::atomic<std::size_t> next = 0;
+    parallel.blocks(static_cast<std::uint32_t>(std::min(motions_.size(), small.size())),
+                    [&](std::uint32_t thread) {
+                        Worker worker{serial_, motions_[thread]};
+                        for (std::size_t i; (i = next.fetch_add(1)) < small.size();)
+                            step_cloth(worker, *small[i].cloth);
+                    });
+    Worker all{parallel, motions_[0]};
+    for (const Schedule::Entry& entry : schedule_.in_turn()) step_cloth(all, *entry.cloth);
 }
 
-void Simulation::move_colliders(float begin, float end) {
-    motions.clear();
+void Simulation::begin() {
+    profiler.begin_step();
+    report = {.step = report.step + 1, .substeps = settings.substeps};
+}
+
+void Simulation::begin_cloth(Cloth& cloth, float dt) const {
+    cloth.residual = 0;
+    for (const Pin& pin : cloth.pins) {
+        const Vector3 velocity = (pin.target - xyz(cloth.state.positions[pin.particle])) / dt;
+        set_xyz(cloth.state.velocities[pin.particle], limited(velocity, settings.max_speed));
+    }
+}
+
+void Simulation::move_colliders(Worker& worker, float begin, float end) const {
+    worker.motions.clear();
     colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        motions.push_back({blend(slot.current, slot.target, begin), blend(slot.current, slot.target, end)});
+        worker.motions.push_back(
+            {blend(slot.current, slot.target, begin), blend(slot.current, slot.target, end)});
     });
 }
 
 // Gusts change little in a step: they are sampled once, at its start, and felt in every substep.
-void Simulation::feel_wind(Cloth& cloth) {
+void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
     if (!air_is_on() || cloth.air_velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    sample_wind(parallel, cloth.state, WindField(settings.wind, wind_path, time),
+    sample_wind(worker.parallel, cloth.state, WindField(settings.wind, wind_path, time),
                 cloth.air_velocities.span());
 }
 
-void Simulation::air_forces(Cloth& cloth) {
+void Simulation::air_forces(Worker& worker, Cloth& cloth) {
     if (!air_is_on()) return;
     const auto timer = timed(Stage::wind);
-    compute_air_forces(parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
+    compute_air_forces(worker.parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
                        cloth.triangle_scratch.span(), cloth.air_forces.span());
 }
 
-StepEquation Simulation::equation_of(Cloth& cloth, float h) {
+StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
     const ClothState& state = cloth.state;
     const bool second_order = cloth.history && cloth.history->holds(h);
     if (second_order) {
         const auto timer = timed(Stage::assemble);
-        cloth.history->begin(parallel, state);
+        cloth.history->begin(worker.parallel, state);
     }
     return {.settings = cloth.settings,
             .h = h,
@@ -97,12 +116,12 @@ StepEquation Simulation::equation_of(Cloth& cloth, float h) {
                          .air = std::as_const(cloth.air_forces).span()}};
 }
 
-void Simulation::solve(Cloth& cloth, const StepEquation& equation) {
+void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.solver_is_prepared) {
         cloth.solver->prepare(cloth.model, cloth.settings, cloth.state);
         cloth.solver_is_prepared = true;
     }
-    const float residual = cloth.solver->solve({.parallel = parallel,
+    const float residual = cloth.solver->solve({.parallel = worker.parallel,
                                                 .profiler = profiler,
                                                 .model = cloth.model,
                                                 .settings = cloth.settings,
@@ -110,18 +129,18 @@ void Simulation::solve(Cloth& cloth, const StepEquation& equation) {
                                                 .touches_collider = cloth.collider_contacts > 0,
                                                 .velocity_change = cloth.velocity_change.span()});
     cloth.solver_failed |= std::isnan(residual);
-    report.residual = std::max(report.residual, residual);
+    cloth.residual = std::max(cloth.residual, residual);
 }
 
 // v += dv, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h). The first substep
 // writes the new positions over the previous ones and swaps the two, so that the start of the step stays
 // behind for the renderer's blend and for guard().
-void Simulation::advance(Cloth& cloth, const StepEquation& equation, bool first_substep) {
+void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep) {
     const auto timer = timed(Stage::advance);
     ClothState& state = cloth.state;
     AlignedBuffer<Vec4>& target = first_substep ? state.previous_positions : state.positions;
     if (cloth.history) cloth.history->set_step(equation.h);
-    parallel.ranges(state.size(), [&](const BlockRange& range) {
+    worker.parallel.ranges(state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vec4 x = state.positions[i];
             const Vector3 v_before = xyz(state.velocities[i]);
@@ -134,7 +153,7 @@ void Simulation::advance(Cloth& cloth, const StepEquation& equation, bool first_
     if (first_substep) std::swap(state.positions, state.previous_positions);
 }
 
-void Simulation::hold_by_tethers(Cloth& cloth) {
+void Simulation::hold_by_tethers(Worker& worker, Cloth& cloth) {
     if (!cloth.tethers) return;
     const auto timer = timed(Stage::tethers);
     if (!cloth.tethers_are_attached) {
@@ -143,69 +162,75 @@ void Simulation::hold_by_tethers(Cloth& cloth) {
         cloth.tethers->attach(cloth.model, particles);
         cloth.tethers_are_attached = true;
     }
-    cloth.tethers->hold(parallel, cloth.settings.tethers.slack, cloth.state.positions.span(),
+    cloth.tethers->hold(worker.parallel, cloth.settings.tethers.slack, cloth.state.positions.span(),
                         cloth.state.velocities.span());
 }
 
-void Simulation::collide_with_colliders(Cloth& cloth, float h) {
+void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
     cloth.collider_contacts = 0;
-    if (motions.empty()) return;
+    if (worker.motions.empty()) return;
     const auto timer = timed(Stage::colliders);
     cloth.collider_contacts =
-        collide(parallel, motions, cloth.settings.thickness, cloth.settings.friction, h,
+        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
                 cloth.state.positions.span(), cloth.state.velocities.span(), cloth.partial_counts.span());
 }
 
-void Simulation::avoid_self_collision(Cloth& cloth, float h) {
+void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
     if (!cloth.self_contacts) return;
     const float distance = cloth.self_collision_distance();
     {
         const auto timer = timed(Stage::self_search);
-        cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+        cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
         if (!cloth.extent.sound) return;  // guard() will see it too, and restore the cloth
         const RestFilter filter{.rest_positions = cloth.model.positions.span(),
                                 .offsets = cloth.model.spring_offsets.span(),
                                 .neighbours = cloth.model.neighbours.span()};
-        cloth.self_contacts->find(parallel, cloth.state.positions.span(),
+        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
                                   {cloth.extent.lower, cloth.extent.upper}, filter, distance,
                                   cloth.settings.self_collision.search);
     }
     const auto timer = timed(Stage::self_response);
     cloth.self_counts =
-        cloth.self_contacts->respond(parallel, distance, cloth.settings.self_collision.friction, h,
+        cloth.self_contacts->respond(worker.parallel, distance, cloth.settings.self_collision.friction, h,
                                      cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
-void Simulation::guard(Cloth& cloth) {
+void Simulation::guard(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::guard);
-    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-    if (std::exchange(cloth.solver_failed, false) || !cloth.extent.sound) {
+    cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
+    cloth.restored = std::exchange(cloth.solver_failed, false) || !cloth.extent.sound;
+    if (cloth.restored) {
         cloth.restore_start_of_step();
-        cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-        report.flags = report.flags | StepFlags::state_restored;
-        ++report.restored_cloths;
+        cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
     }
     // Neither rounding nor the speed limit may make a pin miss its target.
     for (const Pin& pin : cloth.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
 }
 
-void Simulation::finish(Cloth& cloth) {
-    {
-        const auto timer = timed(Stage::normals);
-        compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
-    }
+void Simulation::finish(Worker& worker, Cloth& cloth) {
+    const auto timer = timed(Stage::normals);
+    compute_normals(worker.parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+}
+
+void Simulation::add_to_report(const Cloth& cloth) {
     ++report.cloths;
     report.particles += cloth.model.particle_count;
     report.collider_contacts += cloth.collider_contacts;
     report.self_contacts += cloth.self_counts.pairs;
     report.peak_self_contacts = std::max(report.peak_self_contacts, cloth.self_counts.peak);
     report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
+    report.residual = std::max(report.residual, cloth.residual);
+    if (cloth.restored) {
+        report.flags = report.flags | StepFlags::state_restored;
+        ++report.restored_cloths;
+    }
     if (report.peak_speed > 0.999f * settings.max_speed)
         report.flags = report.flags | StepFlags::speed_limited;
     if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
 }
 
 void Simulation::end(float dt) {
+    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) { add_to_report(*cloth); });
     const Vec3& wind = settings.wind.velocity;
     wind_path[0] += static_cast<double>(wind.x) * static_cast<double>(dt);
     wind_path[1] += static_cast<double>(wind.y) * static_cast<double>(dt);

@@ -191,7 +191,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
     if (const auto valid = validate(collider); !valid) return valid.error();
     return without_exceptions([&]() -> Result<ColliderId> {
         Simulation& simulation = impl_->simulation;
-        simulation.motions.reserve(simulation.colliders.size() + 1);
+        simulation.reserve_motions(simulation.colliders.size() + 1);
         return simulation.colliders.insert({collider, collider});
     });
 }

@@ -18,14 +18,18 @@ class FrameTable {
 
     /// One row per frame: its number, the milliseconds of each stage and in total, particles and contacts.
     [[nodiscard]] Result<void> write_csv(const std::filesystem::path& file) const;
-    /// p50, p95, p99 and largest of each stage over all frames [ms], as lines of text.
+    /// p50, p95, p99 and largest of each stage over all frames [ms], as lines of text; parts are
+    /// indented under their stage.
     [[nodiscard]] std::string summary() const;
 
   private:
+    [[nodiscard]] std::vector<float> times(std::size_t stage) const;
+
     struct Row {
         std::uint32_t particles, collider_contacts, self_contacts;
     };
     std::vector<std::string> stages_;
+    std::vector<int> depths_;
     std::vector<float> times_;  // stages_.size() per row
     std::vector<Row> rows_;
 };

@@ -12,13 +12,6 @@ namespace {
 
 using namespace weft::demo;
 
-int list_scenes() {
-    for (const SceneEntry& scene : all_scenes()) {
-        std::printf("%-10s%s%s\n", scene.name, scene.description, scene.needs_garment ? " (--garment)" : "");
-    }
-    return 0;
-}
-
 int refuse(const weft::Error& error) {
     std::fprintf(stderr, "weft_demo: %s\n", error.message.c_str());
     return 2;
@@ -33,7 +26,10 @@ int main(int argc, char** argv) {
         return exit->status;
     }
     const auto& options = std::get<Options>(parsed);
-    if (options.list) return list_scenes();
+    if (options.list) {
+        std::fputs(scene_list().c_str(), stdout);
+        return 0;
+    }
 
     const auto scene = choose_scene(options);
     if (!scene) return refuse(scene.error());

@@ -4,18 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <variant>
 
-#include "demo/simulation.h"
+#include "demo/simulation_options.h"
 
 namespace weft::demo {
 
-struct Options {
-    std::string scene;  ///< empty: the first, or the garment scene where a garment is given
-    SceneOptions scene_options;
-    Overrides overrides;
-    bool list = false;
+struct Options : SimulationOptions {
     bool headless = false;
     bool panels = false;             ///< draw the panels into headless pictures too
     std::optional<int> frames;       ///< headless default_frames; in a window until it is closed
@@ -27,16 +22,6 @@ struct Options {
     static constexpr int default_frames = 120;
 };
 
-/// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad
-/// arguments.
-struct EarlyExit {
-    int status = 0;
-    std::string text;
-};
-
 [[nodiscard]] std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv);
-
-/// The scene that the options ask for. Error: no scene of that name; one that needs a garment, without it.
-[[nodiscard]] Result<const SceneEntry*> choose_scene(const Options& options);
 
 }  // namespace weft::demo

@@ -60,6 +60,29 @@ Parallel::Parallel(int threads) {
     };
 }
 
+void Parallel::run(std::uint32_t block_count, Executor::Body body, void* context) {
+    if (log_ == nullptr || !log_->is_on()) {
+        executor_.run(executor_.user, block_count, body, context);
+        return;
+    }
+    struct Traced {
+        TraceLog& log;
+        std::uint64_t loop;
+        const char* name;
+        Executor::Body body;
+        void* context;
+    } traced{*log_, TraceLog::new_loop(), NamedActivity::current(), body, context};
+    executor_.run(
+        executor_.user, block_count,
+        [](void* of, std::uint32_t block) noexcept {
+            const Traced& loop = *static_cast<const Traced*>(of);
+            const auto begin = std::chrono::steady_clock::now();
+            loop.body(loop.context, block);
+            loop.log.add_block(loop.loop, loop.name, begin, std::chrono::steady_clock::now());
+        },
+        &traced);
+}
+
 Parallel::Parallel(const Executor& executor) : executor_(executor) {}
 
 Parallel::~Parallel() = default;

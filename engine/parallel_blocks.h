@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 
+#include "engine/trace_log.h"
 #include "weft/executor.h"
 
 namespace weft {
@@ -42,6 +43,10 @@ class Parallel {
     /// Threads that work is spread over: for sizing partitions whose cut cannot show in a result.
     [[nodiscard]] int width() const noexcept { return executor_.width; }
 
+    /// While `log` is on, keeps there which thread ran blocks when, under the NamedActivity of the thread
+    /// that began the loop. Null: no more. The log must outlive the loops.
+    void trace_to(TraceLog* log) noexcept { log_ = log; }
+
     /// body(block) for every block in [0, count). Bodies must not throw.
     template <class Body>
     void blocks(std::uint32_t count, const Body& body) {
@@ -49,8 +54,8 @@ class Parallel {
             for (std::uint32_t block = 0; block < count; ++block) body(block);
             return;
         }
-        executor_.run(
-            executor_.user, count,
+        run(
+            count,
             [](void* context, std::uint32_t block) noexcept { (*static_cast<const Body*>(context))(block); },
             const_cast<Body*>(&body));
     }
@@ -74,8 +79,12 @@ class Parallel {
 
   private:
     class Arena;
+
+    void run(std::uint32_t block_count, Executor::Body body, void* context);
+
     std::unique_ptr<Arena> arena_;  // null when the host brought its own threads, or for one thread
     Executor executor_;
+    TraceLog* log_ = nullptr;
 };
 
 }  // namespace weft

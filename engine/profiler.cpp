@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/chrome_trace.h"
+
 namespace weft {
 
 namespace {
@@ -16,11 +18,11 @@ float percentile(std::span<const float> sorted, double q) {
 
 }  // namespace
 
-Profiler::Profiler(std::span<const char* const> names)
+Profiler::Profiler(std::span<const StageName> names)
     : stage_count_(static_cast<std::uint32_t>(names.size())) {
     assert(names.size() <= max_stages);
     for (std::uint32_t stage = 0; stage < stage_count_; ++stage) rows_[stage].name = names[stage];
-    rows_[stage_count_].name = "step";
+    rows_[stage_count_].name = {"step", 0};
 }
 
 void Profiler::begin_step() noexcept {
@@ -30,20 +32,21 @@ void Profiler::begin_step() noexcept {
 
 void Profiler::end_step() noexcept {
     add(rows_[stage_count_], step_begin_, Clock::now());
-    for (Row& row : rows_) row.last = row.history[steps_ % window] = row.current;
+    for (Row& row : rows_)
+        row.last = row.history[steps_ % window] = 1e-6f * static_cast<float>(row.current.load());
     ++steps_;
 }
 
 Profiler::Scope::Scope(Profiler& profiler, std::uint32_t stage) noexcept
-    : profiler_(profiler), stage_(stage), start_(Clock::now()) {}
+    : profiler_(profiler), stage_(stage), activity_(profiler.rows_[stage].name.name), start_(Clock::now()) {}
 
 Profiler::Scope::~Scope() {
     profiler_.add(profiler_.rows_[stage_], start_, Clock::now());
 }
 
 void Profiler::add(Row& row, Clock::time_point begin, Clock::time_point end) noexcept {
-    row.current += std::chrono::duration<float, std::milli>(end - begin).count();
-    if (trace_.size() < max_events_) trace_.push_back({row.name, begin, end});
+    row.current.fetch_add(std::chrono::nanoseconds(end - begin).count(), std::memory_order_relaxed);
+    trace_.add(row.name.name, begin, end);
 }
 
 std::span<const StageTime> Profiler::stages() const {
@@ -54,7 +57,8 @@ std::span<const StageTime> Profiler::stages() const {
 
 StageTime Profiler::summary(const Row& row) const {
     StageTime time;
-    time.name = row.name;
+    time.name = row.name.name;
+    time.depth = row.name.depth;
     time.samples = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_, window));
     if (time.samples == 0) return time;
 
@@ -70,16 +74,14 @@ StageTime Profiler::summary(const Row& row) const {
 }
 
 void Profiler::start_trace(std::size_t max_events) {
-    trace_.clear();
-    trace_.reserve(max_events);
-    max_events_ = max_events;
+    trace_.start(max_events);
 }
 
 Result<void> Profiler::write_trace(const std::filesystem::path& file) const {
-    if (max_events_ == 0)
+    if (!trace_.is_on())
         return Error{ErrorCode::invalid_argument,
                      "no trace was kept; call start_trace before the steps to be traced"};
-    return write_chrome_trace(file, trace_);
+    return write_chrome_trace(file, trace_.events(), rows_[stage_count_].name.name);
 }
 
 }  // namespace weft

@@ -1,32 +1,41 @@
 #pragma once
 // Times the stages of a step, where they stand. Stages are named once; timing one costs two clock reads.
+//
+// Times are whole nanoseconds, so their sums do not depend on the order in which threads add them.
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <vector>
 
-#include "engine/chrome_trace.h"
+#include "engine/trace_log.h"
 #include "weft/error.h"
 #include "weft/profile.h"
 
 namespace weft {
 
-/// Owned and driven by one thread. Does not allocate after construction, save for start_trace() and stages().
+/// A stage and its place in the tree: see StageTime.
+struct StageName {
+    const char* name = "";  ///< a string literal
+    int depth = 1;
+};
+
+/// Stages may be timed on any thread, without locks; all else is called from one thread, outside of any
+/// stage. Does not allocate after construction, save for start_trace().
 class Profiler {
   public:
     static constexpr std::uint32_t window = 256;  ///< steps that the rolling percentiles cover
 
-    /// `names`: string literals, in the order in which the stages run. At most 32.
-    explicit Profiler(std::span<const char* const> names);
+    /// `names`: in the order in which the stages run, each before its parts. At most 32.
+    explicit Profiler(std::span<const StageName> names);
 
     void begin_step() noexcept;
     void end_step() noexcept;
 
     /// Adds the time from construction to destruction to a stage of the current step. A stage may run several
-    /// times in a step (once per substep, once per cloth); its time is the sum.
+    /// times in a step, also at the same time (once per substep, once per cloth); its time is the sum.
     class Scope {
       public:
         Scope(Profiler& profiler, std::uint32_t stage) noexcept;
@@ -37,6 +46,7 @@ class Profiler {
       private:
         Profiler& profiler_;
         std::uint32_t stage_;
+        NamedActivity activity_;
         std::chrono::steady_clock::time_point start_;
     };
     [[nodiscard]] Scope time(std::uint32_t stage) noexcept { return {*this, stage}; }
@@ -49,8 +59,10 @@ class Profiler {
     /// Milliseconds of the whole last step.
     [[nodiscard]] float last_step_ms() const noexcept { return rows_[stage_count_].last; }
 
-    /// Keeps every scope from here on, up to `max_events`, for write_trace.
+    /// Keeps every scope and the blocks of parallel loops from here on, up to `max_events`, for write_trace.
     void start_trace(std::size_t max_events);
+    /// For the loops that run in this profiler's stages.
+    [[nodiscard]] TraceLog& trace() noexcept { return trace_; }
     /// Writes the kept scopes in Chrome's trace event format, which Perfetto and chrome://tracing open.
     /// Error: the file cannot be written, or start_trace was not called.
     [[nodiscard]] Result<void> write_trace(const std::filesystem::path& file) const;
@@ -61,10 +73,10 @@ class Profiler {
 
     // One stage, or the whole step.
     struct Row {
-        const char* name = "";
-        float current = 0;                    // so far in the present step [ms]
-        float last = 0;                       // in the last whole step [ms]
-        std::array<float, window> history{};  // ring: step s stands at s % window
+        StageName name;
+        std::atomic<std::int64_t> current = 0;  // so far in the present step [ns]
+        float last = 0;                         // in the last whole step [ms]
+        std::array<float, window> history{};    // ring: step s stands at s % window
     };
 
     void add(Row& row, Clock::time_point begin, Clock::time_point end) noexcept;
@@ -75,8 +87,7 @@ class Profiler {
     std::uint64_t steps_ = 0;
     Clock::time_point step_begin_;
     mutable std::array<StageTime, max_stages + 1> summaries_;  // what stages() shows
-    std::vector<TraceEvent> trace_;
-    std::size_t max_events_ = 0;
+    TraceLog trace_;
 };
 
 }  // namespace weft

@@ -56,6 +56,16 @@ void MultilevelSolver::linearise(const SolverStep& step) {
     system_->linearise(step.parallel, step.equation, velocities_.span(), LinearisedAbout::iterate);
 }
 
+void MultilevelSolver::build_levels(const SolverStep& step) {
+    const auto timer = step.timed(Stage::coarse_operators);
+    multigrid_->build(step.parallel, *system_);
+}
+
+void MultilevelSolver::cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x) {
+    const auto timer = step.timed(Stage::cycles);
+    multigrid_->cycle(step.parallel, *system_, right_side, x);
+}
+
 // Nonlinear conjugate gradients (Polak and Ribiere 1969) on the equation itself; W and its levels, made once,
 // serve the preconditioner and the length of the step alone.
 float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) {
@@ -63,7 +73,7 @@ float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) 
     {
         const auto timer = step.timed(Stage::assemble);
         linearise(step);
-        multigrid_->build(parallel, *system_);
+        build_levels(step);
     }
     const auto timer = step.timed(Stage::solve);
     auto& residual = vectors_.residual;
@@ -81,7 +91,7 @@ float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) 
     system_->residual(parallel, step.equation, velocities_.span(), residual.span());
     double first = 0, rho = 0;
     for (int k = 0; k < iterations; ++k) {
-        multigrid_->cycle(parallel, *system_, residual.span(), preconditioned.span());
+        cycle(step, residual.span(), preconditioned.span());
         const double new_rho = dot_of(preconditioned, residual);
         if (!std::isfinite(new_rho)) return std::numeric_limits<float>::quiet_NaN();
         if (!(new_rho > 0)) break;
@@ -114,13 +124,13 @@ float MultilevelSolver::solve_in_passes(const SolverStep& step, const Multilevel
         {
             const auto timer = step.timed(Stage::assemble);
             linearise(step);
-            if (pass == 0) multigrid_->build(parallel, *system_);
+            if (pass == 0) build_levels(step);
         }
         const auto timer = step.timed(Stage::solve);
         residual = conjugate_gradients(
             parallel, *system_, pass + 1 < method.passes ? 1 : method.iterations,
-            [&](std::span<const Vec4> r, std::span<Vec4> z) { multigrid_->cycle(parallel, *system_, r, z); },
-            vectors_, velocities_.span());
+            [&](std::span<const Vec4> r, std::span<Vec4> z) { cycle(step, r, z); }, vectors_,
+            velocities_.span());
     }
     return residual;
 }

@@ -22,6 +22,8 @@ class MultilevelSolver final : public Solver {
     float solve_nonlinear(const SolverStep& step, int iterations);
     float solve_in_passes(const SolverStep& step, const Multilevel& method);
     void linearise(const SolverStep& step);
+    void build_levels(const SolverStep& step);
+    void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;  // made by the first prepare

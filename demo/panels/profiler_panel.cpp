@@ -8,11 +8,12 @@
 namespace weft::demo {
 namespace {
 
-constexpr std::array<ImU32, 10> palette{
+constexpr std::array<ImU32, 13> palette{
     IM_COL32(86, 180, 233, 255),  IM_COL32(230, 159, 0, 255),   IM_COL32(0, 158, 115, 255),
     IM_COL32(240, 228, 66, 255),  IM_COL32(204, 121, 167, 255), IM_COL32(213, 94, 0, 255),
     IM_COL32(0, 114, 178, 255),   IM_COL32(170, 170, 170, 255), IM_COL32(148, 103, 189, 255),
-    IM_COL32(140, 190, 120, 255),
+    IM_COL32(140, 190, 120, 255), IM_COL32(230, 120, 120, 255), IM_COL32(120, 200, 200, 255),
+    IM_COL32(200, 200, 140, 255),
 };
 
 ImU32 stage_color(std::size_t stage) {
@@ -30,8 +31,13 @@ float plot_range(const StageHistory& history) {
     return range;
 }
 
+/// What is shown: the parts of the work on cloths, and not their parts in turn.
+bool is_shown(const StageTime& stage) {
+    return stage.depth == 2;
+}
+
 /// Each step is a column, the latest at the right; its stages are stacked in the order in which they run.
-void plot_stages(const StageHistory& history, ImVec2 size) {
+void plot_stages(std::span<const StageTime> stages, const StageHistory& history, ImVec2 size) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -44,6 +50,7 @@ void plot_stages(const StageHistory& history, ImVec2 size) {
         const float right = corner.x + size.x - column * static_cast<float>(age);
         float bottom = corner.y + size.y;
         for (std::size_t stage = 0; stage + 1 < history.stages(); ++stage) {
+            if (!is_shown(stages[stage])) continue;
             const float top = bottom - history.at(stage, age) / range * size.y;
             draw.AddRectFilled({right - column, top}, {right, bottom}, stage_color(stage));
             bottom = top;
@@ -75,7 +82,8 @@ void stage_table(std::span<const StageTime> stages) {
     for (const char* title : {"last", "p50", "p95"}) ImGui::TableSetupColumn(title, 0, 1);
     ImGui::TableHeadersRow();
     const std::size_t whole_step = stages.size() - 1;
-    for (std::size_t s = 0; s < whole_step; ++s) stage_row(stages[s], stage_color(s));
+    for (std::size_t s = 0; s < whole_step; ++s)
+        if (is_shown(stages[s])) stage_row(stages[s], stage_color(s));
     stage_row(stages[whole_step], IM_COL32_BLACK_TRANS);
     ImGui::EndTable();
 }
@@ -96,8 +104,9 @@ void profiler_panel(const Simulation& simulation, const StageHistory& history, c
                 static_cast<double>(report.residual));
     ImGui::Text("%u collider contacts, %u self contacts", report.collider_contacts, report.self_contacts);
     troubles(report, playback);
-    plot_stages(history, {ImGui::GetContentRegionAvail().x, 76});
-    if (const auto stages = simulation.world().profile(); !stages.empty()) stage_table(stages);
+    const auto stages = simulation.world().profile();
+    plot_stages(stages, history, {ImGui::GetContentRegionAvail().x, 76});
+    stage_table(stages);
     ImGui::End();
 }
 

@@ -12,7 +12,8 @@ FrameTable three_frames() {
     FrameTable table;
     for (int frame = 1; frame <= 3; ++frame) {
         const auto time = static_cast<float>(frame);
-        const StageTime stages[] = {{.name = "forces", .last = time}, {.name = "step", .last = 2 * time}};
+        const StageTime stages[] = {{.name = "forces", .depth = 0, .last = time},
+                                    {.name = "step", .last = 2 * time}};
         StepReport report;
         report.particles = 100;
         report.collider_contacts = static_cast<std::uint32_t>(frame);
@@ -43,7 +44,8 @@ TEST(FrameTable, SaysWhereItCannotWrite) {
 TEST(FrameTable, SummaryHasALinePerStage) {
     const std::string summary = three_frames().summary();
     EXPECT_EQ(std::count(summary.begin(), summary.end(), '\n'), 3);
-    EXPECT_NE(summary.find("forces               2.000     3.000     3.000     3.000"), std::string::npos)
+    EXPECT_NE(summary.find("forces                     2.000     3.000     3.000     3.000"),
+              std::string::npos)
         << summary;
 }
 

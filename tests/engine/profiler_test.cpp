@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <ranges>
+#include <string>
 #include <thread>
+#include <vector>
+
+#include "engine/parallel_blocks.h"
 
 namespace weft {
 namespace {
 
-constexpr const char* two_stages[] = {"forces", "solve"};
+constexpr StageName two_stages[] = {{"forces"}, {"solve"}};
 enum : std::uint32_t { forces, solve };
 
 void spin(std::chrono::nanoseconds time) {
@@ -36,6 +41,8 @@ TEST(Profiler, ListsTheStagesInOrderAndThenTheStep) {
     EXPECT_STREQ(stages[0].name, "forces");
     EXPECT_STREQ(stages[1].name, "solve");
     EXPECT_STREQ(stages[2].name, "step");
+    EXPECT_EQ(stages[0].depth, 1);
+    EXPECT_EQ(stages[2].depth, 0);
     for (const StageTime& stage : stages)
         EXPECT_TRUE(stage.samples == 0 && stage.last == 0 && stage.max == 0);
 }
@@ -52,6 +59,46 @@ TEST(Profiler, AddsUpTheRunsOfAStageAndStaysBelowTheStep) {
     EXPECT_GE(profiler.last_ms(forces), 0.3f);
     EXPECT_EQ(profiler.last_ms(solve), 0);
     EXPECT_GE(profiler.last_step_ms(), profiler.last_ms(forces) * 0.999f);
+}
+
+TEST(Profiler, PutsPartsBelowTheirStage) {
+    constexpr StageName tree[] = {{"solve", 1}, {"cycles", 2}, {"guard", 1}};
+    Profiler profiler(tree);
+    profiler.begin_step();
+    {
+        const auto whole = profiler.time(0);
+        spin(std::chrono::microseconds(50));
+        const auto part = profiler.time(1);
+        spin(std::chrono::microseconds(50));
+    }
+    profiler.end_step();
+    const auto stages = profiler.stages();
+    EXPECT_EQ(stages[1].depth, 2);
+    EXPECT_EQ(stages[2].depth, 1);
+    EXPECT_GE(profiler.last_ms(1), 0.05f);
+    EXPECT_GE(profiler.last_ms(0), profiler.last_ms(1) + 0.049f);
+}
+
+TEST(Profiler, AddsUpWhatSeveralThreadsDoAtOnce) {
+    constexpr int threads = 4, runs = 500;
+    Profiler profiler(two_stages);
+    profiler.start_trace(threads * runs);
+    profiler.begin_step();
+    {
+        std::vector<std::jthread> workers;
+        for (int i = 0; i < threads; ++i) {
+            workers.emplace_back([&] {
+                for (int run = 0; run < runs; ++run) const auto scope = profiler.time(forces);
+            });
+        }
+    }
+    profiler.end_step();
+    const std::span<const TraceEvent> events = profiler.trace().events();
+    ASSERT_EQ(events.size(), static_cast<std::size_t>(threads * runs));
+    std::int64_t nanoseconds = 0;
+    for (const TraceEvent& event : events)
+        nanoseconds += std::chrono::nanoseconds(event.end - event.begin).count();
+    EXPECT_EQ(profiler.last_ms(forces), 1e-6f * static_cast<float>(nanoseconds));
 }
 
 TEST(Profiler, KeepsTheLastStepUntilTheNextIsWhole) {
@@ -152,14 +199,84 @@ TEST_F(Trace, HoldsEveryScopeInsideItsStep) {
     }
 }
 
+double begin_of(const nlohmann::json& event) {
+    return event["ts"].get<double>();
+}
+double end_of(const nlohmann::json& event) {
+    return begin_of(event) + event["dur"].get<double>();
+}
+
+// Perfetto stacks the events of a track: each must lie inside what is open when it begins, or after it.
+void expect_nested(std::vector<nlohmann::json> track) {
+    constexpr double rounding = 1e-3;  // [us]
+    std::ranges::sort(track, [](const auto& a, const auto& b) {
+        return std::pair(begin_of(a), -end_of(a)) < std::pair(begin_of(b), -end_of(b));
+    });
+    std::vector<double> open;
+    for (const nlohmann::json& event : track) {
+        while (!open.empty() && open.back() <= begin_of(event) + rounding) open.pop_back();
+        const double enclosing = open.empty() ? end_of(event) : open.back();
+        EXPECT_LE(end_of(event), enclosing + rounding) << event;
+        open.push_back(end_of(event));
+    }
+}
+
+TEST_F(Trace, HasATrackPerThreadWhoseEventsNest) {
+    Profiler profiler(two_stages);
+    Parallel parallel(3);
+    parallel.trace_to(&profiler.trace());
+    profiler.start_trace(10'000);
+    const auto work = [](std::uint32_t) { spin(std::chrono::microseconds(5)); };
+    for (int step = 0; step < 20; ++step) {
+        profiler.begin_step();
+        {
+            const auto scope = profiler.time(forces);
+            parallel.blocks(16, work);
+        }
+        parallel.blocks(6, [&](std::uint32_t) {
+            const auto scope = profiler.time(solve);
+            parallel.blocks(2, work);
+        });
+        profiler.end_step();
+    }
+    const auto events = written(profiler);
+    std::map<int, std::vector<nlohmann::json>> tracks;
+    for (const nlohmann::json& event : complete_events(events)) tracks[event["tid"]].push_back(event);
+    for (const auto& [thread, track] : tracks) expect_nested(track);
+
+    std::map<int, std::string> names;
+    for (const nlohmann::json& event : events)
+        if (event["name"] == "thread_name") names[event["tid"]] = event["args"]["name"];
+    EXPECT_EQ(names.size(), tracks.size());
+    EXPECT_EQ(std::ranges::count(names | std::views::values, "step"), 1);
+
+    std::uint32_t blocks = 0;  // of the loops in stage forces
+    for (const nlohmann::json& event : complete_events(events))
+        if (event["name"] == "forces" && event.contains("args"))
+            blocks += event["args"]["blocks"].get<std::uint32_t>();
+    EXPECT_EQ(blocks, 20u * 16u);
+}
+
+TEST_F(Trace, HoldsNoBlocksOfALoopThatIsNotTracedAnyMore) {
+    Profiler profiler(two_stages);
+    Parallel parallel(2);
+    parallel.trace_to(&profiler.trace());
+    parallel.trace_to(nullptr);
+    profiler.start_trace(100);
+    parallel.blocks(16, [](std::uint32_t) {});
+    EXPECT_EQ(profiler.trace().events().size(), 0u);
+}
+
 TEST_F(Trace, NamesItsProcessAndThread) {
     Profiler profiler(two_stages);
-    profiler.start_trace(1);
+    profiler.start_trace(2);
+    run_step(profiler);
     const auto events = written(profiler);
-    ASSERT_EQ(events.size(), 2u);
+    ASSERT_EQ(events.size(), 4u);
     EXPECT_EQ(events[0]["name"], "process_name");
     EXPECT_EQ(events[0]["args"]["name"], "weft");
     EXPECT_EQ(events[1]["name"], "thread_name");
+    EXPECT_EQ(events[1]["args"]["name"], "step");
 }
 
 TEST_F(Trace, StopsWhenItIsFull) {

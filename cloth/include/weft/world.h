@@ -100,11 +100,13 @@ class World {
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
 
-    /// Times of the stages of the step, the whole last; the percentiles are computed by this call.
+    /// Times of the stages of the step, as a tree (see StageTime), the whole step last; the percentiles are
+    /// computed by this call.
     [[nodiscard]] std::span<const StageTime> profile() const;
-    /// Keeps up to `max_events` stage timings from here on, for write_trace.
+    /// Keeps from here on when stages and blocks of parallel loops ran on which thread, up to `max_events`
+    /// (40 bytes each), for write_trace.
     void start_trace(std::size_t max_events = 1u << 20);
-    /// Chrome's trace event format: opens in Perfetto and chrome://tracing.
+    /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
 
     /// Of all positions and velocities: the same for any number of threads, with the same binary.

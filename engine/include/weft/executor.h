@@ -7,7 +7,7 @@ namespace weft {
 
 /// Runs `body(context, block)` once for every block in [0, block_count), on whatever threads it likes, and
 /// returns when all are done. Weft's results do not depend on the order or on the threads: a body knows its
-/// block only.
+/// block only. A World never calls `run` from within a body.
 ///
 /// With `run` null (the default) Weft uses a oneTBB arena of its own.
 struct Executor {

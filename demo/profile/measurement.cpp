@@ -1,0 +1,98 @@
+#include "demo/profile/measurement.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "demo/methods.h"
+#include "demo/progress.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float frame_seconds = 1.0f / 60.0f;
+constexpr int traced_frames = 60;
+
+Result<void> add_copy(World& world, const SceneCloth& original) {
+    const auto settings = world.cloth_settings(original.id);
+    if (!settings) return settings.error();
+    const auto copy = world.add_cloth(original.mesh, *settings);
+    if (!copy) return copy.error();
+    const auto view = world.cloth(original.id);
+    if (!view) return view.error();
+    for (std::uint32_t vertex = 0; vertex < view->vertex_to_particle.size(); ++vertex) {
+        if (view->positions[view->vertex_to_particle[vertex]].w != 0) continue;
+        if (auto pinned = world.pin(*copy, vertex); !pinned) return pinned.error();
+    }
+    return {};
+}
+
+void warm_up(const ProfileOptions& options, Simulation& simulation) {
+    for (int frame = 0; frame < options.warm_up; ++frame) simulation.step(frame_seconds);
+}
+
+Measured describe(const ProfileOptions& options, Simulation& simulation) {
+    const World& world = simulation.world();
+    Measured measured{.scene = simulation.entry().name,
+                      .method = {},
+                      .cloths = static_cast<int>(world.report().cloths),
+                      .particles = world.report().particles,
+                      .threads = world.settings().threads,
+                      .substeps = world.report().substeps,
+                      .frames = options.frames,
+                      .bytes = 0,
+                      .hash = world.state_hash()};
+    if (measured.threads == 0) measured.threads = static_cast<int>(std::thread::hardware_concurrency());
+    const std::vector<SceneCloth>& cloths = simulation.content().cloths;
+    for (const SceneCloth& cloth : cloths)
+        if (const auto info = world.cloth_info(cloth.id)) measured.bytes += info->bytes;
+    const auto copies = static_cast<std::uint64_t>(measured.cloths) - cloths.size();
+    if (const auto info = world.cloth_info(cloths.front().id)) measured.bytes += copies * info->bytes;
+    if (const auto settings = world.cloth_settings(cloths.front().id))
+        measured.method = entry_of(settings->method).name;
+    return measured;
+}
+
+}  // namespace
+
+Result<Simulation> build_simulation(const ProfileOptions& options) {
+    const auto scene = choose_scene(options);
+    if (!scene) return scene.error();
+    auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
+    if (!simulation) return simulation;
+    const std::vector<SceneCloth>& own = simulation->content().cloths;
+    for (int i = static_cast<int>(own.size()); i < options.cloths; ++i) {
+        if (auto added = add_copy(simulation->world(), own.front()); !added) return added.error();
+    }
+    return simulation;
+}
+
+Result<Measured> measure(const ProfileOptions& options, StageTable& table,
+                         std::optional<HardwareCounters::Counts>& counts) {
+    const HardwareCounters counters;  // before the threads that it is to count
+    auto simulation = build_simulation(options);
+    if (!simulation) return simulation.error();
+    warm_up(options, *simulation);
+    Progress progress(simulation->entry().name, options.frames);
+    for (int frame = 1; frame <= options.frames; ++frame) {
+        const auto before = counters.read();
+        simulation->step(frame_seconds);
+        const auto after = counters.read();
+        if (before && after) (counts ? *counts : counts.emplace()) += *after - *before;
+        table.add(simulation->world().profile());
+        progress.update(frame);
+    }
+    table.end_run();
+    return describe(options, *simulation);
+}
+
+Result<void> trace(const ProfileOptions& options) {
+    auto simulation = build_simulation(options);
+    if (!simulation) return simulation.error();
+    warm_up(options, *simulation);
+    simulation->world().start_trace();
+    for (int frame = 0; frame < std::min(options.frames, traced_frames); ++frame)
+        simulation->step(frame_seconds);
+    return simulation->world().write_trace(options.trace);
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,23 @@
+#pragma once
+// The command line of weft_profile.
+
+#include <filesystem>
+#include <variant>
+
+#include "demo/simulation_options.h"
+
+namespace weft::demo {
+
+struct ProfileOptions : SimulationOptions {
+    int cloths = 1;               ///< the scene's own and copies of its first
+    int warm_up = 30;             ///< frames that are run before those that count
+    int frames = 300;             ///< that count
+    int repeat = 1;               ///< runs; of each figure the least is shown, since noise only adds
+    std::filesystem::path csv;    ///< empty: none is written
+    std::filesystem::path trace;  ///< empty: none is kept
+};
+
+[[nodiscard]] std::variant<ProfileOptions, EarlyExit> parse_profile_options(int argc,
+                                                                            const char* const* argv);
+
+}  // namespace weft::demo

@@ -1,0 +1,107 @@
+#include "demo/simulation_options.h"
+
+#include <array>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "demo/methods.h"
+
+namespace weft::demo {
+namespace {
+
+std::string parse_wind(const std::string& text, std::optional<Vec3>& wind) {
+    std::array<float, 3> v{};
+    const bool parsed = parse_numbers<float>(text, ',', v);
+    const float speed = std::hypot(v[0], v[1], v[2]);
+    if (!parsed || !(speed <= 100))
+        return text + " is not a wind; X,Y,Z in m/s and at most 100 m/s are, as in 5,0,-1";
+    wind = Vec3{v[0], v[1], v[2]};
+    return {};
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const NamedMethod& each : all_methods()) names.emplace_back(each.name);
+    return names;
+}
+
+}  // namespace
+
+void add_simulation_options(CLI::App& app, SimulationOptions& options) {
+    app.add_flag("--list", options.list, "List the scenes and exit");
+    app.add_option("--scene", options.scene, "Scene to start, one of --list");
+    app.add_option(
+           "--garment", options.scene_options.garment,
+           "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres")
+        ->type_name("FILE.obj");
+    app.add_option("--particles", options.scene_options.particles,
+                   "About this many particles (default: the scene's own number)")
+        ->check(CLI::Range(9u, 4u << 20));
+    app.add_option("--threads", options.overrides.threads,
+                   "Threads of the simulation (default: one per core)")
+        ->check(CLI::Range(1, 256));
+    app.add_option_function<std::string>(
+           "--wind",
+           [&options](const std::string& text) {
+               if (auto error = parse_wind(text, options.overrides.wind); !error.empty()) {
+                   throw CLI::ValidationError("--wind", error);
+               }
+           },
+           "Wind [m/s]")
+        ->type_name("X,Y,Z");
+    app.add_option_function<std::string>(
+           "--method",
+           [&options](const std::string& name) { options.overrides.method = find_method(name)->method; },
+           "How the cloth is stepped (default: the scene's own)")
+        ->check(CLI::IsMember(method_names()));
+    app.add_option("--iterations", options.overrides.iterations,
+                   "Iterations of the method in each of its substeps")
+        ->check(CLI::Range(0, 10000));
+    app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
+        ->check(CLI::Range(1, 256));
+    app.add_option("--self-collision", options.overrides.self_collision,
+                   "1 on, 0 off (default: the scene's own)");
+}
+
+std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return EarlyExit{0, app.help()};
+    } catch (const CLI::ParseError& error) {
+        return EarlyExit{2, std::string(error.what()) + " (--help lists the options)\n"};
+    }
+    return {};
+}
+
+std::string scene_list() {
+    std::string list;
+    for (const SceneEntry& scene : all_scenes()) {
+        char line[160];
+        std::snprintf(line, sizeof line, "%-10s%s%s\n", scene.name, scene.description,
+                      scene.needs_garment ? " (--garment)" : "");
+        list += line;
+    }
+    return list;
+}
+
+Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
+    const bool garment_given = !options.scene_options.garment.empty();
+    std::string name = options.scene;
+    if (name.empty()) name = garment_given ? "garment" : all_scenes().front().name;
+
+    const SceneEntry* scene = find_scene(name);
+    if (scene == nullptr) {
+        return Error{ErrorCode::invalid_argument,
+                     "there is no scene " + name + "; --list shows those there are"};
+    }
+    if (scene->needs_garment && !garment_given) {
+        return Error{ErrorCode::invalid_argument,
+                     "scene " + name + " needs an OBJ file; name one with --garment"};
+    }
+    return scene;
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,57 @@
+#pragma once
+// What the command lines of weft_demo and weft_profile have in common: which scene, and what about it is
+// other.
+
+#include <charconv>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "demo/simulation.h"
+
+namespace CLI {
+class App;
+}
+
+namespace weft::demo {
+
+struct SimulationOptions {
+    bool list = false;  ///< print scene_list() instead of running
+    std::string scene;  ///< empty: the first, or the garment scene where a garment is given
+    SceneOptions scene_options;
+    Overrides overrides;
+};
+
+/// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad
+/// arguments.
+struct EarlyExit {
+    int status = 0;
+    std::string text;
+};
+
+void add_simulation_options(CLI::App& app, SimulationOptions& options);
+
+/// A line for each scene.
+[[nodiscard]] std::string scene_list();
+
+/// The scene that the options ask for. Error: no scene of that name; one that needs a garment, without it.
+[[nodiscard]] Result<const SceneEntry*> choose_scene(const SimulationOptions& options);
+
+/// Fills what the app's options lead to; empty: it went well.
+[[nodiscard]] std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv);
+
+/// "1,-2.5,0" or "1280x800": exactly as many numbers as `values` holds, with `separator` between them.
+template <class T>
+[[nodiscard]] bool parse_numbers(const std::string& text, char separator, std::span<T> values) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != separator)) return false;
+        const auto [next, error] = std::from_chars(at, end, values[i]);
+        if (error != std::errc{}) return false;
+        at = next;
+    }
+    return at == end;
+}
+
+}  // namespace weft::demo

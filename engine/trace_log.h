@@ -1,0 +1,63 @@
+#pragma once
+// What ran when, on which thread: filled by any number of threads at once, without locks.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Something that ran from `begin` to `end` on one thread.
+struct TraceEvent {
+    const char* name = "";
+    std::uint32_t thread = 0;  ///< thread_number() of that thread
+    std::uint32_t blocks = 0;  ///< of a parallel loop, that the thread ran; 0: not part of a loop
+    std::chrono::steady_clock::time_point begin, end;
+};
+
+/// Of the calling thread: 1 for the first in this process that asks, then 2, 3, ...
+[[nodiscard]] std::uint32_t thread_number() noexcept;
+
+class TraceLog {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// Forgets what it holds and keeps up to `max_events` from here on; what comes later is dropped.
+    /// Allocates; nothing may be added meanwhile.
+    void start(std::size_t max_events);
+    [[nodiscard]] bool is_on() const noexcept { return !events_.empty(); }
+
+    void add(const char* name, Time begin, Time end) noexcept;
+    /// A block of a parallel loop, numbered by new_loop(). The blocks that one thread runs of a loop are one
+    /// event.
+    void add_block(std::uint64_t loop, const char* name, Time begin, Time end) noexcept;
+    [[nodiscard]] static std::uint64_t new_loop() noexcept;
+
+    /// In the order in which they ended. Nothing may be added meanwhile.
+    [[nodiscard]] std::span<const TraceEvent> events() const noexcept;
+
+  private:
+    TraceEvent* append(const TraceEvent& event) noexcept;  // null: full
+
+    std::vector<TraceEvent> events_;
+    std::atomic<std::size_t> appended_ = 0;  // may run past the size
+};
+
+/// Names what the calling thread is doing, for the parallel loops that it starts meanwhile.
+class NamedActivity {
+  public:
+    explicit NamedActivity(const char* name) noexcept;
+    ~NamedActivity();
+    NamedActivity(const NamedActivity&) = delete;
+    NamedActivity& operator=(const NamedActivity&) = delete;
+
+    /// The innermost that stands on the calling thread; "loop" if there is none.
+    [[nodiscard]] static const char* current() noexcept;
+
+  private:
+    const char* outer_;
+};
+
+}  // namespace weft

@@ -1,0 +1,173 @@
+// Many cloths: which run side by side, and that none of it shows in the results.
+
+#include "cloth/schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstring>
+#include <map>
+#include <thread>
+#include <utility>
+
+#include "fixtures.h"
+
+namespace weft::test {
+namespace {
+
+class Planned {
+  public:
+    explicit Planned(std::span<const std::uint32_t> sides) {
+        for (const std::uint32_t side : sides)
+            cloths_.insert(std::make_unique<Cloth>(cook(sheet(side, side)).value(), ClothSettings{}));
+    }
+    const Schedule& on(int threads) {
+        schedule_.plan(cloths_, threads);
+        return schedule_;
+    }
+
+  private:
+    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths_;
+    Schedule schedule_;
+};
+
+std::vector<std::uint32_t> many_small_and(std::initializer_list<std::uint32_t> others) {
+    std::vector<std::uint32_t> sides(100, 20);
+    sides.insert(sides.begin() + 50, others);
+    return sides;
+}
+
+TEST(Schedule, PlansEachClothOnceAndTheLargestFirst) {
+    const std::vector<std::uint32_t> sides = many_small_and({128, 40, 30, 3});
+    for (const int threads : {1, 2, 16, 64}) {
+        Planned cloths(sides);
+        const Schedule& schedule = cloths.on(threads);
+        std::map<const Cloth*, int> planned;
+        for (const auto entries : {schedule.side_by_side(), schedule.in_turn()}) {
+            EXPECT_TRUE(std::ranges::is_sorted(entries, std::ranges::greater(), &Schedule::Entry::work));
+            for (const Schedule::Entry& entry : entries) ++planned[entry.cloth];
+        }
+        EXPECT_EQ(planned.size(), sides.size());
+        EXPECT_EQ(schedule.side_by_side().size() + schedule.in_turn().size(), sides.size());
+    }
+}
+
+TEST(Schedule, KeepsALargeClothForAllThreads) {
+    Planned mix(many_small_and({128})), alone(std::array{128u});
+    for (const int threads : {2, 4, 16}) {
+        ASSERT_EQ(mix.on(threads).in_turn().size(), 1u) << threads;
+        EXPECT_EQ(mix.on(threads).in_turn()[0].cloth->model.particle_count, 128u * 128u);
+        EXPECT_EQ(alone.on(threads).in_turn().size(), 1u);
+    }
+}
+
+TEST(Schedule, GivesClothsOfFewBlocksToOneThreadEach) {
+    Planned few_blocks(std::array{40u, 40u, 40u, 40u, 40u, 40u, 40u, 40u});  // 7 blocks each
+    EXPECT_EQ(few_blocks.on(8).side_by_side().size(), 8u) << "no thread waits, and none does two";
+    EXPECT_EQ(few_blocks.on(16).in_turn().size(), 8u) << "eight threads would wait";
+}
+
+// A cloth is part of two kinds of World: large and small, with contacts, gusts and a moving collider.
+void fill(World& world, std::span<const std::uint32_t> sides) {
+    ClothSettings settings;
+    settings.self_collision.enabled = true;
+    for (const std::uint32_t side : sides) {
+        settings.substeps = 1 + static_cast<int>(side % 3);
+        const ClothId id = world.add_cloth(sheet(side, side), settings).value();
+        for (const std::uint32_t corner : {0u, side - 1}) ASSERT_TRUE(world.pin(id, corner).ok());
+    }
+    ASSERT_TRUE(world.add_collider({.shape = Sphere{{0.5f, -0.2f, 0.5f}, 0.2f}}).ok());
+}
+
+void run(World& world, std::vector<StepReport>& reports) {
+    const ColliderId sphere{0, 1};
+    for (int k = 1; k <= 20; ++k) {
+        const float z = 0.5f - 0.02f * static_cast<float>(k);
+        ASSERT_TRUE(world.move_collider(sphere, {.shape = Sphere{{0.5f, -0.2f, z}, 0.2f}}).ok());
+        reports.push_back(world.step(1.0f / 60));
+    }
+}
+
+WorldSettings on_threads(int threads) {
+    WorldSettings settings;
+    settings.threads = threads;
+    return settings;
+}
+
+// Hosts' executors.
+void run_on_fresh_threads(void*, std::uint32_t count, Executor::Body body, void* context) {
+    std::atomic<std::uint32_t> next = 0;
+    const auto work = [&] {
+        for (std::uint32_t block; (block = next++) < count;) body(context, block);
+    };
+    const std::jthread first(work), second(work), third(work);
+}
+void run_backwards(void* is_running, std::uint32_t count, Executor::Body body, void* context) {
+    bool& running = *static_cast<bool*>(is_running);
+    EXPECT_FALSE(std::exchange(running, true)) << "a loop within a loop";
+    while (count > 0) body(context, --count);
+    running = false;
+}
+
+struct Outcome {
+    std::uint64_t hash;
+    std::vector<StepReport> reports;
+};
+
+Outcome outcome(std::span<const std::uint32_t> sides, WorldSettings settings) {
+    settings.substeps = 2;
+    settings.wind.velocity = {3, 0, 1};
+    settings.wind.gust = 0.5f;
+    World world = World::create(settings).value();
+    fill(world, sides);
+    Outcome outcome;
+    run(world, outcome.reports);
+    outcome.hash = world.state_hash();
+    return outcome;
+}
+
+TEST(ManyCloths, GiveTheSameBytesAndReportsOnAnyThreads) {
+    const std::array sides{8u, 20u, 48u, 5u, 20u, 16u, 33u, 20u};
+    const Outcome expected = outcome(sides, on_threads(1));
+    WorldSettings on_host, on_serial_host;
+    bool is_running = false;
+    on_host.executor = {.run = run_on_fresh_threads, .width = 3};
+    on_serial_host.executor = {.run = run_backwards, .user = &is_running, .width = 3};
+    for (const WorldSettings& settings : {on_threads(2), on_host, on_serial_host}) {
+        const Outcome other = outcome(sides, settings);
+        EXPECT_EQ(other.hash, expected.hash);
+        for (std::size_t k = 0; k < expected.reports.size(); ++k) {
+            const StepReport &a = other.reports[k], &b = expected.reports[k];
+            EXPECT_EQ(a.cloths, 8u);
+            EXPECT_EQ(a.flags, b.flags);
+            EXPECT_EQ(a.particles, b.particles);
+            EXPECT_EQ(a.collider_contacts, b.collider_contacts);
+            EXPECT_EQ(a.self_contacts, b.self_contacts);
+            EXPECT_EQ(a.peak_self_contacts, b.peak_self_contacts);
+            EXPECT_EQ(a.peak_speed, b.peak_speed);
+            EXPECT_EQ(a.residual, b.residual);
+        }
+    }
+    EXPECT_GT(expected.reports.back().collider_contacts, 0u);
+}
+
+TEST(ManyCloths, MoveAsEachDoesAlone) {
+    const std::array sides{8u, 33u, 12u};
+    World together = World::create(on_threads(2)).value();
+    fill(together, sides);
+    std::vector<StepReport> reports;
+    run(together, reports);
+    for (std::uint32_t i = 0; i < sides.size(); ++i) {
+        World alone = World::create(on_threads(1)).value();
+        fill(alone, std::span(sides).subspan(i, 1));
+        run(alone, reports);
+        const auto expected = alone.cloth({0, 1})->positions, actual = together.cloth({i, 1})->positions;
+        ASSERT_EQ(actual.size(), expected.size());
+        EXPECT_EQ(std::memcmp(actual.data(), expected.data(), actual.size_bytes()), 0) << sides[i];
+    }
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,158 @@
+// weft_profile: its arguments, its table, and the program as people run it.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "demo/profile/measurement.h"
+
+namespace weft::demo {
+namespace {
+
+std::vector<StageTime> frame(float solve, float step) {
+    return {{.name = "cloths", .depth = 1, .last = solve},
+            {.name = "solve", .depth = 2, .last = solve},
+            {.name = "step", .depth = 0, .last = step}};
+}
+
+TEST(StageTable, ShowsTheStepFirstAndPartsBelowTheirStage) {
+    StageTable table;
+    table.add(frame(1, 2));
+    table.end_run();
+    std::istringstream text(table.text(1000));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines[1].substr(0, 6), "step  ");
+    EXPECT_EQ(lines[2].substr(0, 9), "  cloths ");
+    EXPECT_EQ(lines[3].substr(0, 10), "    solve ");
+    EXPECT_NE(lines[1].find("2000.0"), std::string::npos) << "2 ms over 1000 particles: " << lines[1];
+}
+
+TEST(StageTable, KeepsTheLeastOfItsRuns) {
+    StageTable table;
+    for (const float noise : {3.0f, 0.0f, 5.0f}) {
+        for (int k = 1; k <= 100; ++k) table.add(frame(1, static_cast<float>(k) + noise));
+        table.end_run();
+    }
+    EXPECT_NE(table.text(1).find("   50.000    95.000    99.000   100.000"), std::string::npos)
+        << table.text(1);
+}
+
+TEST(StageTable, SaysWhereItCannotWrite) {
+    const auto written = StageTable().write_csv("/no/such/folder/table.csv", {});
+    ASSERT_FALSE(written.ok());
+    EXPECT_NE(written.error().message.find("/no/such/folder/table.csv"), std::string::npos);
+}
+
+TEST(Measurement, CopiesTheFirstClothWithItsPins) {
+    ProfileOptions options;
+    options.scene = "flag";
+    options.scene_options.particles = 300;
+    options.cloths = 3;
+    auto simulation = build_simulation(options);
+    ASSERT_TRUE(simulation.ok()) << simulation.error().message;
+    const StepReport& report = simulation->step(1.0f / 60);
+    EXPECT_EQ(report.cloths, 3u);
+    const auto pinned = [&](std::uint32_t cloth) {
+        const auto view = simulation->world().cloth({cloth, 1});
+        return std::ranges::count(view->positions, 0.0f, &Vec4::w);
+    };
+    EXPECT_GT(pinned(0), 0);
+    EXPECT_EQ(pinned(1), pinned(0));
+    EXPECT_EQ(pinned(2), pinned(0));
+}
+
+class ProfileProgram : public testing::Test {
+  protected:
+    ProfileProgram() {
+        std::filesystem::remove_all(folder());
+        std::filesystem::create_directories(folder());
+    }
+    ~ProfileProgram() override { std::filesystem::remove_all(folder()); }
+
+    static std::filesystem::path folder() {
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        return std::filesystem::path(testing::TempDir()) / ("weft_profile_" + name);
+    }
+    static std::string content_of(const std::filesystem::path& file) {
+        std::stringstream text;
+        text << std::ifstream(file).rdbuf();
+        return text.str();
+    }
+
+    struct Ran {
+        int status;
+        std::string out, err;
+    };
+    static Ran run(const std::string& arguments) {
+        const auto out = folder() / "stdout.txt", err = folder() / "stderr.txt";
+        const std::string command =
+            std::string(WEFT_PROFILE_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+    }
+    static void expect_refusal(const Ran& ran, const std::string& named) {
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_EQ(ran.out, "");
+        EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+        EXPECT_NE(ran.err.find(named), std::string::npos) << ran.err;
+    }
+    static std::string hash_of(const Ran& ran) {
+        const std::size_t found = ran.out.find("hash: ");
+        EXPECT_NE(found, std::string::npos) << ran.out;
+        return found == std::string::npos ? "" : ran.out.substr(found + 6, 16);
+    }
+};
+
+TEST_F(ProfileProgram, LeavesTableFileAndTrace) {
+    const auto csv = folder() / "table.csv", trace = folder() / "trace.json";
+    const Ran ran =
+        run("--scene flag --particles 300 --cloths 4 --threads 2 --frames 5 --warm-up 2 "
+            "--repeat 2 --csv " +
+            csv.string() + " --trace " + trace.string());
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    for (const char* shown : {"4 cloths", "2 threads", "bytes per particle", "\n    solve", "\n      cycles"})
+        EXPECT_NE(ran.out.find(shown), std::string::npos) << shown << " in " << ran.out;
+    const std::string rows = content_of(csv);
+    EXPECT_EQ(rows.substr(0, 6), "scene,");
+    EXPECT_NE(rows.find("\nflag,multilevel,4,"), std::string::npos) << rows;
+    const std::string events = content_of(trace);
+    EXPECT_NE(events.find("\"coarse operators\""), std::string::npos);
+}
+
+TEST_F(ProfileProgram, RunsTheSameStepsOnAnyThreadsAndAgain) {
+    const std::string once = hash_of(run("--particles 400 --cloths 3 --frames 4 --threads 1"));
+    EXPECT_EQ(hash_of(run("--particles 400 --cloths 3 --frames 4 --threads 2 --repeat 2")), once);
+    EXPECT_NE(hash_of(run("--particles 400 --cloths 3 --frames 5 --threads 2")), once);
+}
+
+TEST_F(ProfileProgram, RefusesWhatIsNotThere) {
+    expect_refusal(run("--scene atlantis"), "atlantis");
+    expect_refusal(run("--scene garment"), "--garment");
+    expect_refusal(run("--garment /no/such/shirt.obj"), "/no/such/shirt.obj");
+    expect_refusal(run("--cloths 0"), "--cloths");
+    expect_refusal(run("--frames many"), "--frames");
+}
+
+TEST_F(ProfileProgram, FailsWhereItCannotWrite) {
+    const Ran ran = run("--particles 100 --frames 1 --csv /no/such/folder/table.csv");
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
+    EXPECT_NE(ran.err.find("/no/such/folder/table.csv"), std::string::npos) << ran.err;
+}
+
+TEST_F(ProfileProgram, ExplainsItselfAndListsTheScenes) {
+    EXPECT_NE(run("--help").out.find("--cloths"), std::string::npos);
+    const Ran list = run("--list");
+    EXPECT_EQ(list.status, 0);
+    EXPECT_NE(list.out.find("curtain"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace weft::demo
