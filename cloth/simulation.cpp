@@ -38,7 +38,13 @@ void Simulation::apply(const WorldSettings& changed) {
 void Simulation::prepare(Cloth& cloth) {
     cloth.set_air(air_is_on(), has_gusts(settings.wind));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-    compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    update_normals(cloth);
+}
+
+void Simulation::update_normals(Cloth& cloth) {
+    compute_area_normals(parallel, cloth.triangle_groups, cloth.state.positions.span(),
+                         cloth.triangle_rows.span());
+    compute_normals(parallel, cloth.triangle_groups, cloth.triangle_rows.span(), cloth.state.normals.span());
 }
 
 }  // namespace weft

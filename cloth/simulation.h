@@ -46,7 +46,7 @@ struct Simulation {
     void begin(float dt);
     void feel_wind(Cloth& cloth);
     void move_colliders(float begin, float end);
-    void air_forces(Cloth& cloth);
+    void air_forces(Cloth& cloth, bool first_substep);
     [[nodiscard]] StepEquation equation_of(Cloth& cloth, float h);
     void solve(Cloth& cloth, const StepEquation& equation);
     void advance(Cloth& cloth, const StepEquation& equation, bool first_substep);
@@ -55,6 +55,7 @@ struct Simulation {
     void avoid_self_collision(Cloth& cloth, float h);
     void guard(Cloth& cloth);
     void finish(Cloth& cloth);
+    void update_normals(Cloth& cloth);
     void end(float dt);
 
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }

@@ -28,7 +28,7 @@ void Simulation::step(float dt) {
             const float all = static_cast<float>(settings.substeps * own);
             for (int s = substep * own; s < (substep + 1) * own; ++s) {
                 move_colliders(static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
-                air_forces(*cloth);
+                air_forces(*cloth, s == 0);
                 const StepEquation equation = equation_of(*cloth, dt / all);
                 solve(*cloth, equation);
                 advance(*cloth, equation, s == 0);
@@ -71,11 +71,15 @@ void Simulation::feel_wind(Cloth& cloth) {
                 cloth.air_velocities.span());
 }
 
-void Simulation::air_forces(Cloth& cloth) {
+// A step begins with the area normals that the last one ended with, since only steps move particles.
+void Simulation::air_forces(Cloth& cloth, bool first_substep) {
     if (!air_is_on()) return;
     const auto timer = timed(Stage::wind);
-    compute_air_forces(parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
-                       cloth.triangle_scratch.span(), cloth.air_forces.span());
+    if (!first_substep)
+        compute_area_normals(parallel, cloth.triangle_groups, cloth.state.positions.span(),
+                             cloth.triangle_rows.span());
+    compute_air_forces(parallel, cloth.triangle_groups, cloth.state.velocities.span(), settings.wind,
+                       cloth.air_velocities.span(), cloth.triangle_rows.span(), cloth.air_forces.span());
 }
 
 StepEquation Simulation::equation_of(Cloth& cloth, float h) {
@@ -192,7 +196,7 @@ void Simulation::guard(Cloth& cloth) {
 void Simulation::finish(Cloth& cloth) {
     {
         const auto timer = timed(Stage::normals);
-        compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+        update_normals(cloth);
     }
     ++report.cloths;
     report.particles += cloth.model.particle_count;
