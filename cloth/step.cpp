@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "cloth/advance.h"
+#include "cloth/forces/gusts.h"
 #include "cloth/forces/wind.h"
 #include "cloth/normals.h"
 #include "cloth/simulation.h"
@@ -67,8 +69,8 @@ void Simulation::move_colliders(float begin, float end) {
 void Simulation::feel_wind(Cloth& cloth) {
     if (!air_is_on() || cloth.air_velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    sample_wind(parallel, cloth.state, WindField(settings.wind, wind_path, time),
-                cloth.air_velocities.span());
+    WindField(settings.wind, wind_path, time)
+        .sample(parallel, cloth.state.positions.span(), cloth.air_velocities.span());
 }
 
 // A step begins with the area normals that the last one ended with, since only steps move particles.
@@ -117,24 +119,17 @@ void Simulation::solve(Cloth& cloth, const StepEquation& equation) {
     report.residual = std::max(report.residual, residual);
 }
 
-// v += dv, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h). The first substep
-// writes the new positions over the previous ones and swaps the two, so that the start of the step stays
-// behind for the renderer's blend and for guard().
+// The first substep writes the new positions over the previous ones and swaps the two, so that the start of
+// the step stays behind for the renderer's blend and for guard().
 void Simulation::advance(Cloth& cloth, const StepEquation& equation, bool first_substep) {
     const auto timer = timed(Stage::advance);
     ClothState& state = cloth.state;
-    AlignedBuffer<Vec4>& target = first_substep ? state.previous_positions : state.positions;
-    if (cloth.history) cloth.history->set_step(equation.h);
-    parallel.ranges(state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vec4 x = state.positions[i];
-            const Vector3 v_before = xyz(state.velocities[i]);
-            const Vector3 v = limited(v_before + xyz(cloth.velocity_change[i]), settings.max_speed);
-            set_xyz(state.velocities[i], v);
-            target[i] = to_vec4(xyz(equation.base_positions[i]) + equation.gamma * v, x.w);
-            if (cloth.history) cloth.history->record(i, xyz(target[i]) - xyz(x), v - v_before, target[i]);
-        }
-    });
+    weft::advance(parallel, equation,
+                  {.velocity_changes = std::as_const(cloth.velocity_change).span(),
+                   .max_speed = settings.max_speed,
+                   .velocities = state.velocities.span(),
+                   .positions = (first_substep ? state.previous_positions : state.positions).span(),
+                   .history = cloth.history ? &*cloth.history : nullptr});
     if (first_substep) std::swap(state.positions, state.previous_positions);
 }
 

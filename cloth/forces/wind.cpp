@@ -74,15 +74,6 @@ namespace weft {
 HWY_EXPORT(air_forces_of);
 HWY_EXPORT(sums_of);
 
-void sample_wind(Parallel& parallel, const ClothState& state, const WindField& field,
-                 std::span<Vec4> air_velocities) {
-    parallel.ranges(state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            air_velocities[i] = to_vec4(field.velocity(xyz(state.positions[i])), 0);
-        }
-    });
-}
-
 void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
                         const Wind& wind, std::span<const Vec4> air_velocities, std::span<Vec4> triangle_rows,
                         std::span<Vec4> particle_forces) {

@@ -13,6 +13,7 @@
 #include "hwy/targets.h"
 #include "meshes.h"
 #include "plate_force.h"
+#include "value_noise.h"
 
 namespace weft::test {
 namespace {
@@ -132,11 +133,29 @@ TEST_P(AirKernels, NormalsAreMeansByArea) {
     }
 }
 
-/// Normals and forces with all that lies behind them.
+TEST_P(AirKernels, GustsAreTheNoiseAsItIsDefined) {
+    Cloth cloth(cook(sheet(23, 29)).value(), {});
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> place(-30, 30);
+    for (Vec4& x : cloth.state.positions.span()) x = {place(random), place(random), place(random), 5};
+    cloth.state.positions[7] = {0, -1, 2, 0};  // on lattice planes
+    const WindField field({.velocity = {4, 1, 0}, .gust = 0.5f, .gust_length = 1, .seed = 9}, {}, 0);
+    AlignedBuffer<Vec4> air(cloth.state.size());
+    field.sample(serial, cloth.state.positions.span(), air.span());
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 expected = gusty_velocity(field, xyz(cloth.state.positions[i]));
+        EXPECT_LE((xyz(air[i]) - expected).norm(), 3e-4f * field.amplitude) << "particle " << i;
+        EXPECT_EQ(air[i].w, 0);
+    }
+}
+
+/// Normals, forces and gusts with all that lies behind them.
 std::vector<Vec4> everything(Scene& scene, Parallel& parallel, bool gusts) {
     scene.compute(parallel, gusts);
+    AlignedBuffer<Vec4> air(scene.cloth.model.particle_count);
+    WindField(breeze, {1, 2, 3}, 4).sample(parallel, scene.cloth.state.positions.span(), air.span());
     std::vector<Vec4> rows;
-    for (const AlignedBuffer<Vec4>* part : {&scene.cloth.state.normals, &scene.cloth.air_forces}) {
+    for (const AlignedBuffer<Vec4>* part : {&scene.cloth.state.normals, &scene.cloth.air_forces, &air}) {
         rows.insert(rows.end(), part->data(), part->data() + part->size());
         for (const Vec4* pad = part->data() + part->size(); pad < part->data() + part->bytes() / sizeof(Vec4);
              ++pad)
