@@ -13,6 +13,7 @@
 #include "cloth/state.h"
 #include "cloth/survey.h"
 #include "cloth/tethers.h"
+#include "cloth/triangle_groups.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
 #include "weft/settings.h"
@@ -59,9 +60,11 @@ struct Cloth {
     std::optional<SelfContacts> self_contacts;    ///< only with self-collision on
     std::vector<Pin> pins;                        ///< in ascending order of particles
 
-    AlignedBuffer<Vec4> triangle_scratch;  ///< air forces during a substep, then the triangles' normals
-    AlignedBuffer<Vec4> air_velocities;    ///< of the gusty air at each particle [m/s]; empty without gusts
-    AlignedBuffer<Vec4> air_forces;        ///< see ExternalForces
+    TriangleGroups triangle_groups;
+    /// Between steps, and until air forces overwrite them, the area normals of the present positions.
+    AlignedBuffer<Vec4> triangle_rows;
+    AlignedBuffer<Vec4> air_velocities;  ///< of the gusty air at each particle [m/s]; empty without gusts
+    AlignedBuffer<Vec4> air_forces;      ///< see ExternalForces
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 

@@ -1,21 +1,57 @@
 #include "cloth/history.h"
 
-namespace weft {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/history.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/implicit/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+template <class Mask>
+HWY_INLINE Lanes3 either(Mask mask, const Lanes3& yes, const Lanes3& no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+            hn::IfThenElse(mask, yes.z, no.z)};
+}
 
 // Curtiss and Hirschfelder 1952: x_base = (4 x_n - x_n-1) / 3 = x_n + (x_n - x_n-1) / 3, and v likewise. A
 // pinned particle's bases are such that x_base + gamma v is x_n + h v.
+void make_bases(const HistoryRows& rows, const BlockRange& range, float h, const Vec4* positions,
+                const Vec4* velocities) {
+    const Tag d;
+    const Lanes third = hn::Set(d, 1.0f / 3.0f), zero = hn::Zero(d);
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes4 position = load_rows(positions + i);
+        const Lanes3 x = xyz(position), v = xyz(load_rows(velocities + i)),
+                     arrival = xyz(load_rows(rows.arrivals + i));
+        const auto is_free = hn::Ne(position.w, zero);
+        const auto went_on =
+            hn::And(is_free,
+                    hn::And(hn::Eq(x.x, arrival.x), hn::And(hn::Eq(x.y, arrival.y), hn::Eq(x.z, arrival.z))));
+        const Lanes3 displacement =
+            either(went_on, xyz(load_rows(rows.displacements + i)), hn::Set(d, h) * v);
+        const Lanes3 change = keep_where(is_free, xyz(load_rows(rows.velocity_changes + i)));
+        store_rows(mul_add(third, displacement, x), position.w, rows.base_positions + i);
+        store_rows(mul_add(third, change, v), zero, rows.base_velocities + i);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(make_bases);
+
 void History::begin(Parallel& parallel, const ClothState& state) {
-    constexpr float third = 1.0f / 3.0f;
+    const HistoryRows rows = this->rows();
     parallel.ranges(state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vector3 x = xyz(state.positions[i]), v = xyz(state.velocities[i]);
-            const bool pinned = state.positions[i].w == 0;
-            const bool came_straight = pinned || x != xyz(arrivals_[i]);
-            const Vector3 displacement = came_straight ? Vector3(h_ * v) : xyz(displacements_[i]);
-            const Vector3 change = pinned ? Vector3(Vector3::Zero()) : xyz(velocity_changes_[i]);
-            base_positions_[i] = to_vec4(x + third * displacement, state.positions[i].w);
-            base_velocities_[i] = to_vec4(v + third * change, 0);
-        }
+        HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, h_, state.positions.data(), state.velocities.data());
     });
 }
 
@@ -25,3 +61,4 @@ std::size_t History::bytes() const noexcept {
 }
 
 }  // namespace weft
+#endif

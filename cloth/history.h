@@ -10,6 +10,13 @@
 
 namespace weft {
 
+/// From one particle on.
+struct HistoryRows {
+    Vec4 *displacements, *velocity_changes;  ///< of the last step
+    Vec4* arrivals;                          ///< where it ended
+    Vec4 *base_positions, *base_velocities;  ///< of the next one
+};
+
 class History {
   public:
     explicit History(std::uint32_t particles)
@@ -33,12 +40,10 @@ class History {
 
     /// A step of length h is about to be recorded ...
     void set_step(float h) { h_ = h; }
-    /// ... particle by particle.
-    void record(std::uint32_t i, const Vector3& displacement, const Vector3& velocity_change,
-                const Vec4& arrival) {
-        displacements_[i] = to_vec4(displacement, 0);
-        velocity_changes_[i] = to_vec4(velocity_change, 0);
-        arrivals_[i] = arrival;
+    /// ... here.
+    [[nodiscard]] HistoryRows rows(std::uint32_t first = 0) {
+        return {displacements_.data() + first, velocity_changes_.data() + first, arrivals_.data() + first,
+                base_positions_.data() + first, base_velocities_.data() + first};
     }
 
     [[nodiscard]] std::size_t bytes() const noexcept;

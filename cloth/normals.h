@@ -1,17 +1,20 @@
 #pragma once
-// Normals of particles, for renderers.
+// Normals of triangles, for air forces, and of particles, for renderers.
 
 #include <span>
 
-#include "cloth/cook.h"
-#include "cloth/state.h"
+#include "cloth/triangle_groups.h"
 #include "engine/parallel_blocks.h"
+#include "weft/types.h"
 
 namespace weft {
 
-/// Means of the triangles' normals, weighted by area; +Y where they cancel out. `triangle_scratch`: one per
-/// triangle.
-void compute_normals(Parallel& parallel, const CookedCloth& model, std::span<Vec4> triangle_scratch,
-                     ClothState& state);
+/// Of each triangle, by its row, the normal times twice its area [m^2]; w 0.
+void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> positions,
+                          std::span<Vec4> area_normals);
+
+/// Means of the triangles' normals, weighted by area; +Y where they cancel out.
+void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> area_normals,
+                     std::span<Vec4> normals);
 
 }  // namespace weft

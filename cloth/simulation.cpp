@@ -51,7 +51,13 @@ void Simulation::prepare(Cloth& cloth) {
     schedule_.reserve(cloths.size() + 1);
     cloth.set_air(air_is_on(), has_gusts(settings.wind));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
-    compute_normals(parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    update_normals(parallel, cloth);
+}
+
+void Simulation::update_normals(Parallel& loops, Cloth& cloth) {
+    compute_area_normals(loops, cloth.triangle_groups, cloth.state.positions.span(),
+                         cloth.triangle_rows.span());
+    compute_normals(loops, cloth.triangle_groups, cloth.triangle_rows.span(), cloth.state.normals.span());
 }
 
 }  // namespace weft

@@ -56,7 +56,7 @@ struct Simulation {
     void begin_cloth(Cloth& cloth, float dt) const;
     void feel_wind(Worker& worker, Cloth& cloth);
     void move_colliders(Worker& worker, float begin, float end) const;
-    void air_forces(Worker& worker, Cloth& cloth);
+    void air_forces(Worker& worker, Cloth& cloth, bool first_substep);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
     void solve(Worker& worker, Cloth& cloth, const StepEquation& equation);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep);
@@ -65,6 +65,7 @@ struct Simulation {
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
+    static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);
     void end(float dt);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "cloth/advance.h"
+#include "cloth/forces/gusts.h"
 #include "cloth/forces/wind.h"
 #include "cloth/normals.h"
 #include "cloth/simulation.h"
@@ -30,7 +32,7 @@ void Simulation::step(float dt) {
         const auto all = static_cast<float>(substeps);
         for (int s = 0; s < substeps; ++s) {
             move_colliders(worker, static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
-            air_forces(worker, cloth);
+            air_forces(worker, cloth, s == 0);
             const StepEquation equation = equation_of(worker, cloth, dt / all);
             solve(worker, cloth, equation);
             advance(worker, cloth, equation, s == 0);
@@ -86,15 +88,19 @@ void Simulation::move_colliders(Worker& worker, float begin, float end) const {
 void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
     if (!air_is_on() || cloth.air_velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    sample_wind(worker.parallel, cloth.state, WindField(settings.wind, wind_path, time),
-                cloth.air_velocities.span());
+    WindField(settings.wind, wind_path, time)
+        .sample(worker.parallel, cloth.state.positions.span(), cloth.air_velocities.span());
 }
 
-void Simulation::air_forces(Worker& worker, Cloth& cloth) {
+// A step begins with the area normals that the last one ended with, since only steps move particles.
+void Simulation::air_forces(Worker& worker, Cloth& cloth, bool first_substep) {
     if (!air_is_on()) return;
     const auto timer = timed(Stage::wind);
-    compute_air_forces(worker.parallel, cloth.model, cloth.state, settings.wind, cloth.air_velocities.span(),
-                       cloth.triangle_scratch.span(), cloth.air_forces.span());
+    if (!first_substep)
+        compute_area_normals(worker.parallel, cloth.triangle_groups, cloth.state.positions.span(),
+                             cloth.triangle_rows.span());
+    compute_air_forces(worker.parallel, cloth.triangle_groups, cloth.state.velocities.span(), settings.wind,
+                       cloth.air_velocities.span(), cloth.triangle_rows.span(), cloth.air_forces.span());
 }
 
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
@@ -132,24 +138,17 @@ void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equatio
     cloth.residual = std::max(cloth.residual, residual);
 }
 
-// v += dv, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h). The first substep
-// writes the new positions over the previous ones and swaps the two, so that the start of the step stays
-// behind for the renderer's blend and for guard().
+// The first substep writes the new positions over the previous ones and swaps the two, so that the start of
+// the step stays behind for the renderer's blend and for guard().
 void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep) {
     const auto timer = timed(Stage::advance);
     ClothState& state = cloth.state;
-    AlignedBuffer<Vec4>& target = first_substep ? state.previous_positions : state.positions;
-    if (cloth.history) cloth.history->set_step(equation.h);
-    worker.parallel.ranges(state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vec4 x = state.positions[i];
-            const Vector3 v_before = xyz(state.velocities[i]);
-            const Vector3 v = limited(v_before + xyz(cloth.velocity_change[i]), settings.max_speed);
-            set_xyz(state.velocities[i], v);
-            target[i] = to_vec4(xyz(equation.base_positions[i]) + equation.gamma * v, x.w);
-            if (cloth.history) cloth.history->record(i, xyz(target[i]) - xyz(x), v - v_before, target[i]);
-        }
-    });
+    weft::advance(worker.parallel, equation,
+                  {.velocity_changes = std::as_const(cloth.velocity_change).span(),
+                   .max_speed = settings.max_speed,
+                   .velocities = state.velocities.span(),
+                   .positions = (first_substep ? state.previous_positions : state.positions).span(),
+                   .history = cloth.history ? &*cloth.history : nullptr});
     if (first_substep) std::swap(state.positions, state.previous_positions);
 }
 
@@ -209,7 +208,7 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::normals);
-    compute_normals(worker.parallel, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    update_normals(worker.parallel, cloth);
 }
 
 void Simulation::add_to_report(const Cloth& cloth) {

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
+#include "engine/parallel_blocks.h"
 #include "engine/vector.h"
 #include "weft/settings.h"
 
@@ -18,25 +20,21 @@ class WindField {
     /// smooth for days. `time` [s].
     WindField(const Wind& wind, const std::array<double, 3>& carried, double time);
 
-    /// Velocity of the air at a point [m/s].
-    [[nodiscard]] Vector3 velocity(const Vector3& point) const {
-        return still_ ? mean_ : Vector3(mean_ + amplitude_ * eddies(point));
-    }
+    /// Velocities of the air at points [m/s], w 0; both in AlignedBuffers.
+    void sample(Parallel& parallel, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
-  private:
-    /// Gust velocity over the gusts' root mean square; each component has variance 1 and mean 0.
-    [[nodiscard]] Vector3 eddies(const Vector3& point) const;
-
+    /// Lattice values repeat after this many cells, so that coordinates stay small floats however long the
+    /// wind has blown.
+    static constexpr int period = 256;
     /// One octave of noise: lattice coordinates are point * scale + offset.
     struct Octave {
         float scale;
         Vector3 offset;
         std::uint32_t seed;
     };
-    Vector3 mean_;
-    float amplitude_;  ///< [m/s]
-    bool still_;       ///< no gusts
-    std::array<Octave, 2> octaves_;
+    Vector3 mean;
+    float amplitude;  ///< root mean square of the gusts [m/s]
+    std::array<Octave, 2> octaves;
 };
 
 }  // namespace weft

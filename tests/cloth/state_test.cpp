@@ -13,10 +13,16 @@
 namespace weft::test {
 namespace {
 
+void update_normals(Cloth& cloth) {
+    Parallel serial(1);
+    compute_area_normals(serial, cloth.triangle_groups, cloth.state.positions.span(),
+                         cloth.triangle_rows.span());
+    compute_normals(serial, cloth.triangle_groups, cloth.triangle_rows.span(), cloth.state.normals.span());
+}
+
 TEST(Normals, OfASphereAreRadial) {
     Cloth cloth(cook(sphere(3)).value(), {});
-    Parallel serial(1);
-    compute_normals(serial, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    update_normals(cloth);
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         const Vector3 radial = xyz(cloth.state.positions[i]).normalized();
         EXPECT_GT(xyz(cloth.state.normals[i]).dot(radial), 0.999f) << "particle " << i;
@@ -27,8 +33,7 @@ TEST(Normals, OfASphereAreRadial) {
 TEST(Normals, OfACollapsedClothAreStillUnitVectors) {
     Cloth cloth(cook(sheet(4, 4)).value(), {});
     for (Vec4& x : cloth.state.positions.span()) x = {1, 2, 3, x.w};
-    Parallel serial(1);
-    compute_normals(serial, cloth.model, cloth.triangle_scratch.span(), cloth.state);
+    update_normals(cloth);
     for (const Vec4& n : cloth.state.normals.span()) EXPECT_EQ(xyz(n), Vector3(0, 1, 0));
 }
 
@@ -54,7 +59,7 @@ TEST_F(SurveyTest, FindsExtentAndPeakSpeed) {
     EXPECT_TRUE(found.sound);
     EXPECT_EQ(to_vector(found.lower), lower);
     EXPECT_EQ(to_vector(found.upper), upper);
-    EXPECT_EQ(found.peak_speed_squared, peak);
+    EXPECT_NEAR(found.peak_speed_squared, peak, 1e-6f * peak);
 }
 
 TEST_F(SurveyTest, OneBadNumberAnywhereIsSeen) {
