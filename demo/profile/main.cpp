@@ -33,11 +33,12 @@ void print(const HardwareCounters::Counts& counts, double particles_stepped) {
 }
 
 int run(const ProfileOptions& options) {
+    const HardwareCounters counters;
     StageTable table;
     Measured measured;
     std::optional<HardwareCounters::Counts> counts;
     for (int i = 0; i < options.repeat; ++i) {
-        auto result = measure(options, table, counts);
+        auto result = measure(options, counters, table, counts);
         if (!result) return fail(2, result.error());
         measured = *std::move(result);
     }

@@ -66,9 +66,8 @@ Result<Simulation> build_simulation(const ProfileOptions& options) {
     return simulation;
 }
 
-Result<Measured> measure(const ProfileOptions& options, StageTable& table,
+Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& counters, StageTable& table,
                          std::optional<HardwareCounters::Counts>& counts) {
-    const HardwareCounters counters;  // before the threads that it is to count
     auto simulation = build_simulation(options);
     if (!simulation) return simulation.error();
     warm_up(options, *simulation);

@@ -12,9 +12,10 @@ namespace weft::demo {
 [[nodiscard]] Result<Simulation> build_simulation(const ProfileOptions& options);
 
 /// One run: the warm-up, then the frames, whose times go into `table` and, where they can be had, whose
-/// counts are added to `counts`.
-[[nodiscard]] Result<Measured> measure(const ProfileOptions& options, StageTable& table,
-                                       std::optional<HardwareCounters::Counts>& counts);
+/// counts are added to `counts`. The counters must be older than the first simulation: oneTBB keeps its
+/// threads.
+[[nodiscard]] Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& counters,
+                                       StageTable& table, std::optional<HardwareCounters::Counts>& counts);
 
 /// A run of some frames that is traced. Error: the file cannot be written.
 [[nodiscard]] Result<void> trace(const ProfileOptions& options);

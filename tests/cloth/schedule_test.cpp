@@ -83,8 +83,8 @@ void fill(World& world, std::span<const std::uint32_t> sides) {
 
 void run(World& world, std::vector<StepReport>& reports) {
     const ColliderId sphere{0, 1};
-    for (int k = 1; k <= 20; ++k) {
-        const float z = 0.5f - 0.02f * static_cast<float>(k);
+    for (int k = 1; k <= 10; ++k) {
+        const float z = 0.5f - 0.04f * static_cast<float>(k);
         ASSERT_TRUE(world.move_collider(sphere, {.shape = Sphere{{0.5f, -0.2f, z}, 0.2f}}).ok());
         reports.push_back(world.step(1.0f / 60));
     }
@@ -102,7 +102,7 @@ void run_on_fresh_threads(void*, std::uint32_t count, Executor::Body body, void*
     const auto work = [&] {
         for (std::uint32_t block; (block = next++) < count;) body(context, block);
     };
-    const std::jthread first(work), second(work), third(work);
+    const std::jthread first(work), second(work);
 }
 void run_backwards(void* is_running, std::uint32_t count, Executor::Body body, void* context) {
     bool& running = *static_cast<bool*>(is_running);
@@ -117,7 +117,6 @@ struct Outcome {
 };
 
 Outcome outcome(std::span<const std::uint32_t> sides, WorldSettings settings) {
-    settings.substeps = 2;
     settings.wind.velocity = {3, 0, 1};
     settings.wind.gust = 0.5f;
     World world = World::create(settings).value();
@@ -129,18 +128,18 @@ Outcome outcome(std::span<const std::uint32_t> sides, WorldSettings settings) {
 }
 
 TEST(ManyCloths, GiveTheSameBytesAndReportsOnAnyThreads) {
-    const std::array sides{8u, 20u, 48u, 5u, 20u, 16u, 33u, 20u};
+    const std::array sides{8u, 20u, 40u, 5u, 20u, 16u};
     const Outcome expected = outcome(sides, on_threads(1));
     WorldSettings on_host, on_serial_host;
     bool is_running = false;
-    on_host.executor = {.run = run_on_fresh_threads, .width = 3};
+    on_host.executor = {.run = run_on_fresh_threads, .width = 2};
     on_serial_host.executor = {.run = run_backwards, .user = &is_running, .width = 3};
     for (const WorldSettings& settings : {on_threads(2), on_host, on_serial_host}) {
         const Outcome other = outcome(sides, settings);
         EXPECT_EQ(other.hash, expected.hash);
         for (std::size_t k = 0; k < expected.reports.size(); ++k) {
             const StepReport &a = other.reports[k], &b = expected.reports[k];
-            EXPECT_EQ(a.cloths, 8u);
+            EXPECT_EQ(a.cloths, sides.size());
             EXPECT_EQ(a.flags, b.flags);
             EXPECT_EQ(a.particles, b.particles);
             EXPECT_EQ(a.collider_contacts, b.collider_contacts);
