@@ -48,7 +48,6 @@ void Simulation::reserve_motions(std::size_t count) {
 }
 
 void Simulation::prepare(Cloth& cloth) {
-    schedule_.reserve(cloths.size() + 1);
     cloth.set_air(air_is_on(), has_gusts(settings.wind));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);

@@ -34,6 +34,8 @@ struct Simulation {
 
     /// Memory for colliders' motions, so that no step needs to allocate it.
     void reserve_motions(std::size_t count);
+    /// So many cloths are stepped without allocation.
+    void reserve_cloths(std::size_t count) { schedule_.reserve(count); }
     /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step, and memory
     /// for gusts.
     void prepare(Cloth& cloth);

@@ -102,6 +102,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
     return without_exceptions([&]() -> Result<ClothId> {
         auto cloth = make_cloth(impl_->simulation, mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.reserve_cloths(impl_->simulation.cloths.size() + 1);
         return impl_->simulation.cloths.insert(std::move(cloth).value());
     });
 }
