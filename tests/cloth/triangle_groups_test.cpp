@@ -105,8 +105,9 @@ TEST(TriangleGroups, ParticlesSumTheirTrianglesOnceAndElseFlatOnes) {
 TEST(TriangleGroups, ShareTrianglesOutEvenly) {
     const CookedCloth model = must(cook(loose_sheet(60, 70)));
     const TriangleGroups groups(model);
-    EXPECT_LE(groups.rows,
-              TriangleGroups::own_rows((model.particle_count + lanes - 1) / lanes * lanes) + lanes);
+    // Where a window's particles lie in another order than its triangles, a few are left over.
+    const std::uint32_t own = TriangleGroups::own_rows((model.particle_count + lanes - 1) / lanes * lanes);
+    EXPECT_LE(groups.rows, own + own / 50);
 }
 
 }  // namespace
