@@ -60,11 +60,12 @@ class Parallel {
             const_cast<Body*>(&body));
     }
 
-    /// body(BlockRange) for the blocks of [0, n).
+    /// body(BlockRange) for the blocks of [0, n); of `size` elements where each takes longer than a
+    /// particle's.
     template <class Body>
-    void ranges(std::uint32_t n, const Body& body) {
-        blocks(block_count(n), [&](std::uint32_t block) {
-            body(BlockRange{block * block_size, std::min(n, (block + 1) * block_size), block});
+    void ranges(std::uint32_t n, const Body& body, std::uint32_t size = block_size) {
+        blocks((n + size - 1) / size, [&](std::uint32_t block) {
+            body(BlockRange{block * size, std::min(n, (block + 1) * size), block});
         });
     }
 

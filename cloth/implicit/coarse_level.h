@@ -11,6 +11,10 @@
 
 namespace weft {
 
+/// Coarse nodes per block: they are few, and have many neighbours.
+inline constexpr std::uint32_t coarse_block = 64;
+static_assert(coarse_block % Stencil::lanes == 0, "a block is whole groups");
+
 class CoarseLevel {
   public:
     /// Lists of the springs between this level's nodes; P leads from here to the finer level.

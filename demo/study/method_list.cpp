@@ -108,8 +108,8 @@ void add_multilevel(List& list) {
     for (const int k : {1, 2, 4, 8}) list.add(k == 2, text("iterations", k), passes(1, k));
     list.curve("multilevel-passes", "Multilevel: Newton passes");
     for (const int count : {2, 3, 4, 6, 8})
-        for (const int k : {1, 2, 4})
-            if (count * k <= 16)
+        for (const int k : {1, 2, 4, 6})
+            if (count * k <= 18)
                 list.add(k == 2 && count <= 3, text("passes", count, "iterations", k), passes(count, k));
     list.curve("multilevel-substeps", "Multilevel in substeps");
     for (const int substeps : {2, 4, 8, 16})
