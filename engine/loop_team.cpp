@@ -87,7 +87,7 @@ void LoopTeam::help(std::uint32_t place) {
             last = Clock::now();
             continue;
         }
-        for (int spin = 0; spin < 16; ++spin) pause();
+        for (int spin = 0; spin < 16 && begun_.load(std::memory_order_relaxed) == seen; ++spin) pause();
         const Clock::duration idle = Clock::now() - last;
         if (idle > patience) break;
         if (idle > watching) std::this_thread::yield();

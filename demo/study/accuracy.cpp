@@ -53,10 +53,12 @@ bool is_wanted(const StudyOptions& options, const std::string& scene) {
 
 std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScene& scene, bool is_garment) {
     auto points = method_points(options.quick ? Coverage::quick : Coverage::all, scene);
-    // One step has no history.
+    // One step has no history; and what it is judged by are springs.
     if (is_garment)
-        std::erase_if(points,
-                      [](const MethodPoint& p) { return p.applied_to({}).time_scheme == TimeScheme::bdf2; });
+        std::erase_if(points, [](const MethodPoint& p) {
+            const ClothSettings settings = p.applied_to({});
+            return settings.time_scheme == TimeScheme::bdf2 || settings.finite_elements.enabled;
+        });
     return only_named(std::move(points), options.only);
 }
 
@@ -94,6 +96,10 @@ std::vector<Part> parts_of(const StudyOptions& options) {
     }
     append_garments(options, append);
     return parts;
+}
+
+bool uses_elements(const MethodPoint& point) {
+    return point.applied_to({}).finite_elements.enabled;
 }
 
 class Accuracy {
@@ -148,6 +154,8 @@ class Accuracy {
         progress_.begin(title(part) + " references");
         for (const Reference reference : all_references) {
             if (is_quick_ && reference == Reference::converged_bdf2) continue;
+            if (reference == Reference::elements && std::ranges::none_of(part.points, uses_elements))
+                continue;
             if (reference == Reference::fine_time && part.scene.mesh.positions.size() > fine_time_limit_)
                 continue;
             references[reference] = store_.states(part.scene, reference, frames);

@@ -72,12 +72,14 @@ void put_times(CsvRow& row, const std::vector<double>& milliseconds) {
     row["p99_ms"] = number(quantile(milliseconds, 0.99));
 }
 
-/// The converged run of the point's own time scheme at the frame's step, which tells the solver's error from
-/// time's; none for substeps and for methods that solve no equation.
+/// The converged run of the point's own force model and time scheme at the frame's step, which tells the
+/// solver's error from time's; none for substeps and for methods that solve no equation.
 const States* own_reference(const Cloth& cloth, const std::map<Reference, States>& references) {
     if (!cloth.solver->is_implicit() || cloth.settings.substeps > 1) return nullptr;
     const bool is_bdf2 = cloth.settings.time_scheme == TimeScheme::bdf2;
-    const auto at = references.find(is_bdf2 ? Reference::converged_bdf2 : Reference::converged);
+    const auto at = references.find(cloth.settings.finite_elements.enabled ? Reference::elements
+                                    : is_bdf2                              ? Reference::converged_bdf2
+                                                                           : Reference::converged);
     return at == references.end() ? nullptr : &at->second;
 }
 
@@ -150,6 +152,7 @@ CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
     Outcome outcome = run_to(run, ComparedFrames::second);
     put_stretch(row, structural_stretch(run.cloth().model, outcome.states.at(ComparedFrames::second)));
     for (const NamedReference& reference : compared) {
+        if (run.cloth().settings.finite_elements.enabled) break;  // these are of springs, another material
         if (const auto at = references.find(reference.reference); at != references.end())
             put_errors(row, scene, outcome.states, reference.name, at->second);
     }
@@ -180,6 +183,7 @@ CsvRow compare_reference(const StudyScene& scene, Reference reference,
     const CookedCloth model = cook(scene.mesh).value();
     put_stretch(row, structural_stretch(model, states.at(ComparedFrames::second)));
     for (const NamedReference& other : compared) {
+        if (reference == Reference::elements) break;
         if (other.reference != reference && references.contains(other.reference))
             put_errors(row, scene, states, other.name, references.at(other.reference));
     }

@@ -31,8 +31,9 @@ void describe_accuracy(CLI::App& command, StudyOptions& options) {
         ->type_name("NAME,NAME...");
     command.add_option("--cache", options.cache, "Folder of reference states (default: beside the CSV)")
         ->type_name("DIR");
-    command.add_option("--fine-time-up-to", options.fine_time_limit,
-                       "Particles up to which reference B is made (default: 20000; 65536 take an hour a scene)");
+    command.add_option(
+        "--fine-time-up-to", options.fine_time_limit,
+        "Particles up to which reference B is made (default: 20000; 65536 take an hour a scene)");
     command
         .add_option("--garments", options.garments,
                     "Folder that holds tshirt-iso.obj and dress-victor-iso-draped.obj (default: garments in "

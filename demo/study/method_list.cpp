@@ -60,7 +60,7 @@ void mark_default(std::vector<MethodPoint>& points) {
         const ClothSettings settings = point.applied_to({});
         return !point.make_solver && settings.method == shipped.method &&
                settings.substeps == shipped.substeps && settings.time_scheme == shipped.time_scheme &&
-               !settings.tethers.enabled;
+               !settings.tethers.enabled && !settings.finite_elements.enabled;
     };
     auto at = std::ranges::find_if(points, is_shipped);
     if (at == points.end())
@@ -122,6 +122,19 @@ void add_multilevel(List& list) {
         list.add(substeps == 2, text("passes", 3, "substeps", substeps), passes(3, 2), substeps, bdf2);
 }
 
+/// Of about the springs' stiffnesses, so that what it costs can be compared; how it moves cannot.
+void add_elements(List& list) {
+    list.curve("elements", "Multilevel: finite elements");
+    for (const int count : {1, 2, 3, 4, 6}) {
+        MethodPoint* const point = list.add(count == 3, text("passes", count, "iterations", 2),
+                                            Multilevel{Multilevel::Use::passes, count, 2});
+        point->configure = [configure = point->configure](ClothSettings& settings) {
+            configure(settings);
+            settings.finite_elements.enabled = true;
+        };
+    }
+}
+
 void add_positional(List& list) {
     list.curve("xpbd", "XPBD: substeps");
     for (const int substeps : {1, 2, 4, 8, 16, 32, 64})
@@ -178,6 +191,7 @@ std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scen
     List list(coverage);
     add_iterative(list);
     add_multilevel(list);
+    if (!is_large) add_elements(list);
     add_positional(list);
     if (!is_large) add_explicit(list, scene);
     if (!is_medium) add_cholesky(list);

@@ -50,6 +50,12 @@ std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const st
     hash.add(std::span<const std::uint32_t>(scene.pins));
     hash.add(std::span<const Vec4>(scene.start_positions));
     hash.add(std::span<const Vec4>(scene.start_velocities));
+    if (reference == Reference::elements) {
+        const FiniteElements& elements = scene.cloth.finite_elements;
+        const std::array moduli{elements.warp, elements.weft, elements.shear, elements.poisson,
+                                elements.bending};
+        hash.add(std::span<const float>(moduli));
+    }
     if (mesh.rows == 0) hash.add(std::span<const std::uint32_t>(cook(mesh).value().vertex_to_particle));
     return hash.value();
 }
@@ -109,6 +115,8 @@ std::string name_of(Reference reference) {
             return "converged-bdf2";
         case Reference::fine_time:
             return "fine-time";
+        case Reference::elements:
+            return "converged-elements";
         case Reference::rough:
             break;
     }
@@ -123,6 +131,13 @@ double rms_distance(const Positions& a, const Positions& b) {
 
 MethodPoint method_of(Reference reference) {
     MethodPoint point{name_of(reference), "Reference", "", {}, {}, false};
+    if (reference == Reference::elements) {
+        point.configure = [](ClothSettings& settings) {
+            settings.method = Multilevel{Multilevel::Use::passes, 16, 8};
+            settings.finite_elements.enabled = true;
+        };
+        return point;
+    }
     point.configure = [=](ClothSettings& settings) {
         settings.method = Jacobi{};  // its solver is replaced
         settings.substeps = 1;

@@ -18,11 +18,13 @@ enum class Reference {
     linearised,      ///< A1: its single linearisation about the base, solved exactly
     converged_bdf2,  ///< as A, by BDF2
     fine_time,       ///< B: tiny steps
+    elements,        ///< as A, of finite elements, by many multilevel passes
     rough,           ///< as A, to a thousandth of the residual: for states to step from
 };
 /// Those that trajectories are compared with.
 inline constexpr std::array all_references{Reference::converged, Reference::linearised,
-                                           Reference::converged_bdf2, Reference::fine_time};
+                                           Reference::converged_bdf2, Reference::fine_time,
+                                           Reference::elements};
 [[nodiscard]] std::string name_of(Reference reference);
 
 /// Positions after so many frames.
