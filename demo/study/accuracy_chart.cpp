@@ -38,7 +38,7 @@ const std::vector<Kind>& kinds() {
          true,
          {{"converged", "backward Euler, converged"}, {"converged-bdf2", "BDF2, converged"}}},
         {"own-1s",
-         "distance from each method's own equation, converged, after 1 s",
+         "distance from the method's own converged step after 1 s",
          "RMS distance of particles [mm]",
          "error_own_1s_mm",
          false,
