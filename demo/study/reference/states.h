@@ -13,13 +13,14 @@
 
 namespace weft::study {
 
+/// Files of states know them by their numbers: new ones go to the end.
 enum class Reference {
     converged,       ///< A: backward Euler at the frame's step, solved to convergence
     linearised,      ///< A1: its single linearisation about the base, solved exactly
     converged_bdf2,  ///< as A, by BDF2
     fine_time,       ///< B: tiny steps
-    elements,        ///< as A, of finite elements, by many multilevel passes
     rough,           ///< as A, to a thousandth of the residual: for states to step from
+    elements,        ///< as A, of finite elements, by many multilevel passes
 };
 /// Those that trajectories are compared with.
 inline constexpr std::array all_references{Reference::converged, Reference::linearised,
