@@ -15,10 +15,12 @@ namespace {
 /// A team and its runner, whose helpers are fresh threads, or none.
 class Loops {
   public:
-    explicit Loops(std::uint32_t width, bool has_helpers = true) : team_(width), has_helpers_(has_helpers) {}
+    explicit Loops(std::uint32_t width, bool has_helpers = true)
+        : team_(width), has_helpers_(has_helpers), threads_(width) {}
     ~Loops() {
         team_.close();
-        for (std::thread& thread : threads_) thread.join();
+        for (std::thread& thread : threads_)
+            if (thread.joinable()) thread.join();
     }
 
     template <class Body>
@@ -29,7 +31,9 @@ class Loops {
             const_cast<Body*>(&body),
             [&](std::uint32_t place) {
                 ++sent_;
-                if (has_helpers_) threads_.emplace_back([this, place] { team_.help(place); });
+                if (!has_helpers_) return;
+                if (threads_[place].joinable()) threads_[place].join();  // it has left
+                threads_[place] = std::thread([this, place] { team_.help(place); });
             });
     }
     [[nodiscard]] int sent() const { return sent_; }
@@ -37,7 +41,7 @@ class Loops {
   private:
     LoopTeam team_;
     bool has_helpers_;
-    std::vector<std::thread> threads_;
+    std::vector<std::thread> threads_;  // by place
     int sent_ = 0;
 };
 
