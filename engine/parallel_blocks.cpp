@@ -1,5 +1,7 @@
 #include "engine/parallel_blocks.h"
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "engine/loop_team.h"
@@ -22,7 +24,17 @@ class Helpers {
     Helpers(std::shared_ptr<LoopTeam> team, int threads) : team_(std::move(team)), arena_(threads) {
         arena_.initialize();
     }
-    // Its task may come late, after all of this has gone: it holds the team.
+    // Late helpers leave at once, but oneTBB has to start them first: a task that never ran would be lost
+    // memory. Not for ever: where the process ends, there may be no threads left to start them.
+    ~Helpers() {
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point limit = Clock::now() + std::chrono::seconds(1);
+        constexpr long own = 2;  // holders of the team: this and the arena; each task is one more
+        while (team_.use_count() > own && Clock::now() < limit) std::this_thread::yield();
+    }
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+
     void send(std::uint32_t place) {
         arena_.enqueue([team = team_, place] { team->help(place); });
     }
