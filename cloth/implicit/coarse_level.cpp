@@ -25,50 +25,37 @@ void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
         sum_links_block(lists_, range, finer.matrix().links.data(), matrix_);
     });
     const Interpolation& p = interpolation_;
-    parallel.ranges(
-        nodes(),
-        [&](const BlockRange& range) {
-            for (std::uint32_t c = range.begin; c < range.end; ++c) {
-                Symmetric3 ground;
-                for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                    ground.add_scaled(p.fine_weights[e], finer.matrix().ground_of(p.fine_nodes[e]));
-                matrix_.set_ground(c, ground);
-            }
-        },
-        coarse_block);
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        for (std::uint32_t c = range.begin; c < range.end; ++c) {
+            Symmetric3 ground;
+            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+                ground.add_scaled(p.fine_weights[e], finer.matrix().ground_of(p.fine_nodes[e]));
+            matrix_.set_ground(c, ground);
+        }
+    });
 }
 
 void CoarseLevel::finish(Parallel& parallel) {
-    parallel.ranges(
-        nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); }, coarse_block);
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
 }
 
 void CoarseLevel::residual(Parallel& parallel, std::span<Vec4> residual) const {
-    parallel.ranges(
-        nodes(),
-        [&](const BlockRange& range) {
-            residual_block(matrix_, range, b_.data(), x_.data(), residual.data());
-        },
-        coarse_block);
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        residual_block(matrix_, range, b_.data(), x_.data(), residual.data());
+    });
 }
 
 void CoarseLevel::relax_from_zero(Parallel& parallel, float step) {
-    parallel.ranges(
-        nodes(),
-        [&](const BlockRange& range) {
-            precondition_block(matrix_, range, b_.data(), step, x_.data());
-            std::fill(before_.data() + range.begin, before_.data() + range.end, Vec4{});
-        },
-        coarse_block);
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        precondition_block(matrix_, range, b_.data(), step, x_.data());
+        std::fill(before_.data() + range.begin, before_.data() + range.end, Vec4{});
+    });
 }
 
 void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
-    parallel.ranges(
-        nodes(),
-        [&](const BlockRange& range) {
-            relax_block(matrix_, range, b_.data(), x_.data(), relaxation, before_.data());
-        },
-        coarse_block);
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        relax_block(matrix_, range, b_.data(), x_.data(), relaxation, before_.data());
+    });
     std::swap(x_, before_);
 }
 
@@ -81,17 +68,14 @@ namespace {
 
 template <class Row>
 void gather(Parallel& parallel, const Interpolation& p, const Row& row, std::span<Vec4> coarse) {
-    parallel.ranges(
-        p.coarse,
-        [&](const BlockRange& range) {
-            for (std::uint32_t c = range.begin; c < range.end; ++c) {
-                Vector4 sum = Vector4::Zero();
-                for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                    sum += p.fine_weights[e] * row(p.fine_nodes[e]);
-                store(coarse[c], sum);
-            }
-        },
-        coarse_block);
+    coarse_ranges(parallel, p.coarse, [&](const BlockRange& range) {
+        for (std::uint32_t c = range.begin; c < range.end; ++c) {
+            Vector4 sum = Vector4::Zero();
+            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+                sum += p.fine_weights[e] * row(p.fine_nodes[e]);
+            store(coarse[c], sum);
+        }
+    });
 }
 
 }  // namespace

@@ -11,9 +11,13 @@
 
 namespace weft {
 
-/// Coarse nodes per block: they are few, and have many neighbours.
-inline constexpr std::uint32_t coarse_block = 64;
-static_assert(coarse_block % Stencil::lanes == 0, "a block is whole groups");
+/// body(BlockRange) for blocks of 64 coarse nodes: they are few, and have many neighbours.
+template <class Body>
+void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
+    constexpr std::uint32_t size = 64;
+    static_assert(size % Stencil::lanes == 0, "a block is whole groups");
+    parallel.ranges(nodes, body, size);
+}
 
 class CoarseLevel {
   public:

@@ -156,17 +156,14 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
     CoarseLevel& first = coarse_.front();
     const Interpolation& p = first.interpolation();
-    parallel.ranges(
-        p.coarse,
-        [&](const BlockRange& range) {
-            for (std::uint32_t c = range.begin; c < range.end; ++c) {
-                float sum = 0;
-                for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                    sum += p.fine_weights[e] * system.right_side()[p.fine_nodes[e]].w;
-                first.matrix().set_ground(c, {.xx = sum, .yy = sum, .zz = sum});
-            }
-        },
-        coarse_block);
+    coarse_ranges(parallel, p.coarse, [&](const BlockRange& range) {
+        for (std::uint32_t c = range.begin; c < range.end; ++c) {
+            float sum = 0;
+            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+                sum += p.fine_weights[e] * system.right_side()[p.fine_nodes[e]].w;
+            first.matrix().set_ground(c, {.xx = sum, .yy = sum, .zz = sum});
+        }
+    });
     for (const Tie& tie : ties_) {
         const Vec4& spring = springs_[tie.spring];
         Symmetric3 ground = first.matrix().ground_of(tie.coarse);

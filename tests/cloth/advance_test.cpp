@@ -17,14 +17,6 @@ namespace {
 
 constexpr float h = 1.0f / 60, max_speed = 1.5f;
 
-AlignedBuffer<Vec4> random_rows(std::uint32_t n, float size, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> component(-size, size);
-    AlignedBuffer<Vec4> rows(n);
-    for (Vec4& v : rows.span()) v = {component(random), component(random), component(random), 0};
-    return rows;
-}
-
 /// A cloth of 23 * 29 = 667 particles, the last group not full, after one substep.
 struct Substep {
     Substep(Parallel& parallel, bool second_order)

@@ -58,6 +58,15 @@ inline std::unique_ptr<ImplicitSystem> assembled(const Cloth& cloth, float h,
     return system;
 }
 
+/// Components uniform in [-size, size), w 0.
+inline AlignedBuffer<Vec4> random_rows(std::uint32_t n, float size, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> component(-size, size);
+    AlignedBuffer<Vec4> rows(n);
+    for (Vec4& v : rows.span()) v = {component(random), component(random), component(random), 0};
+    return rows;
+}
+
 inline Eigen::VectorXd flat(std::span<const Vec4> values) {
     Eigen::VectorXd result(3 * static_cast<Eigen::Index>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -43,24 +43,16 @@ struct Scene {
     }
 };
 
-AlignedBuffer<Vec4> random_vectors(std::uint32_t n, float size, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> component(-size, size);
-    AlignedBuffer<Vec4> result(n);
-    for (Vec4& v : result.span()) v = {component(random), component(random), component(random), 0};
-    return result;
-}
-
 Scene make_scene(const Mesh& mesh, float stiffness, LinearisedAbout about) {
     Scene scene;
     scene.model = cook(mesh).value();
     const std::uint32_t n = scene.size();
     scene.settings.fabric = {.stretch = stiffness, .shear = 0.3f * stiffness, .bend = 1e-3f * stiffness};
     scene.settings.fabric.damping = 0.01f;
-    scene.positions = random_vectors(n, 0.3f * scene.model.info.mean_edge, 1);
-    scene.velocities = random_vectors(n, 1, 2);
-    scene.base_velocities = random_vectors(n, 1, 3);
-    scene.air = random_vectors(n, 1e-3f, 4);
+    scene.positions = random_rows(n, 0.3f * scene.model.info.mean_edge, 1);
+    scene.velocities = random_rows(n, 1, 2);
+    scene.base_velocities = random_rows(n, 1, 3);
+    scene.air = random_rows(n, 1e-3f, 4);
     for (std::uint32_t i = 0; i < n; ++i) {
         Vec4& x = scene.positions[i];
         const Vector3 noise = xyz(x);
@@ -217,8 +209,7 @@ TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         reference.take_blocks(scene, system);
-        const AlignedBuffer<Vec4> x = random_vectors(scene.size(), 1, 5),
-                                  b = random_vectors(scene.size(), 1, 6);
+        const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
         AlignedBuffer<Vec4> product(scene.size()), residual(scene.size());
         system.multiply(serial, x.span(), product.span());
         system.residual(serial, scene.equation(), scene.velocities.span(), residual.span());
@@ -247,7 +238,7 @@ TEST_P(SpringKernels, MultiplyReturnsTheEnergy) {
         const Scene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        const AlignedBuffer<Vec4> x = random_vectors(scene.size(), 1, 5);
+        const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5);
         AlignedBuffer<Vec4> product(scene.size());
         const double energy = system.multiply(serial, x.span(), product.span());
         EXPECT_NEAR(energy / flat(x.span()).dot(flat(product.span())), 1, 1e-6);
@@ -263,10 +254,9 @@ TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         reference.take_blocks(scene, system);
-        const AlignedBuffer<Vec4> b = random_vectors(scene.size(), 1, 6),
-                                  x = random_vectors(scene.size(), 1, 7);
-        AlignedBuffer<Vec4> next = random_vectors(scene.size(), 1, 8), preconditioned(scene.size());
-        const AlignedBuffer<Vec4> before = random_vectors(scene.size(), 1, 8);
+        const AlignedBuffer<Vec4> b = random_rows(scene.size(), 1, 6), x = random_rows(scene.size(), 1, 7);
+        AlignedBuffer<Vec4> next = random_rows(scene.size(), 1, 8), preconditioned(scene.size());
+        const AlignedBuffer<Vec4> before = random_rows(scene.size(), 1, 8);
         AlignedBuffer<Vec4> product(scene.size()), correction(scene.size());
         system.precondition(serial, b.span(), 0.75f, preconditioned.span());
         system.relax(serial, b.span(), x.span(), {.step = 0.75f, .momentum = 0.5f}, next.span());
@@ -302,11 +292,10 @@ TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
         const Scene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        const AlignedBuffer<Vec4> x = random_vectors(scene.size(), 1, 5),
-                                  b = random_vectors(scene.size(), 1, 6);
+        const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
         AlignedBuffer<Vec4> product(scene.size()), residual(scene.size()),
-            next = random_vectors(scene.size(), 1, 8);
-        const AlignedBuffer<Vec4> before = random_vectors(scene.size(), 1, 8);
+            next = random_rows(scene.size(), 1, 8);
+        const AlignedBuffer<Vec4> before = random_rows(scene.size(), 1, 8);
         system.multiply(serial, x.span(), product.span());
         system.residual(serial, scene.equation(), scene.velocities.span(), residual.span());
         system.relax(serial, b.span(), x.span(), {.step = 1, .momentum = 0.5f}, next.span());
@@ -354,7 +343,7 @@ TEST_P(SpringKernels, MatrixIsSymmetric) {
         const Scene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        AlignedBuffer<Vec4> x = random_vectors(scene.size(), 1, 5), y = random_vectors(scene.size(), 1, 6);
+        AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), y = random_rows(scene.size(), 1, 6);
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
             if (scene.positions[i].w == 0) x[i] = y[i] = {};
         }
