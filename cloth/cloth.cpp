@@ -49,6 +49,7 @@ void Cloth::apply(const ClothSettings& changed) {
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
     if (second_order && !history) history.emplace(model.particle_count);
     if (!second_order) history.reset();
+    set_colliders(has_colliders_);
     if (!changed.tethers.enabled) {
         tethers.reset();
         tethers_are_attached = false;
@@ -61,6 +62,13 @@ void Cloth::apply(const ClothSettings& changed) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         set_inverse_mass(i, find_pin(i) == nullptr ? inverse_mass_when_free(i) : 0.0f);
     }
+}
+
+void Cloth::set_colliders(bool any) {
+    has_colliders_ = any;
+    const bool needed = any && solver->is_implicit();
+    if (needed && !contacts) contacts.emplace(model.particle_count);
+    if (!needed) contacts.reset();
 }
 
 void Cloth::set_air(bool on, bool gusts) {
@@ -123,9 +131,9 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
                  (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
-                 (self_contacts ? self_contacts->bytes() : 0) + triangle_groups.bytes() +
-                 triangle_rows.bytes() + air_velocities.bytes() + air_forces.bytes() +
-                 partial_counts.bytes() + partial_surveys.bytes();
+                 (self_contacts ? self_contacts->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
+                 triangle_groups.bytes() + triangle_rows.bytes() + air_velocities.bytes() +
+                 air_forces.bytes() + partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

@@ -9,6 +9,7 @@
 
 #include "cloth/cook.h"
 #include "cloth/history.h"
+#include "cloth/implicit/contacts.h"
 #include "cloth/solver.h"
 #include "cloth/state.h"
 #include "cloth/survey.h"
@@ -33,6 +34,8 @@ struct Cloth {
     void apply(const ClothSettings& settings);
     /// Makes or frees what air and its gusts need.
     void set_air(bool on, bool gusts);
+    /// Makes or frees what colliders need of an implicit solver.
+    void set_colliders(bool any);
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
@@ -58,6 +61,7 @@ struct Cloth {
     std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
     bool tethers_are_attached = false;            ///< to the present pins
     std::optional<SelfContacts> self_contacts;    ///< only with self-collision on
+    std::optional<Contacts> contacts;             ///< only with colliders, and if the solver is implicit
     std::vector<Pin> pins;                        ///< in ascending order of particles
 
     TriangleGroups triangle_groups;
@@ -76,6 +80,8 @@ struct Cloth {
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in the last substep
 
   private:
+    bool has_colliders_ = false;
+
     void set_inverse_mass(std::uint32_t particle, float inverse_mass);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };

@@ -42,6 +42,11 @@ void Simulation::apply(const WorldSettings& changed) {
     settings = changed;
 }
 
+void Simulation::expect_colliders(std::size_t count) {
+    reserve_motions(count);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->set_colliders(count > 0); });
+}
+
 void Simulation::reserve_motions(std::size_t count) {
     motions_.resize(static_cast<std::size_t>(parallel.width()));
     for (std::vector<ColliderMotion>& motions : motions_) motions.reserve(count);
@@ -49,6 +54,7 @@ void Simulation::reserve_motions(std::size_t count) {
 
 void Simulation::prepare(Cloth& cloth) {
     cloth.set_air(air_is_on(), has_gusts(settings.wind));
+    cloth.set_colliders(colliders.size() > 0);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);
 }

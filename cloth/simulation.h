@@ -32,8 +32,8 @@ struct Simulation {
     explicit Simulation(const WorldSettings& settings);
     void apply(const WorldSettings& settings);
 
-    /// Memory for colliders' motions, so that no step needs to allocate it.
-    void reserve_motions(std::size_t count);
+    /// Makes or frees what so many colliders need, so that no step needs to allocate it.
+    void expect_colliders(std::size_t count);
     /// So many cloths are stepped without allocation.
     void reserve_cloths(std::size_t count) { schedule_.reserve(count); }
     /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step, and memory
@@ -52,6 +52,7 @@ struct Simulation {
     StepReport report;
 
   private:
+    void reserve_motions(std::size_t count);
     void begin();
     template <class StepCloth>
     void for_each_cloth(const StepCloth& step_cloth);

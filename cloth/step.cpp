@@ -119,7 +119,8 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
             .base_velocities = second_order ? cloth.history->base_velocities() : state.velocities.span(),
             .external = {.gravity = to_vector(settings.gravity),
                          .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air_forces).span()}};
+                         .air = std::as_const(cloth.air_forces).span()},
+            .contacts = cloth.contacts ? &*cloth.contacts : nullptr};
 }
 
 void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equation) {
@@ -127,6 +128,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equatio
         cloth.solver->prepare(cloth.model, cloth.settings, cloth.state);
         cloth.solver_is_prepared = true;
     }
+    if (cloth.contacts) cloth.contacts->begin(worker.motions);
     const float residual = cloth.solver->solve({.parallel = worker.parallel,
                                                 .profiler = profiler,
                                                 .model = cloth.model,
@@ -134,6 +136,8 @@ void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equatio
                                                 .equation = equation,
                                                 .touches_collider = cloth.collider_contacts > 0,
                                                 .velocity_change = cloth.velocity_change.span()});
+    if (cloth.contacts)
+        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.velocity_change).span());
     cloth.solver_failed |= std::isnan(residual);
     cloth.residual = std::max(cloth.residual, residual);
 }
@@ -171,6 +175,7 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
     const auto timer = timed(Stage::colliders);
     cloth.collider_contacts =
         collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
+                cloth.contacts ? std::as_const(*cloth.contacts).normals() : std::span<const Vec4>(),
                 cloth.state.positions.span(), cloth.state.velocities.span(), cloth.partial_counts.span());
 }
 

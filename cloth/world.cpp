@@ -192,7 +192,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
     if (const auto valid = validate(collider); !valid) return valid.error();
     return without_exceptions([&]() -> Result<ColliderId> {
         Simulation& simulation = impl_->simulation;
-        simulation.reserve_motions(simulation.colliders.size() + 1);
+        simulation.expect_colliders(simulation.colliders.size() + 1);
         return simulation.colliders.insert({collider, collider});
     });
 }
@@ -212,6 +212,7 @@ Result<void> World::move_collider(ColliderId id, const Collider& target) {
 
 Result<void> World::remove_collider(ColliderId id) {
     if (!impl_->simulation.colliders.erase(id)) return stale_id("ColliderId", id);
+    impl_->simulation.expect_colliders(impl_->simulation.colliders.size());
     return {};
 }
 

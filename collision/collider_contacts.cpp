@@ -69,31 +69,43 @@ MovingPlane moving(const UnitPlane& start, const UnitPlane& end, float h) {
             .turn = (end.normal - start.normal) / h};
 }
 
-void collide(const Capsule& start, const Capsule& end, const ContactSettings& settings,
-             CollidingBlock& block) {
-    if (are_clear(end, settings.thickness, block.bounds)) return;
-    collide(moving(start, end, settings.h), settings, block);
+// use(a moving shape), unless the shape at its end is clear of the bounds by more than `reach`.
+
+template <class Use>
+void if_near(const Capsule& start, const Capsule& end, float h, float reach, const Bounds& bounds,
+             const Use& use) {
+    if (!are_clear(end, reach, bounds)) use(moving(start, end, h));
 }
 
-void collide(const Plane& start, const Plane& end, const ContactSettings& settings, CollidingBlock& block) {
+template <class Use>
+void if_near(const Plane& start, const Plane& end, float h, float reach, const Bounds& bounds,
+             const Use& use) {
     const UnitPlane unit_end = unit(end);
-    if (are_clear(unit_end, settings.thickness, block.bounds)) return;
-    collide(moving(unit(start), unit_end, settings.h), settings, block);
+    if (!are_clear(unit_end, reach, bounds)) use(moving(unit(start), unit_end, h));
 }
 
-void collide(const Sphere& start, const Sphere& end, const ContactSettings& settings, CollidingBlock& block) {
-    collide(as_capsule(start), as_capsule(end), settings, block);
+template <class Use>
+void if_near(const Sphere& start, const Sphere& end, float h, float reach, const Bounds& bounds,
+             const Use& use) {
+    if_near(as_capsule(start), as_capsule(end), h, reach, bounds, use);
+}
+
+template <class Use>
+void if_near(const ColliderMotion& motion, float h, float reach, const Bounds& bounds, const Use& use) {
+    const auto if_shape_near = [&]<class Shape>(const Shape& end) {
+        if_near(*std::get_if<Shape>(&motion.start.shape), end, h, reach, bounds, use);
+    };
+    std::visit(if_shape_near, motion.end.shape);
 }
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thickness, float friction,
-                            float h, std::span<Vec4> positions, std::span<Vec4> velocities) {
-    CollidingBlock block{positions, velocities, bounds_of(positions)};
+                            float h, std::span<const Vec4> held, std::span<Vec4> positions,
+                            std::span<Vec4> velocities) {
+    CollidingBlock block{positions, velocities, held, bounds_of(positions)};
     for (const ColliderMotion& motion : colliders) {
         const ContactSettings settings{thickness, friction * motion.end.friction, h};
-        const auto collide_with = [&]<class Shape>(const Shape& end) {
-            collide(*std::get_if<Shape>(&motion.start.shape), end, settings, block);
-        };
-        std::visit(collide_with, motion.end.shape);
+        if_near(motion, h, thickness, block.bounds,
+                [&](const auto& moving_shape) { collide(moving_shape, settings, block); });
     }
     return std::accumulate(block.met.begin(), block.met.end(), 0u);
 }
@@ -170,16 +182,39 @@ Collider blend(const Collider& from, const Collider& to, float t) {
 }
 
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
-                      float friction, float h, std::span<Vec4> positions, std::span<Vec4> velocities,
-                      std::span<std::uint32_t> block_partials) {
+                      float friction, float h, std::span<const Vec4> held, std::span<Vec4> positions,
+                      std::span<Vec4> velocities, std::span<std::uint32_t> block_partials) {
     if (colliders.empty()) return 0;
     const auto block = [&](const BlockRange& range) {
         const std::uint32_t size = range.end - range.begin;
-        return collide_block(colliders, thickness, friction, h, positions.subspan(range.begin, size),
-                             velocities.subspan(range.begin, size));
+        const auto block_held = held.empty() ? held : held.subspan(range.begin, size);
+        return collide_block(colliders, thickness, friction, h, block_held,
+                             positions.subspan(range.begin, size), velocities.subspan(range.begin, size));
     };
     return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 0u, block,
                            std::plus<>{});
+}
+
+bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
+                        float reach, std::span<const Vec4> positions, const NearSurfaces& near) {
+    NearestBlock block{.positions = positions.data(),
+                       .size = static_cast<std::uint32_t>(positions.size()),
+                       .bounds = bounds_of(positions),
+                       .surfaces = near.surfaces.data(),
+                       .motions = near.motions.data()};
+    bool is_clear = true;
+    for (const ColliderMotion& motion : colliders) {
+        const ContactSettings settings{thickness, friction * motion.end.friction, h};
+        if_near(motion, h, thickness + reach, block.bounds, [&](const auto& moving_shape) {
+            if (is_clear) {
+                std::ranges::fill(near.surfaces, Vec4{0, 0, 0, reach});
+                std::ranges::fill(near.motions, Vec4{});
+                is_clear = false;
+            }
+            find_nearest(moving_shape, settings, reach, block);
+        });
+    }
+    return block.found;
 }
 
 }  // namespace weft

@@ -29,8 +29,21 @@ struct ColliderMotion {
 /// it, and by Coulomb's law what slides along it. Friction moves the position too, so that cloth at rest on a
 /// slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the number of
 /// particles that met a collider. Precondition: block_partials.size() >= block_count(positions.size()).
+///
+/// held, if not empty: per particle not 0 where forces of contact have acted already, and friction with them.
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
-                      float friction, float h, std::span<Vec4> positions, std::span<Vec4> velocities,
-                      std::span<std::uint32_t> block_partials);
+                      float friction, float h, std::span<const Vec4> held, std::span<Vec4> positions,
+                      std::span<Vec4> velocities, std::span<std::uint32_t> block_partials);
+
+/// For each of at most block_size positions the surface, at the substep's end, that is nearest of those
+/// nearer than `thickness + reach`. Arrays go on to the end of a group of 16.
+struct NearSurfaces {
+    std::span<Vec4>
+        surfaces;             ///< outward normal; w distance less `thickness` [m], `reach` where none is near
+    std::span<Vec4> motions;  ///< the surface's velocity [m/s]; w friction of cloth and collider together
+};
+/// Returns whether any is near; else the surfaces are not written.
+bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
+                        float reach, std::span<const Vec4> positions, const NearSurfaces& near);
 
 }  // namespace weft

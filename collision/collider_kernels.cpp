@@ -122,8 +122,8 @@ struct PlaneLanes {
 /// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
 /// rest.
 template <class Shape>
-HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, Vec4* positions,
-                             Vec4* velocities, std::uint32_t* met, BoundsLanes& bounds) {
+HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
+                             Vec4* positions, Vec4* velocities, std::uint32_t* met, BoundsLanes& bounds) {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
     const Lanes zero = set(0);
@@ -137,8 +137,9 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
     const Lanes3 sliding = mul_add(approach, surface.normal, relative);
-    const Lanes3 stopped = keep_where(
-        hn::Gt(approach, zero), stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
+    const auto rubs = hn::And(hn::Gt(approach, zero), hn::Eq(dot(held, held), zero));
+    const Lanes3 stopped =
+        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
     const Lanes3 kick = approach * surface.normal - stopped;
     const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
     const Lanes3 moved = if_then_else(surface.is_near, p + displacement, p);
@@ -154,14 +155,17 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     BoundsLanes bounds{set3(block.bounds.lower), set3(block.bounds.upper)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
     std::uint32_t i = 0;
+    const Lanes3 none = {set(0), set(0), set(0)};
     for (; i + part_lanes <= size; i += part_lanes)
-        collide_part(shape, settings, &block.positions[i], &block.velocities[i], &block.met[i], bounds);
+        collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
+                     &block.positions[i], &block.velocities[i], &block.met[i], bounds);
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
-        Vec4 positions[part_lanes] = {}, velocities[part_lanes] = {};
+        Vec4 positions[part_lanes] = {}, velocities[part_lanes] = {}, held[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
+        if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
         BoundsLanes with_added = bounds;
-        collide_part(shape, settings, positions, velocities, &block.met[i], with_added);
+        collide_part(shape, settings, xyz(load_rows(held)), positions, velocities, &block.met[i], with_added);
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];
@@ -179,6 +183,36 @@ void collide_plane(const MovingPlane& plane, const ContactSettings& settings, Co
     collide_block(PlaneLanes(plane, settings.thickness), settings, block);
 }
 
+template <class Shape>
+HWY_INLINE void find_nearest_in(const Shape& shape, const ContactSettings& settings, float reach,
+                                NearestBlock& block) {
+    const Tag d;
+    for (std::uint32_t i = 0; i < block.size; i += part_lanes) {
+        const Lanes3 p = xyz(load_rows(block.positions + i));
+        const auto may_meet = shape.near(p);
+        if (hn::AllFalse(d, may_meet)) continue;
+        const auto surface = shape.surface(p, may_meet);
+        const Lanes gap = hn::Sub(set(reach), surface.penetration);
+        const Lanes4 before = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
+        const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
+        store_rows(if_then_else(nearer, surface.normal, xyz(before)), hn::IfThenElse(nearer, gap, before.w),
+                   block.surfaces + i);
+        store_rows(if_then_else(nearer, surface.velocity, xyz(motion)),
+                   hn::IfThenElse(nearer, set(settings.friction), motion.w), block.motions + i);
+        block.found = true;
+    }
+}
+
+void find_nearest_capsule(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                          NearestBlock& block) {
+    find_nearest_in(CapsuleLanes(capsule, settings.thickness + reach), settings, reach, block);
+}
+
+void find_nearest_plane(const MovingPlane& plane, const ContactSettings& settings, float reach,
+                        NearestBlock& block) {
+    find_nearest_in(PlaneLanes(plane, settings.thickness + reach), settings, reach, block);
+}
+
 }  // namespace
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -189,6 +223,8 @@ namespace weft {
 HWY_EXPORT(bounds);
 HWY_EXPORT(collide_capsule);
 HWY_EXPORT(collide_plane);
+HWY_EXPORT(find_nearest_capsule);
+HWY_EXPORT(find_nearest_plane);
 
 Bounds bounds_of(std::span<const Vec4> positions) {
     return HWY_DYNAMIC_DISPATCH(bounds)(positions);
@@ -200,6 +236,16 @@ void collide(const MovingCapsule& capsule, const ContactSettings& settings, Coll
 
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block) {
     HWY_DYNAMIC_DISPATCH(collide_plane)(plane, settings, block);
+}
+
+void find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                  NearestBlock& block) {
+    HWY_DYNAMIC_DISPATCH(find_nearest_capsule)(capsule, settings, reach, block);
+}
+
+void find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
+                  NearestBlock& block) {
+    HWY_DYNAMIC_DISPATCH(find_nearest_plane)(plane, settings, reach, block);
 }
 
 }  // namespace weft

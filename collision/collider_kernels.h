@@ -39,8 +39,20 @@ struct ContactSettings {
 
 struct CollidingBlock {
     std::span<Vec4> positions, velocities;
-    Bounds bounds;  ///< hold all finite positions, also after they were moved
+    std::span<const Vec4> held;  ///< see collide()
+    Bounds bounds;               ///< hold all finite positions, also after they were moved
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
+};
+
+/// Of each particle of a block the surface nearest to it. Arrays go on to the end of a group of 16.
+struct NearestBlock {
+    const Vec4* positions;
+    std::uint32_t size;
+    Bounds bounds;  ///< hold all finite positions
+    Vec4*
+        surfaces;  ///< outward normal; w distance less the thickness [m], at least `reach` where none is near
+    Vec4* motions;  ///< surface's velocity [m/s]; w friction
+    bool found = false;
 };
 
 /// Of those that are numbers.
@@ -49,5 +61,11 @@ struct CollidingBlock {
 /// collide() of collider_contacts.h, for one block and one collider.
 void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
+
+/// Takes the surface where it is nearer than what the block has. `reach` is beyond the thickness [m].
+void find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                  NearestBlock& block);
+void find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
+                  NearestBlock& block);
 
 }  // namespace weft

@@ -112,8 +112,10 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
         const auto free = hn::Ne(row.row_sum, set(0));
         store_rows(keep_where(free, b), row.row_sum, right_side + i);
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
-        const SymmetricLanes diagonal =
+        SymmetricLanes diagonal =
             add_identity(squared_unit * add_identity(sum_of_squares, sum_of_a), row.row_sum);
+        if (matrix.contacts != nullptr && matrix.contacts->touches(i))
+            diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
         store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
                         &matrix.inverse_diagonal[std::size_t{group} * 6 * Stencil::lanes + lane]);
     }

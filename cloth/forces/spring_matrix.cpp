@@ -9,6 +9,7 @@
 #include "hwy/highway.h"
 
 #include "cloth/forces/halves-inl.h"
+#include "cloth/implicit/external_row-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
@@ -29,7 +30,10 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const
     }
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
     const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
-    return keep_where(hn::Ne(row_sum, zero), mul_add(squared_unit, sum, row_sum * x_i));
+    Lanes3 own = row_sum * x_i;
+    if (matrix.contacts != nullptr && matrix.contacts->touches(i))
+        own = own + contact_blocks(*matrix.contacts, i) * x_i;
+    return keep_where(hn::Ne(row_sum, zero), mul_add(squared_unit, sum, own));
 }
 
 /// D_i^-1 v for the lanes from particle `i` on.

@@ -4,13 +4,14 @@
 
 #include <cstdint>
 
+#include "cloth/implicit/contacts.h"
 #include "cloth/implicit/implicit_system.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
 
-/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
+/// W by rows, in groups of 16 particles: (W x)_i = (r_i + G_i) x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
 ///
 /// a and d are kept in half precision, since a sweep takes as long as these bytes do. Invariant: both ends of
 /// a spring and the diagonal are made of the rounded values, so that W is symmetric, keeps momentum, and is
@@ -24,6 +25,7 @@ struct SpringMatrix {
     float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
     AlignedBuffer<std::uint16_t> coefficients;  ///< per slot 16 a, 16 d_x, d_y, d_z
     AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    const ContactRows* contacts = nullptr;      ///< G; null: nothing is in contact
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {

@@ -51,8 +51,9 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     const Fabric& fabric = equation.settings.fabric;
     const float stiffest = std::ranges::max(stiffness_of_kind_);
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
-    const SpringState state =
-        state_at(equation, about_base ? equation.base_positions : positions_.span(), velocities);
+    const std::span<const Vec4> positions = about_base ? equation.base_positions : positions_.span();
+    matrix_.contacts = contact_rows(parallel, equation, velocities);
+    const SpringState state = state_at(equation, positions, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
         linearise_block(state, about, range, matrix_, right_side_.data());
     });

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c n n^T
-/// = a I + d d^T.
+/// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + G_i + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c
+/// n n^T = a I + d d^T.
 class SpringSystem final : public ImplicitSystem {
   public:
     explicit SpringSystem(const CookedCloth& model);
@@ -24,6 +24,7 @@ class SpringSystem final : public ImplicitSystem {
                std::span<Vec4> next) override;
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
     [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;

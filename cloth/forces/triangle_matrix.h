@@ -3,14 +3,15 @@
 
 #include <cstdint>
 
+#include "cloth/implicit/contacts.h"
 #include "cloth/implicit/implicit_system.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
 
-/// W by rows, in groups of 16 particles: (W x)_i = r_i x_i + sum_j A_ij (x_i - x_j) + scale sum_j a_ij (x_i -
-/// x_j), blocks A over one stencil and numbers a, which never change, over another.
+/// W by rows, in groups of 16 particles: (W x)_i = (r_i + G_i) x_i + sum_j A_ij (x_i - x_j) + scale sum_j
+/// a_ij (x_i - x_j), blocks A over one stencil and numbers a, which never change, over another.
 struct TriangleMatrix {
     explicit TriangleMatrix(Stencil neighbours);
 
@@ -20,6 +21,7 @@ struct TriangleMatrix {
     AlignedBuffer<float> scalars;           ///< a, per entry of the scalar stencil
     float scale = 0;                        ///< 0: no scalars
     AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    const ContactRows* contacts = nullptr;  ///< G; null: nothing is in contact
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {

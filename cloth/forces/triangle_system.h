@@ -31,6 +31,7 @@ class TriangleSystem final : public ImplicitSystem {
                std::span<Vec4> next) override;
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
     [[nodiscard]] std::size_t bytes() const noexcept override;

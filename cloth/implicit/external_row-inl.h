@@ -7,8 +7,10 @@
 #define WEFT_CLOTH_IMPLICIT_EXTERNAL_ROW_INL_H
 #endif
 
+#include "cloth/implicit/contacts.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/step_equation.h"
+#include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -17,10 +19,20 @@ HWY_INLINE Lanes3 set(const Vector3& v) {
     return {set(v.x()), set(v.y()), set(v.z())};
 }
 
-/// Inertia, gravity and air.
+/// G of the lanes from particle `i` on.
+HWY_INLINE SymmetricLanes contact_blocks(const ContactRows& contacts, std::uint32_t i) {
+    return load_symmetric(&contacts.blocks[lane_index(i, 0, 6)]);
+}
+/// What of it is in the diagonal that relaxation divides by. A multigrid cycle relaxes by 5/6: so it solves
+/// at once where contact outweighs all else. Half would do for 2 D - W to be positive definite.
+HWY_INLINE SymmetricLanes contact_diagonal(const ContactRows& contacts, std::uint32_t i) {
+    return set(5.0f / 6) * contact_blocks(contacts, i);
+}
+
+/// Inertia, gravity, air and colliders.
 struct Row {
     Lanes3 impulse;  ///< gamma f - M (v - v_base) [kg m/s]
-    Lanes row_sum;   ///< [kg], 0 for pinned particles
+    Lanes row_sum;   ///< [kg], without what colliders hold; 0 for pinned particles
 };
 
 /// Row of the lanes from particle `i` on, which have inverse masses `w` and velocities `v`.
@@ -39,6 +51,10 @@ HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes
         row.impulse = mul_add(gamma, mul_add(air.w, since, xyz(air)), row.impulse);
         row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
     }
+    const ContactRows* const contacts = equation.contacts != nullptr ? equation.contacts->rows() : nullptr;
+    if (contacts != nullptr && contacts->touches(i))
+        row.impulse =
+            row.impulse + (xyz(load_rows(&contacts->impulses[i])) - contact_blocks(*contacts, i) * v);
     row.row_sum = hn::IfThenElseZero(free, row.row_sum);
     return row;
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cloth/cook.h"
+#include "cloth/implicit/contacts.h"
 #include "cloth/implicit/stencil.h"
 #include "cloth/implicit/step_equation.h"
 #include "engine/aligned_buffer.h"
@@ -61,6 +62,9 @@ class ImplicitSystem {
     /// Of all slots: one for each entry of the stencil. Allocates; not for the steady step.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
+    /// What colliders add to the diagonal, or null: nothing is in contact.
+    [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
+
     /// Whether coarse levels may do without the spring between two particles, since others hold what it
     /// holds.
     [[nodiscard]] virtual bool is_minor(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return false; }
@@ -73,6 +77,13 @@ class ImplicitSystem {
     }
 
   protected:
+    /// The equation's contacts, linearised with the system; null if there are none. Before the rows are made.
+    static const ContactRows* contact_rows(Parallel& parallel, const StepEquation& equation,
+                                           std::span<const Vec4> velocities) {
+        return equation.contacts == nullptr ? nullptr
+                                            : equation.contacts->linearise(parallel, equation, velocities);
+    }
+
     AlignedBuffer<Vec4> right_side_;
     AlignedBuffer<double> partial_sums_;
 };

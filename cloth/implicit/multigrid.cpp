@@ -47,10 +47,11 @@ SpringGraph graph_of(const Stencil& stencil, std::span<const Vec4> blocks, std::
     return graph;
 }
 
-Eigen::Matrix3d full(const Symmetric3& m) {
-    Eigen::Matrix3f result;
-    result << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
-    return result.cast<double>();
+/// What holds the fine nodes of coarse node c.
+void add_contacts(const ContactRows& contacts, const Interpolation& p, std::uint32_t c, Symmetric3& ground) {
+    for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+        if (const std::uint32_t i = p.fine_nodes[e]; contacts.touches(i))
+            ground.add_scaled(p.fine_weights[e], contacts.block(i));
 }
 
 /// The slot of i in which j is its neighbour.
@@ -161,7 +162,9 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
             float sum = 0;
             for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
                 sum += p.fine_weights[e] * system.right_side()[p.fine_nodes[e]].w;
-            first.matrix().set_ground(c, {.xx = sum, .yy = sum, .zz = sum});
+            Symmetric3 ground{.xx = sum, .yy = sum, .zz = sum};
+            if (system.contacts() != nullptr) add_contacts(*system.contacts(), p, c, ground);
+            first.matrix().set_ground(c, ground);
         }
     });
     for (const Tie& tie : ties_) {
@@ -177,10 +180,11 @@ void Multigrid::factorise_coarsest() {
     const std::vector<Link>& links = coarse_.back().lists().links;
     coarsest_.setZero();
     for (std::uint32_t i = 0; i < matrix.stencil.nodes; ++i)
-        coarsest_.block<3, 3>(3 * i, 3 * i) = full(matrix.ground_of(i));
+        coarsest_.block<3, 3>(3 * i, 3 * i) = matrix.ground_of(i).full();
     for (std::size_t k = 0; k < links.size(); ++k) {
         const auto& [diagonal, off] = matrix.links[k];
-        const Eigen::Matrix3d block = full({diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y});
+        const Eigen::Matrix3d block =
+            Symmetric3{diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y}.full();
         const Eigen::Index i = 3 * links[k].first, j = 3 * links[k].second;
         coarsest_.block<3, 3>(i, i) += block;
         coarsest_.block<3, 3>(j, j) += block;

@@ -10,6 +10,8 @@
 
 namespace weft {
 
+class Contacts;
+
 /// What acts on the particles besides the fabric.
 struct ExternalForces {
     Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
@@ -32,6 +34,7 @@ struct StepEquation {
     std::span<const Vec4> base_positions;  ///< w inverse mass
     std::span<const Vec4> base_velocities;
     ExternalForces external;
+    Contacts* contacts = nullptr;  ///< of the cloth with colliders, or null: there are none
 };
 
 /// Velocities once external forces alone have acted for h, drag taken implicitly: where explicit and

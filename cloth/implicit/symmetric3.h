@@ -13,6 +13,9 @@ struct Symmetric3 {
         return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
                 xz * v.x() + yz * v.y() + zz * v.z()};
     }
+    [[nodiscard]] Eigen::Matrix3d full() const {
+        return Eigen::Matrix3d{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+    }
     /// Adds `factor` times another.
     void add_scaled(float factor, const Symmetric3& m) {
         xx += factor * m.xx;

@@ -30,6 +30,10 @@ inline Eigen::Map<const FourRows, Eigen::Aligned16> load_four(const Vec4* rows) 
     return Eigen::Map<const FourRows, Eigen::Aligned16>(&rows->x);
 }
 
+inline void store_four(const FourRows& values, Vec4* rows) {
+    Eigen::Map<FourRows, Eigen::Aligned16>(&rows->x) = values;
+}
+
 /// Sum over particles of a . b, w left out: in single precision over a quarter of a block, in double beyond.
 inline double dot(Parallel& parallel, std::span<const Vec4> a, std::span<const Vec4> b,
                   std::span<double> partials) {
@@ -53,8 +57,7 @@ inline double norm(Parallel& parallel, std::span<const Vec4> v, std::span<double
 template <class Rows>
 void fill_fours(Parallel& parallel, std::span<Vec4> out, const Rows& rows) {
     parallel.ranges(static_cast<std::uint32_t>(out.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; i += 4)
-            Eigen::Map<FourRows, Eigen::Aligned16>(&out[i].x) = rows(i);
+        for (std::uint32_t i = range.begin; i < range.end; i += 4) store_four(rows(i), &out[i]);
     });
 }
 

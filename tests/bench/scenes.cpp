@@ -78,7 +78,7 @@ Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSetting
     simulation_->prepare(*made);
     simulation_->cloths.insert(std::move(made));
     const auto add = [&](const Collider& collider) {
-        simulation_->reserve_motions(simulation_->colliders.size() + 1);
+        simulation_->expect_colliders(simulation_->colliders.size() + 1);
         simulation_->colliders.insert({collider, collider});
     };
     if (kind == SceneKind::draped) add({.shape = Sphere{{0, 0, 0}, 0.3f}, .friction = 1});

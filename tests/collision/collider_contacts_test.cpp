@@ -25,7 +25,7 @@ std::uint32_t meet(Particles& particles, const std::vector<ColliderMotion>& coll
                    float friction = 1, int threads = 1) {
     Parallel parallel(threads);
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(particles.positions.size())));
-    return collide(parallel, colliders, thickness, friction, h, particles.positions, particles.velocities,
+    return collide(parallel, colliders, thickness, friction, h, {}, particles.positions, particles.velocities,
                    partials);
 }
 

@@ -61,13 +61,13 @@ class Targets : public testing::TestWithParam<MethodCase> {
 /// all of it.
 ///
 /// Springs have the matrix of an implicit step in half precision. Without F16C Highway cuts halves off where
-/// AVX2 rounds them, which moves the matrix by 2^-10, and iterations that stop early pass on up to fifty
-/// times that (conjugate gradients, on a general mesh). All else is computed in floats: 2^-24, times the
+/// AVX2 rounds them, which moves the matrix by 2^-10, and iterations that stop early pass on up to 130 times
+/// that (Chebyshev's, where the cloth lies on colliders). All else is computed in floats: 2^-24, times the
 /// condition of the step, which here is some thousands.
 float tolerance(const MethodCase& method_case) {
     const bool has_halves =
         is_implicit(method_case.cloth.method) && !method_case.cloth.finite_elements.enabled;
-    return has_halves ? 64 * 0x1p-10f : 0x1p13f * 0x1p-24f;
+    return has_halves ? 160 * 0x1p-10f : 0x1p13f * 0x1p-24f;
 }
 
 TEST_P(Targets, TakeTheStepOfPlainCode) {

@@ -1,0 +1,197 @@
+#include "cloth/implicit/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "cloth/implicit/vectors.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/implicit/contacts.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/implicit/external_row-inl.h"
+#include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/symmetric3-inl.h"
+
+#ifndef WEFT_CLOTH_IMPLICIT_CONTACTS_TYPES
+#define WEFT_CLOTH_IMPLICIT_CONTACTS_TYPES
+namespace weft {
+
+/// What the kernel needs of a block.
+struct ContactBlock {
+    const Vec4 *positions, *velocities;  // at the step's end, from the block's first particle on
+    const Vec4 *surfaces, *motions;      // see NearSurfaces
+    float gamma;
+    Vector3 fall;            // that gravity will add yet [m]
+    float hold;              // particles that pressed and end nearer than this are in contact [m]
+    float stick_per_spring;  // of a particle that does not slide
+    float per_mass;          // the spring's stiffness is gamma^-2 (per_mass m + least) [N/m]
+    float least;             // [kg]
+    float* blocks;
+    Vec4 *impulses, *normals;
+};
+
+struct PressedGroup {
+    const float* blocks;
+    const Vec4 *impulses, *velocities;
+    const Vec4* changes;  // null: none
+    Vec4* normals;
+};
+
+}  // namespace weft
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// Rows of one group. Returns whether any of it is in contact.
+bool linearise_group(const ContactBlock& block, std::uint32_t first) {
+    const Tag d;
+    const Lanes zero = set(0), one = set(1);
+    bool touching = false;
+    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes) {
+        const Lanes4 surface = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
+        const Lanes4 stored = load_rows(block.normals + i);
+        const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
+        const Lanes w = load_rows(block.positions + i).w;
+        const Lanes gap = surface.w;
+        const auto did_press = hn::Gt(stored.w, zero);
+        const auto falls_in = hn::Lt(hn::Add(gap, dot(set(block.fall), n)), zero);
+        const auto ends_in = hn::Or(falls_in, hn::And(did_press, hn::Lt(gap, set(block.hold))));
+        const auto in_contact = hn::And(ends_in, hn::Gt(w, zero));
+        touching = touching || !hn::AllFalse(d, in_contact);
+
+        const Lanes mass = hn::Div(one, w);
+        const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+        // What did not press yet is not drawn to the surface.
+        const Lanes depth = hn::IfThenElse(did_press, hn::Neg(gap), hn::Max(zero, hn::Neg(gap)));
+        const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
+        // Of all that presses collide() bears the small rest.
+        const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored.w, hn::Div(mass, spring), stored.w));
+        const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
+        const Lanes3 relative = v - xyz(motion);
+        const Lanes3 sliding = relative - dot(relative, n) * n;
+        const Lanes speed = hn::Sqrt(dot(sliding, sliding));
+        // What is not a number, after a failed step, holds as a limit without end does.
+        const Lanes damper =
+            hn::IfThenElse(hn::Lt(limit, hn::Mul(stick, speed)), hn::Div(limit, speed), stick);
+
+        SymmetricLanes g = add_square({zero, zero, zero, zero, zero, zero}, n);
+        g = keep_where(in_contact, add_identity(hn::Sub(spring, damper) * g, damper));
+        const Lanes3 impulse = keep_where(in_contact, g * v + (pressed * n - damper * sliding));
+        store_symmetric(g, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
+        store_rows(impulse, zero, block.impulses + i);
+        store_rows(keep_where(in_contact, n), hn::IfThenElseZero(in_contact, stored.w), block.normals + i);
+    }
+    return touching;
+}
+
+/// The impulses along the normals at velocities + changes.
+void press_group(const PressedGroup& group) {
+    for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
+        const Lanes3 n = xyz(load_rows(group.normals + i));
+        Lanes3 v = xyz(load_rows(group.velocities + i));
+        if (group.changes != nullptr) v = v + xyz(load_rows(group.changes + i));
+        const Lanes3 impulse = xyz(load_rows(group.impulses + i)) - load_symmetric(group.blocks + i) * v;
+        const Lanes pressed = dot(impulse, n);
+        store_rows(n, hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed), group.normals + i);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace weft {
+
+HWY_EXPORT(linearise_group);
+HWY_EXPORT(press_group);
+
+namespace {
+
+constexpr float reach = 4e-3f;  // [m] within which surfaces are looked for, at least a margin
+// Stiff enough to yield a hundredth of a free step, soft enough to be far above rounding, and against the
+// fabric's springs not so stiff that coarse motions of what lies on a curved collider are held by it.
+constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
+constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
+
+float stiffness_of(const ClothSettings& settings) {
+    const FiniteElements& elements = settings.finite_elements;
+    return elements.enabled ? std::max(elements.warp, elements.weft) : settings.fabric.stretch;
+}
+
+}  // namespace
+
+Contacts::Contacts(std::uint32_t particles) : normals_(particles), partials_(block_count(particles)) {
+    const std::uint32_t groups = (particles + Stencil::lanes - 1) / Stencil::lanes;
+    rows_.blocks = AlignedBuffer<float>(std::size_t{6} * groups * Stencil::lanes);
+    rows_.impulses = AlignedBuffer<Vec4>(particles);
+    rows_.touching = AlignedBuffer<std::uint32_t>(groups);
+}
+
+const ContactRows* Contacts::linearise(Parallel& parallel, const StepEquation& equation,
+                                       std::span<const Vec4> velocities) {
+    if (!is_first_) press(parallel, velocities);
+    touching_groups_ = parallel.reduce(
+        static_cast<std::uint32_t>(velocities.size()), partials_.span(), 0u,
+        [&](const BlockRange& range) { return linearise_block(equation, velocities, range); }, std::plus<>{});
+    is_first_ = false;
+    return rows();
+}
+
+std::uint32_t Contacts::linearise_block(const StepEquation& equation, std::span<const Vec4> velocities,
+                                        const BlockRange& range) {
+    const ClothSettings& settings = equation.settings;
+    const float gamma = equation.gamma;
+    std::array<Vec4, block_size> ends, surfaces, motions;
+    for (std::uint32_t i = range.begin; i < range.end; i += 4)
+        store_four(load_four(&equation.base_positions[i]) + gamma * load_four(&velocities[i]),
+                   &ends[i - range.begin]);
+    const bool near = find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
+                                         std::span(ends).first(range.end - range.begin), {surfaces, motions});
+    const ContactBlock block{
+        .positions = ends.data(),
+        .velocities = velocities.data() + range.begin,
+        .surfaces = surfaces.data(),
+        .motions = motions.data(),
+        .gamma = gamma,
+        .fall = is_first_ ? Vector3(gamma * gamma * equation.external.gravity) : Vector3(Vector3::Zero()),
+        .hold = is_first_ ? reach : 0.0f,
+        .stick_per_spring = stick_per_spring,
+        .per_mass = spring_per_mass,
+        .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
+        .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
+        .impulses = rows_.impulses.data() + range.begin,
+        .normals = normals_.data() + range.begin};
+    std::uint32_t count = 0;
+    for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+        std::uint32_t& touching = rows_.touching[i / Stencil::lanes];
+        const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);
+        if (touching != 0 && !touches) std::fill_n(normals_.data() + i, Stencil::lanes, Vec4{});
+        touching = touches ? 1 : 0;
+        count += touching;
+    }
+    return count;
+}
+
+void Contacts::press(Parallel& parallel, std::span<const Vec4> velocities, std::span<const Vec4> changes) {
+    if (touching_groups_ == 0) return;
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+            if (!rows_.touches(i)) continue;
+            HWY_DYNAMIC_DISPATCH(press_group)
+            ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
+              .impulses = rows_.impulses.data() + i,
+              .velocities = velocities.data() + i,
+              .changes = changes.empty() ? nullptr : changes.data() + i,
+              .normals = normals_.data() + i});
+        }
+    });
+}
+
+}  // namespace weft
+#endif
