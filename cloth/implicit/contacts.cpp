@@ -113,9 +113,10 @@ HWY_EXPORT(press_group);
 
 namespace {
 
-constexpr float reach = 4e-3f;  // [m] within which surfaces are looked for, at least a margin
-// Stiff enough to yield a hundredth of a free step, soft enough to be far above rounding, and against the
-// fabric's springs not so stiff that coarse motions of what lies on a curved collider are held by it.
+// Somewhat more than a free step falls: what may come into contact is nearer than this [m].
+constexpr float reach = 4e-3f;
+// A particle presses its own weight a fiftieth of a free step's fall into the collider. cloth/README.md says
+// why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
 constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
 
@@ -148,25 +149,26 @@ std::uint32_t Contacts::linearise_block(const StepEquation& equation, std::span<
     const ClothSettings& settings = equation.settings;
     const float gamma = equation.gamma;
     std::array<Vec4, block_size> ends, surfaces, motions;
-    for (std::uint32_t i = range.begin; i < range.end; i += 4)
-        store_four(load_four(&equation.base_positions[i]) + gamma * load_four(&velocities[i]),
-                   &ends[i - range.begin]);
+    const Vec4 *const x = &equation.base_positions[range.begin], *const v = &velocities[range.begin];
+    const std::uint32_t size = range.end - range.begin;
+    for (std::uint32_t i = 0; i < size; i += Stencil::lanes)  // whole groups: what lies behind the last is 0
+        for (std::uint32_t four = i; four < i + Stencil::lanes; four += 4)
+            store_four(load_four(x + four) + gamma * load_four(v + four), &ends[four]);
     const bool near = find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
-                                         std::span(ends).first(range.end - range.begin), {surfaces, motions});
-    const ContactBlock block{
-        .positions = ends.data(),
-        .velocities = velocities.data() + range.begin,
-        .surfaces = surfaces.data(),
-        .motions = motions.data(),
-        .gamma = gamma,
-        .fall = is_first_ ? Vector3(gamma * gamma * equation.external.gravity) : Vector3(Vector3::Zero()),
-        .hold = is_first_ ? reach : 0.0f,
-        .stick_per_spring = stick_per_spring,
-        .per_mass = spring_per_mass,
-        .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
-        .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
-        .impulses = rows_.impulses.data() + range.begin,
-        .normals = normals_.data() + range.begin};
+                                         std::span(ends).first(size), {surfaces, motions});
+    const ContactBlock block{.positions = ends.data(),
+                             .velocities = v,
+                             .surfaces = surfaces.data(),
+                             .motions = motions.data(),
+                             .gamma = gamma,
+                             .fall = (is_first_ ? gamma * gamma : 0.0f) * equation.external.gravity,
+                             .hold = is_first_ ? reach : 0.0f,
+                             .stick_per_spring = stick_per_spring,
+                             .per_mass = spring_per_mass,
+                             .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
+                             .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
+                             .impulses = rows_.impulses.data() + range.begin,
+                             .normals = normals_.data() + range.begin};
     std::uint32_t count = 0;
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         std::uint32_t& touching = rows_.touching[i / Stencil::lanes];

@@ -32,8 +32,8 @@ struct ContactRows {
 /// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
 /// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
 /// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
-/// far. What the spring yields and the damper lets slip, a hundredth of a free step, collide() takes
-/// afterwards.
+/// far. What the spring yields, a fiftieth of a free step's fall under a particle's own weight, collide()
+/// takes back afterwards.
 class Contacts {
   public:
     explicit Contacts(std::uint32_t particles);

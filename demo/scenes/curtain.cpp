@@ -40,7 +40,6 @@ class Curtain final : public Scene {
         WorldSettings settings;
         settings.wind.velocity = {0.15f, 0, 0.6f};
         settings.wind.gust = 0.6f;
-        settings.substeps = 4;
         return settings;
     }
 

@@ -16,7 +16,6 @@ class Sheet final : public Scene {
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
         settings.wind.air_density = 0.6f;  // still air that carries less of the sheet: it falls in a second
-        settings.substeps = 4;
         return settings;
     }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <utility>
+#include <numeric>
 
 #include "demo/study/accuracy_rows.h"
 #include "demo/study/commands.h"
@@ -29,6 +29,13 @@ double work_of(const MethodPoint& point) {
 }
 
 constexpr double work_of_references = 10'000;
+
+constexpr int rounds = 3;             // in which points are timed
+constexpr double longest_run = 2000;  // [ms]; what takes longer is not run again
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 /// A scene and the points that are run on it.
 struct Part {
@@ -114,7 +121,8 @@ class Accuracy {
 
     void run(const Part& part) {
         if (is_complete(part)) {
-            for (const MethodPoint& point : part.points) progress_.skip(part.cost(work_of(point)));
+            for (const MethodPoint& point : part.points)
+                for (int round = 0; round < rounds; ++round) progress_.skip(cost_of_round(part, point));
             progress_.skip(part.cost(work_of_references));
             return;
         }
@@ -130,7 +138,7 @@ class Accuracy {
     }
     static std::size_t count_of(const std::vector<Part>& parts) {
         std::size_t count = 0;
-        for (const Part& part : parts) count += 1 + part.points.size();
+        for (const Part& part : parts) count += 1 + rounds * part.points.size();
         return count;
     }
     static double cost_of(const std::vector<Part>& parts) {
@@ -140,6 +148,10 @@ class Accuracy {
             for (const MethodPoint& point : part.points) cost += part.cost(work_of(point));
         }
         return cost;
+    }
+
+    static double cost_of_round(const Part& part, const MethodPoint& point) {
+        return part.cost(work_of(point)) / rounds;
     }
 
     [[nodiscard]] bool is_complete(const Part& part) const {
@@ -163,32 +175,65 @@ class Accuracy {
         for (const auto& [reference, states] : references)
             append(compare_reference(part.scene, reference, references, threads_));
         progress_.end(part.cost(work_of_references));
-        run_points(part, [&](const MethodPoint& point) {
-            return measure_trajectory(part.scene, point, references, threads_);
-        });
+        run_points(
+            part,
+            [&](const MethodPoint& point) {
+                return measure_trajectory(part.scene, point, references, threads_);
+            },
+            [&](const MethodPoint& point) { return time_trajectory(part.scene, point, threads_); });
     }
 
     void run_garment(const Part& part) {
         progress_.begin(title(part) + " references");
         const GarmentSteps steps(part.scene, store_, threads_);
         progress_.end(part.cost(work_of_references));
-        run_points(part, [&](const MethodPoint& point) { return measure_steps(steps, point, threads_); });
+        run_points(
+            part, [&](const MethodPoint& point) { return measure_steps(steps, point, threads_); },
+            [&](const MethodPoint& point) { return time_steps(steps, point, threads_); });
     }
 
-    template <class Measure>
-    void run_points(const Part& part, const Measure& measure) {
-        bool is_warm = false;
+    /// A point of the part at hand that is timed in further rounds.
+    struct Entry {
+        const MethodPoint* point;
+        Measured measured;
+    };
+
+    // In rounds over all points: a slow minute of the machine then falls on all of them, and the median of
+    // the rounds leaves it out. Rows are in the table after the first, so that a run that is stopped can go
+    // on.
+    template <class Measure, class Time>
+    void run_points(const Part& part, const Measure& measure, const Time& time) {
+        std::vector<Entry> entries;
         for (const MethodPoint& point : part.points) {
-            const double cost = part.cost(work_of(point));
+            const double cost = cost_of_round(part, point);
             if (table_.find(identity(part.scene, point, threads_), accuracy_keys()) != nullptr) {
-                progress_.skip(cost);
+                for (int round = 0; round < rounds; ++round) progress_.skip(cost);
                 continue;
             }
             progress_.begin(title(part) + " " + point.name + " " + point.setting);
             // The first runs of all on caches and clocks that are cold: once for nothing.
-            if (!std::exchange(is_warm, true)) measure(point);
-            append(measure(point));
+            if (entries.empty()) (void)time(point);
+            entries.push_back({&point, measure(point)});
+            put_times(entries.back().measured.row, entries.back().measured.milliseconds);
+            append(entries.back().measured.row);
             progress_.end(cost);
+        }
+        for (int round = 1; round < rounds; ++round) {
+            for (Entry& entry : entries) {
+                const double cost = cost_of_round(part, *entry.point);
+                std::vector<double>& all = entry.measured.milliseconds;
+                if (sum(all) > longest_run * round) {
+                    progress_.skip(cost);
+                    continue;
+                }
+                progress_.begin(title(part) + " " + entry.point->name + " " + entry.point->setting +
+                                ", round " + std::to_string(round + 1));
+                const std::vector<double> more = time(*entry.point);
+                all.insert(all.end(), more.begin(), more.end());
+                put_times(entry.measured.row, all);
+                table_.replace(entry.measured.row, accuracy_keys());
+                progress_.end(cost);
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "demo/study/energy.h"
 #include "demo/study/machine.h"
@@ -66,12 +67,6 @@ void put_stretch(CsvRow& row, const Stretch& stretch) {
     row["mean_stretch_percent"] = number(100 * (stretch.mean - 1));
 }
 
-void put_times(CsvRow& row, const std::vector<double>& milliseconds) {
-    row["frames"] = std::to_string(milliseconds.size());
-    row["median_ms"] = number(quantile(milliseconds, 0.5));
-    row["p99_ms"] = number(quantile(milliseconds, 0.99));
-}
-
 /// The converged run of the point's own force model and time scheme at the frame's step, which tells the
 /// solver's error from time's; none for substeps and for methods that solve no equation.
 const States* own_reference(const Cloth& cloth, const std::map<Reference, States>& references) {
@@ -83,8 +78,7 @@ const States* own_reference(const Cloth& cloth, const std::map<Reference, States
     return at == references.end() ? nullptr : &at->second;
 }
 
-constexpr int warm_up = 5;            // frames that are not timed
-constexpr int longest_repeat = 4000;  // [ms] that all further runs of a point may take
+constexpr int warm_up = 5;  // frames that are not timed
 
 /// What a run leaves to be compared.
 struct Outcome {
@@ -142,8 +136,14 @@ CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads) 
             {"default", point.is_default ? "yes" : "no"}};
 }
 
-CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
-                          const std::map<Reference, States>& references, int threads) {
+void put_times(CsvRow& row, const std::vector<double>& milliseconds) {
+    row["frames"] = std::to_string(milliseconds.size());
+    row["median_ms"] = number(quantile(milliseconds, 0.5));
+    row["p99_ms"] = number(quantile(milliseconds, 0.99));
+}
+
+Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,
+                            const std::map<Reference, States>& references, int threads) {
     Run run(scene, point, threads);
     CsvRow row = identity(scene, point, threads);
     row["particles"] = std::to_string(run.cloth().model.particle_count);
@@ -162,17 +162,12 @@ CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
     const Outcome rest = run_to(run, ComparedFrames::last - ComparedFrames::second);
     row["energy_2s_J"] = number(energy_of(run.cloth(), scene.world.gravity).total());
     row["status"] = outcome.lost || rest.lost ? "diverged" : "ok";
+    return {std::move(row), std::move(outcome.milliseconds)};
+}
 
-    // Others may have had the machine for a moment: two more runs, as far as they are short.
-    const double first_run = quantile(outcome.milliseconds, 0.5) * ComparedFrames::second;
-    for (int repeat = 0; repeat < 2 && 2 * first_run < longest_repeat; ++repeat) {
-        Run again(scene, point, threads);
-        const Outcome timed = run_to(again, ComparedFrames::second);
-        outcome.milliseconds.insert(outcome.milliseconds.end(), timed.milliseconds.begin(),
-                                    timed.milliseconds.end());
-    }
-    put_times(row, outcome.milliseconds);
-    return row;
+std::vector<double> time_trajectory(const StudyScene& scene, const MethodPoint& point, int threads) {
+    Run run(scene, point, threads);
+    return run_to(run, ComparedFrames::second).milliseconds;
 }
 
 CsvRow compare_reference(const StudyScene& scene, Reference reference,
@@ -190,8 +185,21 @@ CsvRow compare_reference(const StudyScene& scene, Reference reference,
     return row;
 }
 
-CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads) {
-    constexpr int timed_repeats = 9;
+namespace {
+
+/// The step from state s, some times over, the first of them not timed.
+void time_step(const GarmentSteps& steps, std::size_t s, Run& run, std::vector<double>& milliseconds) {
+    constexpr int timed_repeats = 3;
+    for (int repeat = 0; repeat <= timed_repeats; ++repeat) {
+        run.restart(steps.start(s));
+        const double step_milliseconds = run.step();
+        if (repeat > 0) milliseconds.push_back(step_milliseconds);
+    }
+}
+
+}  // namespace
+
+Measured measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads) {
     const StudyScene& garment = steps.garment();
     Run run(steps.start(0), point, threads);
     CsvRow row = identity(garment, point, threads);
@@ -203,11 +211,7 @@ CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int th
     Stretch stretch{0, 0};
     const auto count = static_cast<double>(steps.size());
     for (std::size_t s = 0; s < steps.size(); ++s) {
-        for (int repeat = 0; repeat <= timed_repeats; ++repeat) {
-            run.restart(steps.start(s));
-            const double step_milliseconds = run.step();
-            if (repeat > 0) milliseconds.push_back(step_milliseconds);
-        }
+        time_step(steps, s, run, milliseconds);
         const GarmentSteps::Judgement judgement = steps.judge(s, run.cloth());
         const Stretch after = structural_stretch(run.cloth().model, positions_of(run.cloth()));
         rms += judgement.rms / count;
@@ -219,8 +223,14 @@ CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int th
     row["energy_gap"] = number(gap);
     put_stretch(row, stretch);
     row["status"] = run.restored_frames() > 0 ? "diverged" : "ok";
-    put_times(row, milliseconds);
-    return row;
+    return {std::move(row), std::move(milliseconds)};
+}
+
+std::vector<double> time_steps(const GarmentSteps& steps, const MethodPoint& point, int threads) {
+    Run run(steps.start(0), point, threads);
+    std::vector<double> milliseconds;
+    for (std::size_t s = 0; s < steps.size(); ++s) time_step(steps, s, run, milliseconds);
+    return milliseconds;
 }
 
 }  // namespace weft::study

@@ -24,13 +24,26 @@ struct ComparedFrames {
 /// The columns that say what was run where: all keys and more.
 [[nodiscard]] CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads);
 
-/// A sheet from its start, for two seconds.
-[[nodiscard]] CsvRow measure_trajectory(const StudyScene& scene, const MethodPoint& point,
-                                        const std::map<Reference, States>& references, int threads);
+/// What a run of a point gave: its row, and the times that are to be put into it.
+struct Measured {
+    CsvRow row;
+    std::vector<double> milliseconds;  ///< of each frame
+};
+/// Median and 99th percentile of the frames.
+void put_times(CsvRow& row, const std::vector<double>& milliseconds);
+
+/// A sheet from its start, for two seconds, the first of which is timed.
+[[nodiscard]] Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,
+                                          const std::map<Reference, States>& references, int threads);
+/// That first second once more, for its times alone.
+[[nodiscard]] std::vector<double> time_trajectory(const StudyScene& scene, const MethodPoint& point,
+                                                  int threads);
 /// What a reference differs from the others by: the error that remains once its own is gone.
 [[nodiscard]] CsvRow compare_reference(const StudyScene& scene, Reference reference,
                                        const std::map<Reference, States>& references, int threads);
 /// One step of a garment from each of several states.
-[[nodiscard]] CsvRow measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads);
+[[nodiscard]] Measured measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads);
+[[nodiscard]] std::vector<double> time_steps(const GarmentSteps& steps, const MethodPoint& point,
+                                             int threads);
 
 }  // namespace weft::study

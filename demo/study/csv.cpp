@@ -76,10 +76,16 @@ CsvWriter::CsvWriter(std::filesystem::path file, std::vector<std::string> column
         throw std::runtime_error(file_.string() +
                                  " has other columns; name another file, or leave --resume out");
     table_.columns = std::move(columns);
-    // Written anew as a whole, which drops a line that was cut short.
+    write_all();  // which drops a line that was cut short
+}
+
+// Beside the file first: whoever is stopped here leaves a whole table.
+void CsvWriter::write_all() const {
     std::string text = line_of(table_.columns);
     for (const CsvRow& row : table_.rows) text += text_of(row);
-    write(file_, text, std::ios::trunc);
+    const std::filesystem::path beside = file_.string() + ".part";
+    write(beside, text, std::ios::trunc);
+    std::filesystem::rename(beside, file_);
 }
 
 const CsvRow* CsvWriter::find(const CsvRow& row, const std::vector<std::string>& keys) const {
@@ -92,13 +98,25 @@ const CsvRow* CsvWriter::find(const CsvRow& row, const std::vector<std::string>&
 }
 
 void CsvWriter::append(const CsvRow& row) {
-    CsvRow whole;
+    CsvRow complete = whole(row);
+    write(file_, text_of(complete), std::ios::app);
+    table_.rows.push_back(std::move(complete));
+}
+
+void CsvWriter::replace(const CsvRow& row, const std::vector<std::string>& keys) {
+    const CsvRow* const old = find(row, keys);
+    if (old == nullptr) return append(row);
+    table_.rows[static_cast<std::size_t>(old - table_.rows.data())] = whole(row);
+    write_all();
+}
+
+CsvRow CsvWriter::whole(const CsvRow& row) const {
+    CsvRow result;
     for (const std::string& column : table_.columns) {
         const auto at = row.find(column);
-        whole[column] = at == row.end() ? "" : at->second;
+        result[column] = at == row.end() ? "" : at->second;
     }
-    write(file_, text_of(whole), std::ios::app);
-    table_.rows.push_back(std::move(whole));
+    return result;
 }
 
 std::string CsvWriter::text_of(const CsvRow& row) const {

@@ -32,8 +32,13 @@ class CsvWriter {
     [[nodiscard]] const CsvRow* find(const CsvRow& row, const std::vector<std::string>& keys) const;
     /// Columns that `row` lacks stay empty. On the disk when this returns.
     void append(const CsvRow& row);
+    /// The row in place of the one that is equal to it in `keys`; appended if there is none.
+    void replace(const CsvRow& row, const std::vector<std::string>& keys);
 
   private:
+    void write_all() const;
+    /// With empty texts for what it lacks.
+    [[nodiscard]] CsvRow whole(const CsvRow& row) const;
     [[nodiscard]] std::string text_of(const CsvRow& row) const;
 
     std::filesystem::path file_;

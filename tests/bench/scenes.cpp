@@ -66,7 +66,6 @@ Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSetting
     WorldSettings world;
     world.threads = threads;
     if (!air) world.wind.air_density = 0;
-    if (kind == SceneKind::draped) world.substeps = 4;  // with fewer the impact crumples fine sheets
     simulation_ = std::make_unique<Simulation>(world);
     ClothSettings settings = given;
     if (kind != SceneKind::hanging) settings.self_collision.enabled = true;

@@ -39,6 +39,21 @@ TEST(Csv, ResumesAfterTheLastWholeRow) {
     EXPECT_EQ(read_csv(file).rows.size(), 2u);
 }
 
+TEST(Csv, ReplacesTheRowOfTheSameKeys) {
+    const StudyFolder folder;
+    const auto file = folder.file("a.csv");
+    CsvWriter writer(file, columns, false);
+    writer.append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}});
+    writer.append({{"method", "jacobi"}, {"n", "64"}, {"error", "3"}});
+    writer.replace({{"method", "jacobi"}, {"n", "32"}, {"error", "1"}}, {"method", "n"});
+    writer.replace({{"method", "xpbd"}, {"n", "32"}, {"error", "2"}}, {"method", "n"});  // there is none yet
+    const CsvTable table = read_csv(file);
+    ASSERT_EQ(table.rows.size(), 3u);
+    EXPECT_EQ(table.rows[0].at("error"), "1");
+    EXPECT_EQ(table.rows[1].at("error"), "3");
+    EXPECT_EQ(table.rows[2].at("method"), "xpbd");
+}
+
 TEST(Csv, StartsAnewUnlessResumed) {
     const StudyFolder folder;
     const auto file = folder.file("a.csv");

@@ -45,9 +45,9 @@ struct ClothSettings {
     FiniteElements finite_elements;
     Method method;  ///< Multilevel unless another is set
     TimeScheme time_scheme = TimeScheme::backward_euler;
-    /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for cloth that
-    /// hangs. Contacts are met after each step, so cloth that lies on colliders wants 2, finer than 1 cm 4:
-    /// with one it crumples.
+    /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for the default;
+    /// methods that are not implicit meet colliders after their step, and want 4 and more where cloth lies
+    /// on them.
     int substeps = 1;
     Tethers tethers;
     SelfCollision self_collision;
