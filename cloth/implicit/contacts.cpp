@@ -47,46 +47,54 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Rows of one group. Returns whether any of it is in contact.
+/// Which lanes, from `i` on, press or are going to.
+HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
+    const Lanes zero = set(0), w = load_rows(block.positions + i).w;
+    const Lanes4 surface = load_rows(block.surfaces + i);
+    const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
+    const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
+    const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
+    return hn::And(hn::Or(falls_in, is_held), hn::Gt(w, zero));
+}
+
+void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
+    const Lanes zero = set(0);
+    const Lanes4 surface = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
+    const auto contact = in_contact(block, i);
+    const Lanes stored = load_rows(block.normals + i).w;
+    const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
+
+    const Lanes mass = hn::Div(set(1), load_rows(block.positions + i).w);
+    const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+    // What did not press yet is not drawn to the surface.
+    const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
+    const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
+
+    // Of all that presses collide() bears the small rest.
+    const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored, hn::Div(mass, spring), stored));
+    const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
+    const Lanes3 relative = v - xyz(motion);
+    const Lanes3 sliding = relative - dot(relative, n) * n;
+    const Lanes speed = hn::Sqrt(dot(sliding, sliding));
+    // What is not a number, after a failed step, holds as a limit without end does.
+    const Lanes damper = hn::IfThenElse(hn::Lt(limit, hn::Mul(stick, speed)), hn::Div(limit, speed), stick);
+
+    SymmetricLanes g = add_square({zero, zero, zero, zero, zero, zero}, n);
+    g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
+    store_symmetric(g, blocks);
+    store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
+    store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
+}
+
+/// Rows of one group, if any of it is in contact; returns whether.
 bool linearise_group(const ContactBlock& block, std::uint32_t first) {
-    const Tag d;
-    const Lanes zero = set(0), one = set(1);
     bool touching = false;
-    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes) {
-        const Lanes4 surface = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
-        const Lanes4 stored = load_rows(block.normals + i);
-        const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
-        const Lanes w = load_rows(block.positions + i).w;
-        const Lanes gap = surface.w;
-        const auto did_press = hn::Gt(stored.w, zero);
-        const auto falls_in = hn::Lt(hn::Add(gap, dot(set(block.fall), n)), zero);
-        const auto ends_in = hn::Or(falls_in, hn::And(did_press, hn::Lt(gap, set(block.hold))));
-        const auto in_contact = hn::And(ends_in, hn::Gt(w, zero));
-        touching = touching || !hn::AllFalse(d, in_contact);
-
-        const Lanes mass = hn::Div(one, w);
-        const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
-        // What did not press yet is not drawn to the surface.
-        const Lanes depth = hn::IfThenElse(did_press, hn::Neg(gap), hn::Max(zero, hn::Neg(gap)));
-        const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
-        // Of all that presses collide() bears the small rest.
-        const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored.w, hn::Div(mass, spring), stored.w));
-        const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
-        const Lanes3 relative = v - xyz(motion);
-        const Lanes3 sliding = relative - dot(relative, n) * n;
-        const Lanes speed = hn::Sqrt(dot(sliding, sliding));
-        // What is not a number, after a failed step, holds as a limit without end does.
-        const Lanes damper =
-            hn::IfThenElse(hn::Lt(limit, hn::Mul(stick, speed)), hn::Div(limit, speed), stick);
-
-        SymmetricLanes g = add_square({zero, zero, zero, zero, zero, zero}, n);
-        g = keep_where(in_contact, add_identity(hn::Sub(spring, damper) * g, damper));
-        const Lanes3 impulse = keep_where(in_contact, g * v + (pressed * n - damper * sliding));
-        store_symmetric(g, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
-        store_rows(impulse, zero, block.impulses + i);
-        store_rows(keep_where(in_contact, n), hn::IfThenElseZero(in_contact, stored.w), block.normals + i);
-    }
-    return touching;
+    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
+        touching = touching || !hn::AllFalse(Tag(), in_contact(block, i));
+    if (!touching) return false;
+    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
+        linearise_part(block, i, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
+    return true;
 }
 
 /// The impulses along the normals at velocities + changes.
