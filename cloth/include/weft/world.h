@@ -88,6 +88,7 @@ class World {
     Result<void> move_pin(ClothId id, std::uint32_t vertex, const Vec3& target);
     Result<void> unpin(ClothId id, std::uint32_t vertex);
 
+    /// The first of a World gives each cloth of an implicit method 56 bytes a particle more.
     Result<ColliderId> add_collider(const Collider& collider);
     /// The collider moves there over the next step, and pushes and drags what it meets. The same kind of
     /// shape.
