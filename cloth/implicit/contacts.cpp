@@ -35,8 +35,9 @@ struct ContactBlock {
 
 struct PressedGroup {
     const float* blocks;
-    const Vec4 *impulses, *velocities;
+    const Vec4* velocities;
     const Vec4* changes;  // null: none
+    Vec4* impulses;
     Vec4* normals;
 };
 
@@ -76,8 +77,14 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes3 relative = v - xyz(motion);
     const Lanes3 sliding = relative - dot(relative, n) * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
+    // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
+    // sooner.
+    const Lanes took = load_rows(block.impulses + i).w;
+    const Lanes again =
+        hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
     // What is not a number, after a failed step, holds as a limit without end does.
-    const Lanes damper = hn::IfThenElse(hn::Lt(limit, hn::Mul(stick, speed)), hn::Div(limit, speed), stick);
+    const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
+    const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
 
     SymmetricLanes g = add_square({zero, zero, zero, zero, zero, zero}, n);
     g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
@@ -97,14 +104,17 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     return true;
 }
 
-/// The impulses along the normals at velocities + changes.
+/// The impulses at velocities + changes, along the normals and across them.
 void press_group(const PressedGroup& group) {
     for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
         const Lanes3 n = xyz(load_rows(group.normals + i));
         Lanes3 v = xyz(load_rows(group.velocities + i));
         if (group.changes != nullptr) v = v + xyz(load_rows(group.changes + i));
-        const Lanes3 impulse = xyz(load_rows(group.impulses + i)) - load_symmetric(group.blocks + i) * v;
+        const Lanes3 at_rest = xyz(load_rows(group.impulses + i));
+        const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
         const Lanes pressed = dot(impulse, n);
+        const Lanes3 rubbed = impulse - pressed * n;
+        store_rows(at_rest, hn::Sqrt(dot(rubbed, rubbed)), group.impulses + i);
         store_rows(n, hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed), group.normals + i);
     }
 }
@@ -195,9 +205,9 @@ void Contacts::press(Parallel& parallel, std::span<const Vec4> velocities, std::
             if (!rows_.touches(i)) continue;
             HWY_DYNAMIC_DISPATCH(press_group)
             ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
-              .impulses = rows_.impulses.data() + i,
               .velocities = velocities.data() + i,
               .changes = changes.empty() ? nullptr : changes.data() + i,
+              .impulses = rows_.impulses.data() + i,
               .normals = normals_.data() + i});
         }
     });

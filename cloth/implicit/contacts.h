@@ -17,7 +17,7 @@ namespace weft {
 /// Contact gives particle i, at the velocity v_i, the impulse c_i - G_i v_i [kg m/s].
 struct ContactRows {
     AlignedBuffer<float> blocks;            ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
-    AlignedBuffer<Vec4> impulses;           ///< c
+    AlignedBuffer<Vec4> impulses;           ///< c; w what the damper took when last looked at [kg m/s]
     AlignedBuffer<std::uint32_t> touching;  ///< per group: whether a particle of it is in contact; else the
                                             ///< group's blocks and impulses may hold anything
 
