@@ -48,8 +48,8 @@ void Cloth::apply(const ClothSettings& changed) {
     if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.particle_count);
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
     if (second_order && !history) history.emplace(model.particle_count);
-    if (!second_order) history.reset();
     set_colliders(has_colliders_);
+    if (!second_order) history.reset();
     if (!changed.tethers.enabled) {
         tethers.reset();
         tethers_are_attached = false;

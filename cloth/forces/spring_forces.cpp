@@ -114,8 +114,7 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
         SymmetricLanes diagonal =
             add_identity(squared_unit * add_identity(sum_of_squares, sum_of_a), row.row_sum);
-        if (matrix.contacts != nullptr && matrix.contacts->touches(i))
-            diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
+        if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
         store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
                         &matrix.inverse_diagonal[std::size_t{group} * 6 * Stencil::lanes + lane]);
     }

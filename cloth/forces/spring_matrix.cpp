@@ -31,8 +31,7 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
     const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
     Lanes3 own = row_sum * x_i;
-    if (matrix.contacts != nullptr && matrix.contacts->touches(i))
-        own = own + contact_blocks(*matrix.contacts, i) * x_i;
+    if (touches(matrix.contacts, i)) own = own + contact_blocks(*matrix.contacts, i) * x_i;
     return keep_where(hn::Ne(row_sum, zero), mul_add(squared_unit, sum, own));
 }
 

@@ -37,8 +37,7 @@ HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, con
     const Stencil& stencil = matrix.stencil;
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
     Lanes3 sum = row_sum * x_i;
-    if (matrix.contacts != nullptr && matrix.contacts->touches(i))
-        sum = sum + contact_blocks(*matrix.contacts, i) * x_i;
+    if (touches(matrix.contacts, i)) sum = sum + contact_blocks(*matrix.contacts, i) * x_i;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
         const float* slot = &matrix.blocks[std::size_t{s} * 9 * Stencil::lanes + lane];

@@ -134,8 +134,7 @@ void linearise(const TriangleState& state, LinearisedAbout about, const BlockRan
                 diagonal +
                 load_symmetric(&state.additions.diagonals[std::size_t{group} * 6 * Stencil::lanes + lane]);
         }
-        if (matrix.contacts != nullptr && matrix.contacts->touches(i))
-            diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
+        if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
         const auto free = hn::Ne(row.row_sum, set(0));
         diagonal = inverse(add_identity(diagonal, row.row_sum), row.row_sum);
         store_rows(keep_where(free, b), row.row_sum, right_side + i);

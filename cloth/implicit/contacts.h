@@ -29,6 +29,11 @@ struct ContactRows {
     }
 };
 
+/// Null: nothing is in contact.
+[[nodiscard]] inline bool touches(const ContactRows* contacts, std::uint32_t i) {
+    return contacts != nullptr && contacts->touches(i);
+}
+
 /// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
 /// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
 /// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so

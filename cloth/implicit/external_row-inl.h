@@ -52,7 +52,7 @@ HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes
         row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
     }
     const ContactRows* const contacts = equation.contacts != nullptr ? equation.contacts->rows() : nullptr;
-    if (contacts != nullptr && contacts->touches(i))
+    if (touches(contacts, i))
         row.impulse =
             row.impulse + (xyz(load_rows(&contacts->impulses[i])) - contact_blocks(*contacts, i) * v);
     row.row_sum = hn::IfThenElseZero(free, row.row_sum);

@@ -30,7 +30,8 @@ class Garment final : public Scene {
         settings.wind.velocity = {0.25f, 0, 0.65f};
         settings.wind.gust = 0.7f;
         settings.wind.gust_length = 0.5f;
-        settings.substeps = 2;  // folds of uneven triangles press on each other, and that is met after the step
+        // Folds of uneven triangles press on each other, and that is met after the step.
+        settings.substeps = 2;
         return settings;
     }
 

@@ -121,8 +121,7 @@ class Accuracy {
 
     void run(const Part& part) {
         if (is_complete(part)) {
-            for (const MethodPoint& point : part.points)
-                for (int round = 0; round < rounds; ++round) progress_.skip(cost_of_round(part, point));
+            for (const MethodPoint& point : part.points) skip(part, point);
             progress_.skip(part.cost(work_of_references));
             return;
         }
@@ -152,6 +151,10 @@ class Accuracy {
 
     static double cost_of_round(const Part& part, const MethodPoint& point) {
         return part.cost(work_of(point)) / rounds;
+    }
+
+    void skip(const Part& part, const MethodPoint& point) {
+        for (int round = 0; round < rounds; ++round) progress_.skip(cost_of_round(part, point));
     }
 
     [[nodiscard]] bool is_complete(const Part& part) const {
@@ -205,9 +208,8 @@ class Accuracy {
     void run_points(const Part& part, const Measure& measure, const Time& time) {
         std::vector<Entry> entries;
         for (const MethodPoint& point : part.points) {
-            const double cost = cost_of_round(part, point);
             if (table_.find(identity(part.scene, point, threads_), accuracy_keys()) != nullptr) {
-                for (int round = 0; round < rounds; ++round) progress_.skip(cost);
+                skip(part, point);
                 continue;
             }
             progress_.begin(title(part) + " " + point.name + " " + point.setting);
@@ -216,7 +218,7 @@ class Accuracy {
             entries.push_back({&point, measure(point)});
             put_times(entries.back().measured.row, entries.back().measured.milliseconds);
             append(entries.back().measured.row);
-            progress_.end(cost);
+            progress_.end(cost_of_round(part, point));
         }
         for (int round = 1; round < rounds; ++round) {
             for (Entry& entry : entries) {

@@ -59,8 +59,7 @@ void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system)
     for (std::uint32_t i = 0; i < b.size(); ++i) {
         const double row_sum = is_free(i) ? static_cast<double>(b[i].w) : 1.0;
         Eigen::Matrix3d diagonal = row_sum * Eigen::Matrix3d::Identity();
-        if (is_free(i) && system.contacts() != nullptr && system.contacts()->touches(i))
-            diagonal += system.contacts()->block(i).full();
+        if (is_free(i) && touches(system.contacts(), i)) diagonal += system.contacts()->block(i).full();
         for (std::uint32_t e = step.model.spring_offsets[i]; e < step.model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t j = step.model.neighbours[e];
             if (is_free(i)) {

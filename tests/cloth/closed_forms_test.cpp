@@ -29,12 +29,8 @@ ClothSettings threads_only(float stretch, TimeScheme scheme, int substeps, float
     return settings;
 }
 
-World vacuum(const Vec3& acceleration) {
-    WorldSettings settings;
-    settings.gravity = acceleration;
-    settings.wind.air_density = 0;
-    settings.threads = 1;
-    return World::create(settings).value();
+World world_in_vacuum(const Vec3& acceleration) {
+    return World::create(vacuum(acceleration)).value();
 }
 
 constexpr float strip_width = 0.1f;
@@ -56,7 +52,7 @@ Mesh strip(std::uint32_t nodes, const Vec3& along, const Place& place) {
 TEST(HungStrip, EveryEdgeIsStretchedByWhatHangsBelow) {
     constexpr std::uint32_t nodes = 21;
     constexpr float stretch = 200;
-    World world = vacuum({0, -9.81f, 0});
+    World world = world_in_vacuum({0, -9.81f, 0});
     const Mesh mesh = strip(nodes, {0, -1, 0}, [](Vec3 x, float) { return x; });
     const ClothSettings settings = threads_only(stretch, TimeScheme::backward_euler, 1, 20);
     const ClothId id = world.add_cloth(mesh, settings).value();
@@ -91,7 +87,7 @@ TEST(HangingChain, SwingsAtTheZerosOfBesselsFunction) {
             return static_cast<float>(
                 std::cyl_bessel_j(0.0, zero * std::sqrt(1 - static_cast<double>(along))));
         };
-        World world = vacuum({0, -9.81f, 0});
+        World world = world_in_vacuum({0, -9.81f, 0});
         const Mesh mesh = strip(nodes, {0, -1, 0}, [&](Vec3 x, float along) {
             return Vec3{x.x + 0.005f * shape(along), x.y, x.z};
         });
@@ -123,7 +119,7 @@ TEST(HangingChain, SwingsAtTheZerosOfBesselsFunction) {
 TEST(HangingChain, HangsAsACatenary) {
     constexpr std::uint32_t nodes = 41;
     constexpr double span = 0.6;
-    World world = vacuum({0, -9.81f, 0});
+    World world = world_in_vacuum({0, -9.81f, 0});
     // It starts as a V of the right length.
     const Mesh mesh = strip(nodes, {1, 0, 0}, [&](Vec3 x, float along) {
         return Vec3{static_cast<float>(span) * (along - 0.5f), -0.8f * (0.5f - std::abs(along - 0.5f)), x.z};
@@ -151,7 +147,8 @@ struct String {
     static constexpr std::uint32_t beads = 15;
     static constexpr float stretch = 20, strain = 0.2f, amplitude = 2e-3f;
 
-    String(int mode_number, TimeScheme scheme, int substeps) : world(vacuum({0, 0, 0})), p(mode_number) {
+    String(int mode_number, TimeScheme scheme, int substeps)
+        : world(world_in_vacuum({0, 0, 0})), p(mode_number) {
         const Mesh mesh = strip(beads + 2, {1, 0, 0}, [&](Vec3 x, float along) {
             return Vec3{(1 + strain) * x.x, amplitude * shape(along), x.z};
         });
@@ -241,7 +238,7 @@ TEST(PinnedString, SmallStepsSwingAtTheClosedFormsFrequency) {
 /// membrane that cannot be refined further sags: 0.0736713 (load / tension) side^2.
 double relative_sag(std::uint32_t cells) {
     constexpr double load = 0.01;  // [m/s^2]
-    World world = vacuum({0, -static_cast<float>(load), 0});
+    World world = world_in_vacuum({0, -static_cast<float>(load), 0});
     const std::uint32_t n = cells + 1;
     Mesh mesh = evenly_cut({.rows = n, .columns = n});
     mesh.pattern = mesh.texcoords;

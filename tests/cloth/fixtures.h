@@ -58,6 +58,15 @@ inline std::unique_ptr<ImplicitSystem> assembled(const Cloth& cloth, float h,
     return system;
 }
 
+/// A World without air, on one thread.
+inline WorldSettings vacuum(Vec3 gravity = {0, 0, 0}) {
+    WorldSettings settings;
+    settings.gravity = gravity;
+    settings.wind.air_density = 0;
+    settings.threads = 1;
+    return settings;
+}
+
 /// Components uniform in [-size, size), w 0.
 inline AlignedBuffer<Vec4> random_rows(std::uint32_t n, float size, std::uint32_t seed) {
     std::mt19937 random(seed);

@@ -12,14 +12,6 @@ namespace {
 
 constexpr float h = 1.0f / 60;
 
-WorldSettings vacuum(Vec3 gravity = {0, 0, 0}) {
-    WorldSettings settings;
-    settings.gravity = gravity;
-    settings.wind.air_density = 0;
-    settings.threads = 1;
-    return settings;
-}
-
 ClothSettings undamped(float stretch, int iterations) {
     ClothSettings settings;
     settings.fabric = {.stretch = stretch, .shear = 0.25f * stretch, .bend = 0.01f * stretch, .damping = 0};
