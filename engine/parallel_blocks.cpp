@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/loop_team.h"
+#include "engine/tracy_zones.h"
 
 #ifdef WEFT_STD_THREADS
 #include "engine/helper_threads.h"
@@ -73,24 +74,27 @@ Parallel::Parallel(int threads) {
 }
 
 void Parallel::run(std::uint32_t block_count, Executor::Body body, void* context) {
-    if (log_ == nullptr || !log_->is_on()) {
+    TraceLog* const log = log_ != nullptr && log_->is_on() ? log_ : nullptr;
+    if (log == nullptr && !with_tracy) {
         executor_.run(executor_.user, block_count, body, context);
         return;
     }
     struct Traced {
-        TraceLog& log;
+        TraceLog* log;
         std::uint64_t loop;
         const char* name;
         Executor::Body body;
         void* context;
-    } traced{*log_, TraceLog::new_loop(), NamedActivity::current(), body, context};
+    } traced{log, TraceLog::new_loop(), NamedActivity::current(), body, context};
     executor_.run(
         executor_.user, block_count,
         [](void* of, std::uint32_t block) noexcept {
             const Traced& loop = *static_cast<const Traced*>(of);
+            const TracyZone zone(loop.name);
             const auto begin = std::chrono::steady_clock::now();
             loop.body(loop.context, block);
-            loop.log.add_block(loop.loop, loop.name, begin, std::chrono::steady_clock::now());
+            if (loop.log != nullptr)
+                loop.log->add_block(loop.loop, loop.name, begin, std::chrono::steady_clock::now());
         },
         &traced);
 }

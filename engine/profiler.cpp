@@ -27,18 +27,24 @@ Profiler::Profiler(std::span<const StageName> names)
 
 void Profiler::begin_step() noexcept {
     for (Row& row : rows_) row.current = 0;
+    tracy_begin_step();
     step_begin_ = Clock::now();
 }
 
 void Profiler::end_step() noexcept {
     add(rows_[stage_count_], step_begin_, Clock::now());
+    tracy_end_step();
     for (Row& row : rows_)
         row.last = row.history[steps_ % window] = 1e-6f * static_cast<float>(row.current.load());
     ++steps_;
 }
 
 Profiler::Scope::Scope(Profiler& profiler, std::uint32_t stage) noexcept
-    : profiler_(profiler), stage_(stage), activity_(profiler.rows_[stage].name.name), start_(Clock::now()) {}
+    : profiler_(profiler),
+      stage_(stage),
+      activity_(profiler.rows_[stage].name.name),
+      zone_(profiler.rows_[stage].name.name),
+      start_(Clock::now()) {}
 
 Profiler::Scope::~Scope() {
     profiler_.add(profiler_.rows_[stage_], start_, Clock::now());

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "engine/trace_log.h"
+#include "engine/tracy_zones.h"
 #include "weft/error.h"
 #include "weft/profile.h"
 
@@ -47,6 +48,7 @@ class Profiler {
         Profiler& profiler_;
         std::uint32_t stage_;
         NamedActivity activity_;
+        [[no_unique_address]] TracyZone zone_;
         std::chrono::steady_clock::time_point start_;
     };
     [[nodiscard]] Scope time(std::uint32_t stage) noexcept { return {*this, stage}; }
