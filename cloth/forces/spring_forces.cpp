@@ -21,7 +21,8 @@ struct Springs {
     Lanes3 direction;  ///< n
     Lanes tension;     ///< the force is tension n [N]
     Lanes isotropic;   ///< a [N/m]
-    Lanes stiffness;   ///< a + b, b being the axial one [N/m]
+    Lanes axial;       ///< b [N/m]
+    Lanes stiffness;   ///< a + b [N/m]
 };
 
 /// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. By
@@ -45,14 +46,25 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
+/// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
+struct Ends {
+    Lanes3 separation;
+    Lanes squared, length, inverse_length;
+};
+
 /// Of slot s, for the lanes from particle `i` on, which are at x_i.
-HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
-    const std::uint32_t lane = i % Stencil::lanes, entry = s * Stencil::lanes + lane;
+HWY_INLINE Ends ends_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
+    const Lanes3 separation =
+        neighbour_rows(state.stencil, s, i % Stencil::lanes, state.positions.data()) - x_i;
+    const Lanes squared = dot(separation, separation), length = hn::Sqrt(squared);
+    return {separation, squared, length, hn::Div(set(1), length)};
+}
+
+HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Ends& ends) {
+    const auto& [separation, squared, length, inverse_length] = ends;
+    const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
     const Lanes rest_length = load_lanes(&state.rest_lengths[entry]);
     const Lanes stiffness = load_lanes(&state.stiffness[entry]);
-    const Lanes3 separation = neighbour_rows(state.stencil, s, lane, state.positions.data()) - x_i;
-    const Lanes squared = dot(separation, separation);
-    const Lanes length = hn::Sqrt(squared), inverse_length = hn::Div(set(1), length);
 
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
@@ -61,9 +73,25 @@ HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::ui
                                                &state.stencil.neighbours[entry], i);
 
     const Lanes tension = hn::Mul(stiffness, hn::Sub(length, rest_length));
-    const Lanes isotropic = hn::IfThenElseZero(
-        hn::Gt(length, rest_length), hn::Mul(stiffness, hn::NegMulAdd(rest_length, inverse_length, set(1))));
-    return {direction, tension, isotropic, stiffness};
+    const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
+    return {direction, tension, hn::Sub(stiffness, axial), axial, stiffness};
+}
+
+/// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
+/// while the one before is, else a processor would spend half its time on waiting for one root after the
+/// other.
+template <class Body>
+HWY_INLINE void for_each_slot(const SpringState& state, std::uint32_t i, const Lanes3& x_i,
+                              const Body& body) {
+    const std::uint32_t group = i / Stencil::lanes;
+    const std::uint32_t begin = state.stencil.group_slots[group], end = state.stencil.group_slots[group + 1];
+    if (begin == end) return;
+    Ends next = ends_in(state, begin, i, x_i);
+    for (std::uint32_t s = begin; s < end; ++s) {
+        const Ends ends = next;
+        if (s + 1 < end) next = ends_in(state, s + 1, i, x_i);
+        body(s, springs_in(state, s, i, ends));
+    }
 }
 
 // Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
@@ -76,26 +104,25 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
     const bool about_base = about == LinearisedAbout::base;
     const float damping = state.equation.settings.fabric.damping;
     const bool uses_velocities = about_base || damping > 0;
-    const Lanes gamma = set(state.equation.gamma), squared_gamma = hn::Mul(gamma, gamma);
-    const Lanes viscosity = set(state.equation.gamma * damping);
-    const Lanes per_unit = set(1 / matrix.unit), squared_unit = set(matrix.unit * matrix.unit);
+    // All sums over springs are in the matrix's units, which are powers of two: nothing is rounded for that.
+    const Lanes squared_unit = set(matrix.unit * matrix.unit);
+    const float scaled_gamma = state.equation.gamma / (matrix.unit * matrix.unit);
+    const Lanes gamma = set(scaled_gamma), squared_gamma = set(scaled_gamma * state.equation.gamma);
+    const Lanes viscosity = set(scaled_gamma * damping);
 
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes4 position = load_rows(&state.positions[i]);
         const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
         const Row row = external_row(state.equation, i, position.w, v_i);
-        Lanes3 b = row.impulse;
         const Lanes zero = set(0);
-        Lanes sum_of_a = zero;  // in units of the matrix, as are the squares
+        Lanes3 b = {zero, zero, zero};
+        Lanes sum_of_a = zero;
         SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const Springs springs = springs_in(state, s, i, x_i);
+        for_each_slot(state, i, x_i, [&](std::uint32_t s, const Springs& springs) {
             const Lanes viscous = hn::Mul(viscosity, springs.stiffness);
             const Lanes a = hn::Mul(squared_gamma, springs.isotropic);
-            const Lanes axial = hn::Sub(springs.stiffness, springs.isotropic);
-            const Lanes along = hn::MulAdd(squared_gamma, axial, viscous);
-            const Lanes3 d = hn::Sqrt(along) * springs.direction;
+            const Lanes along = hn::MulAdd(squared_gamma, springs.axial, viscous);
             Lanes push = hn::Mul(gamma, springs.tension);
             if (uses_velocities) {
                 const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
@@ -104,13 +131,13 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
             }
             b = mul_add(push, springs.direction, b);
             const SpringBlockLanes stored =
-                store_block({hn::Mul(hn::Mul(per_unit, per_unit), a), per_unit * d},
+                store_block({a, hn::Sqrt(along) * springs.direction},
                             &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
             sum_of_a = hn::Add(sum_of_a, stored.a);
             sum_of_squares = add_square(sum_of_squares, stored.d);
-        }
+        });
         const auto free = hn::Ne(row.row_sum, set(0));
-        store_rows(keep_where(free, b), row.row_sum, right_side + i);
+        store_rows(keep_where(free, mul_add(squared_unit, b, row.impulse)), row.row_sum, right_side + i);
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
         SymmetricLanes diagonal =
             add_identity(squared_unit * add_identity(sum_of_squares, sum_of_a), row.row_sum);
@@ -129,9 +156,8 @@ void residual(const SpringState& state, const BlockRange& range, Vec4* residual)
         const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
         const Row row = external_row(state.equation, i, position.w, v_i);
         Lanes3 force = {set(0), set(0), set(0)};
-        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const Springs springs = springs_in(state, s, i, x_i);
+        const std::uint32_t lane = i % Stencil::lanes;
+        for_each_slot(state, i, x_i, [&](std::uint32_t s, const Springs& springs) {
             Lanes push = springs.tension;
             if (damping > 0) {
                 const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
@@ -139,7 +165,7 @@ void residual(const SpringState& state, const BlockRange& range, Vec4* residual)
                 push = hn::MulAdd(viscous, dot(springs.direction, relative), push);
             }
             force = mul_add(push, springs.direction, force);
-        }
+        });
         const auto free = hn::Ne(row.row_sum, set(0));
         store_rows(keep_where(free, mul_add(gamma, force, row.impulse)), set(0), residual + i);
     }

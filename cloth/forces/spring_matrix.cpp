@@ -46,6 +46,11 @@ double multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4*
     return multiply_rows(matrix, range, x, product);
 }
 
+void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                      Vec4* remainder) {
+    subtract_product_rows(matrix, range, b, x, remainder);
+}
+
 void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
     relax_rows(matrix, range, b, x, relaxation, next);
@@ -74,6 +79,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(multiply);
+HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
@@ -94,6 +100,11 @@ void SpringMatrix::set_unit(float largest_block) {
 
 double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
     return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
+}
+
+void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder) {
+    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder);
 }
 
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

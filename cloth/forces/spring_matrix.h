@@ -36,6 +36,8 @@ struct SpringMatrix {
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its share of x . W
 /// x.
 double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product);
+void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                  Relaxation relaxation, Vec4* next);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,

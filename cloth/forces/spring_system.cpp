@@ -1,7 +1,6 @@
 #include "cloth/forces/spring_system.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "cloth/forces/spring_forces.h"
 #include "cloth/forces/springs.h"
@@ -16,6 +15,7 @@ SpringSystem::SpringSystem(const CookedCloth& model)
       rest_lengths_(matrix_.stencil.neighbours.size()),
       stiffness_(matrix_.stencil.neighbours.size()),
       positions_(model.particle_count) {
+    std::ranges::fill(rest_lengths_.span(), 1.0f);
     for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e)
         rest_lengths_[matrix_.stencil.entries[e]] = model.rest_lengths[e];
 }
@@ -68,24 +68,22 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                     [&](const BlockRange& range) { residual_block(state, range, residual.data()); });
 }
 
-double SpringSystem::multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-    return parallel.reduce(
-        model_.particle_count, partial_sums_.span(), 0.0,
-        [&](const BlockRange& range) { return multiply_block(matrix_, range, x.data(), product.data()); },
-        std::plus<>{});
+double SpringSystem::multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const {
+    return multiply_block(matrix_, range, x, product);
 }
 
-void SpringSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                         Relaxation relaxation, std::span<Vec4> next) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        relax_block(matrix_, range, b.data(), x.data(), relaxation, next.data());
-    });
+void SpringSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                         Vec4* remainder) const {
+    subtract_product_block(matrix_, range, b, x, remainder);
 }
 
-void SpringSystem::precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        precondition_block(matrix_, range, b.data(), step, x.data());
-    });
+void SpringSystem::precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const {
+    precondition_block(matrix_, range, b, step, x);
+}
+
+void SpringSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                              Vec4* next) const {
+    relax_block(matrix_, range, b, x, relaxation, next);
 }
 
 // Bend springs lie along structural ones, twice as long: at less than a twentieth of their stiffness they add

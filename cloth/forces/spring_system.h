@@ -19,16 +19,20 @@ class SpringSystem final : public ImplicitSystem {
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                   std::span<Vec4> residual) override;
-    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
-    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
-               std::span<Vec4> next) override;
-    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
     [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  protected:
+    double multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const override;
+    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                               Vec4* remainder) const override;
+    void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
+    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                    Vec4* next) const override;
 
   private:
     void set_stiffnesses(const Fabric& fabric);
@@ -39,7 +43,7 @@ class SpringSystem final : public ImplicitSystem {
 
     const CookedCloth& model_;
     SpringMatrix matrix_;
-    AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 0 where the stencil is padded
+    AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 1 and 0 where the stencil is padded
     std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
     AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
 };

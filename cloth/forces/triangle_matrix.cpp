@@ -67,6 +67,11 @@ double multiply(const TriangleMatrix& matrix, const BlockRange& range, const Vec
     return multiply_rows(matrix, range, x, product);
 }
 
+void subtract_product(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                      Vec4* remainder) {
+    subtract_product_rows(matrix, range, b, x, remainder);
+}
+
 void relax(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
     relax_rows(matrix, range, b, x, relaxation, next);
@@ -84,6 +89,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(multiply);
+HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
@@ -95,6 +101,11 @@ TriangleMatrix::TriangleMatrix(Stencil neighbours)
 
 double multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
     return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
+}
+
+void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,
+                            const Vec4* x, Vec4* remainder) {
+    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder);
 }
 
 void relax_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "cloth/forces/bending.h"
@@ -218,25 +217,22 @@ void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std
     });
 }
 
-double TriangleSystem::multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-    return parallel.reduce(
-        model_.particle_count, partial_sums_.span(), 0.0,
-        [&](const BlockRange& range) { return multiply_block(matrix_, range, x.data(), product.data()); },
-        std::plus<>{});
+double TriangleSystem::multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const {
+    return multiply_block(matrix_, range, x, product);
 }
 
-void TriangleSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                           Relaxation relaxation, std::span<Vec4> next) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        relax_block(matrix_, range, b.data(), x.data(), relaxation, next.data());
-    });
+void TriangleSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                           Vec4* remainder) const {
+    subtract_product_block(matrix_, range, b, x, remainder);
 }
 
-void TriangleSystem::precondition(Parallel& parallel, std::span<const Vec4> b, float step,
-                                  std::span<Vec4> x) {
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        precondition_block(matrix_, range, b.data(), step, x.data());
-    });
+void TriangleSystem::precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const {
+    precondition_block(matrix_, range, b, step, x);
+}
+
+void TriangleSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                                Vec4* next) const {
+    relax_block(matrix_, range, b, x, relaxation, next);
 }
 
 // A block with the eigenvalue b along the edge n and on average a across it is nearest to a I + (b - a) n

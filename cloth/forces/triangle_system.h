@@ -1,6 +1,7 @@
 #pragma once
 // Triangle finite elements, with bending, as the linear system of an implicit step.
 
+#include <algorithm>
 #include <optional>
 
 #include "cloth/forces/element_rows.h"
@@ -26,15 +27,22 @@ class TriangleSystem final : public ImplicitSystem {
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                   std::span<Vec4> residual) override;
-    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
-    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
-               std::span<Vec4> next) override;
-    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  protected:
+    double multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const override;
+    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                               Vec4* remainder) const override;
+    void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
+    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                    Vec4* next) const override;
+    [[nodiscard]] std::uint32_t reach() const noexcept override {
+        return std::max(matrix_.stencil.reach, matrix_.scalar_stencil.reach);
+    }
 
   private:
     TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending);

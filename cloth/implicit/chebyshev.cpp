@@ -1,10 +1,12 @@
 #include "cloth/implicit/chebyshev.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "cloth/implicit/time_skew.h"
 #include "cloth/implicit/vectors.h"
 
 namespace weft {
@@ -55,13 +57,18 @@ float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations
 
     std::ranges::fill(vectors.next.span(), Vec4{});
     std::span<Vec4> present = dv, next = vectors.next.span();
-    Relaxation relaxation;
-    for (int k = 0; k < iterations; ++k) {
-        relaxation = steps.next();
-        if (k == iterations - 1) std::ranges::copy(next, vectors.before.data());
-        system.relax(parallel, b, present, relaxation, next);
-        std::swap(present, next);
+    for (std::size_t left = static_cast<std::size_t>(iterations) - 1; left > 0;) {
+        std::array<Relaxation, most_skewed_sweeps> relaxations;
+        const std::span now = std::span(relaxations).first(next_sweeps(left));
+        for (Relaxation& relaxation : now) relaxation = steps.next();
+        system.relax(parallel, b, now, present, next);
+        if (now.size() % 2 == 1) std::swap(present, next);
+        left -= now.size();
     }
+    const Relaxation relaxation = steps.next();
+    std::ranges::copy(next, vectors.before.data());
+    system.relax(parallel, b, present, relaxation, next);
+    std::swap(present, next);
     // Of what the last step did, all but the momentum is the preconditioned residual.
     const auto n = static_cast<std::uint32_t>(dv.size());
     const double squared = sum_over_particles(parallel, n, vectors.partials.span(), [&](std::uint32_t i) {

@@ -39,9 +39,9 @@ void CoarseLevel::finish(Parallel& parallel) {
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
 }
 
-void CoarseLevel::residual(Parallel& parallel, std::span<Vec4> residual) const {
+void CoarseLevel::subtract_product(Parallel& parallel, std::span<Vec4> remainder) const {
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
-        residual_block(matrix_, range, b_.data(), x_.data(), residual.data());
+        subtract_product_block(matrix_, range, b_.data(), x_.data(), remainder.data());
     });
 }
 
@@ -62,46 +62,6 @@ void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
 std::size_t CoarseLevel::bytes() const noexcept {
     return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + b_.bytes() + x_.bytes() +
            before_.bytes();
-}
-
-namespace {
-
-template <class Row>
-void gather(Parallel& parallel, const Interpolation& p, const Row& row, std::span<Vec4> coarse) {
-    coarse_ranges(parallel, p.coarse, [&](const BlockRange& range) {
-        for (std::uint32_t c = range.begin; c < range.end; ++c) {
-            Vector4 sum = Vector4::Zero();
-            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                sum += p.fine_weights[e] * row(p.fine_nodes[e]);
-            store(coarse[c], sum);
-        }
-    });
-}
-
-}  // namespace
-
-void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec4> fine,
-                 std::span<Vec4> coarse) {
-    gather(
-        parallel, p, [&](std::uint32_t i) { return load(fine[i]); }, coarse);
-}
-
-void restrict_difference(Parallel& parallel, const Interpolation& p, std::span<const Vec4> a,
-                         std::span<const Vec4> b, std::span<Vec4> coarse) {
-    gather(
-        parallel, p, [&](std::uint32_t i) -> Vector4 { return load(a[i]) - load(b[i]); }, coarse);
-}
-
-void prolong_from(Parallel& parallel, const Interpolation& p, std::span<const float> weights,
-                  std::span<const Vec4> coarse, std::span<Vec4> fine) {
-    parallel.ranges(p.fine, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            Vector4 sum = load(fine[i]);
-            for (std::uint32_t e = Interpolation::width * i; e < Interpolation::width * (i + 1); ++e)
-                sum += weights[e] * load(coarse[p.nodes[e]]);
-            store(fine[i], sum);
-        }
-    });
 }
 
 }  // namespace weft

@@ -6,18 +6,11 @@
 #include "cloth/implicit/coarse_matrix.h"
 #include "cloth/implicit/coarsening.h"
 #include "cloth/implicit/galerkin.h"
+#include "cloth/implicit/transfers.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
-
-/// body(BlockRange) for blocks of 64 coarse nodes: they are few, and have many neighbours.
-template <class Body>
-void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
-    constexpr std::uint32_t size = 64;
-    static_assert(size % Stencil::lanes == 0, "a block is whole groups");
-    parallel.ranges(nodes, body, size);
-}
 
 class CoarseLevel {
   public:
@@ -32,11 +25,11 @@ class CoarseLevel {
     /// After links and ground: the matrix.
     void finish(Parallel& parallel);
 
-    /// residual = b - W x.
-    void residual(Parallel& parallel, std::span<Vec4> residual) const;
+    /// remainder = b - W x.
+    void subtract_product(Parallel& parallel, std::span<Vec4> remainder) const;
     /// x = step D^-1 b.
     void relax_from_zero(Parallel& parallel, float step);
-    /// As ImplicitSystem::relax, on x; the iterate before it is where residual() may be put.
+    /// As ImplicitSystem::relax, on x; the iterate before it is where a remainder may be put.
     void relax(Parallel& parallel, Relaxation relaxation);
 
     [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
@@ -55,15 +48,5 @@ class CoarseLevel {
     CoarseMatrix matrix_;
     AlignedBuffer<Vec4> b_, x_, before_;
 };
-
-/// coarse = P^T fine.
-void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec4> fine,
-                 std::span<Vec4> coarse);
-/// coarse = P^T (a - b).
-void restrict_difference(Parallel& parallel, const Interpolation& p, std::span<const Vec4> a,
-                         std::span<const Vec4> b, std::span<Vec4> coarse);
-/// fine += P coarse, with these weights in place of P's own.
-void prolong_from(Parallel& parallel, const Interpolation& p, std::span<const float> weights,
-                  std::span<const Vec4> coarse, std::span<Vec4> fine);
 
 }  // namespace weft

@@ -39,11 +39,9 @@ HWY_INLINE Lanes3 preconditioned(const CoarseMatrix& matrix, std::uint32_t i, co
 
 namespace {
 
-void residual(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* out) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 row = row_product(matrix, i, x, xyz(load_rows(x + i)));
-        store_rows(xyz(load_rows(b + i)) - row, hn::Zero(Tag()), out + i);
-    }
+void subtract_product(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                      Vec4* remainder) {
+    subtract_product_rows(matrix, range, b, x, remainder);
 }
 
 void relax(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
@@ -199,7 +197,7 @@ namespace weft {
 HWY_EXPORT(sum_springs);
 HWY_EXPORT(sum_links);
 HWY_EXPORT(finish);
-HWY_EXPORT(residual);
+HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
@@ -249,9 +247,9 @@ void finish_block(const BlockRange& range, CoarseMatrix& matrix) {
     HWY_DYNAMIC_DISPATCH(finish)(range, matrix);
 }
 
-void residual_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                    Vec4* residual) {
-    HWY_DYNAMIC_DISPATCH(residual)(matrix, range, b, x, residual);
+void subtract_product_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder) {
+    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder);
 }
 
 void relax_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -48,10 +48,9 @@ void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const 
 /// After links and ground: a block's coefficients, and the inverse of its diagonal.
 void finish_block(const BlockRange& range, CoarseMatrix& matrix);
 
-/// residual = b - W x.
-void residual_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                    Vec4* residual);
 /// As ImplicitSystem's functions of the same name.
+void subtract_product_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder);
 void relax_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                  Relaxation relaxation, Vec4* next);
 void precondition_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, float step,

@@ -45,12 +45,19 @@ class ImplicitSystem {
                           std::span<Vec4> residual) = 0;
 
     /// product = W x. Returns x . W x.
-    virtual double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) = 0;
+    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product);
+    /// remainder = b - W x.
+    void subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                          std::span<Vec4> remainder) const;
     /// One step of relaxation on W x = b.
-    virtual void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                       Relaxation relaxation, std::span<Vec4> next) = 0;
+    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
+               std::span<Vec4> next) const;
+    /// Steps of relaxation in as few passes over memory as may be. Each exchanges x and next, so an even
+    /// count of them leaves the last iterate in x. Precondition: steps.size() <= most_skewed_sweeps.
+    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Relaxation> steps,
+               std::span<Vec4> x, std::span<Vec4> next) const;
     /// x = step D^-1 b: relaxation from 0.
-    virtual void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) = 0;
+    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
 
     /// Who has a block off the diagonal.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
@@ -77,6 +84,17 @@ class ImplicitSystem {
     }
 
   protected:
+    // The same for some rows, which are whole groups of 16 but for the last.
+    /// Returns their share of x . W x.
+    virtual double multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const = 0;
+    virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                       Vec4* remainder) const = 0;
+    virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
+    virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                            Vec4* next) const = 0;
+    /// How far apart in memory are particles that have a block.
+    [[nodiscard]] virtual std::uint32_t reach() const noexcept { return stencil().reach; }
+
     /// The equation's contacts, linearised with the system; null if there are none. Before the rows are made.
     static const ContactRows* contact_rows(Parallel& parallel, const StepEquation& equation,
                                            std::span<const Vec4> velocities) {

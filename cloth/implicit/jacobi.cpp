@@ -1,8 +1,10 @@
 #include "cloth/implicit/jacobi.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "cloth/implicit/time_skew.h"
 #include "cloth/implicit/vectors.h"
 
 namespace weft {
@@ -17,13 +19,15 @@ float solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, A
 
     const double start = norm(parallel, dv, partials);
     std::span<Vec4> present = dv, next = scratch.span();
-    for (int k = 0; k < iterations; ++k) {
-        system.relax(parallel, b, present, {}, next);
-        std::swap(present, next);
+    for (std::size_t left = static_cast<std::size_t>(iterations); left > 0;) {
+        static constexpr std::array<Relaxation, most_skewed_sweeps> steps{};
+        const std::size_t now = next_sweeps(left);
+        system.relax(parallel, b, std::span(steps).first(now), present, next);
+        if (now % 2 == 1) std::swap(present, next);
+        left -= now;
     }
     // One iteration changes the iterate by its preconditioned residual.
-    scale_and_add(parallel, 1.0f, present, -1.0f, next);
-    const double change = norm(parallel, next, partials);
+    const double change = distance(parallel, present, next, partials);
     if (present.data() != dv.data()) std::ranges::copy(present, dv.begin());
     return start > 0 ? static_cast<float>(change / start) : 0.0f;
 }

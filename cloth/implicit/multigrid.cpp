@@ -65,7 +65,7 @@ std::uint32_t entry_of(const Stencil& stencil, const Link& link) {
 }  // namespace
 
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : stencil_(&system.stencil()), smooth_(positions.size()), product_(positions.size()) {
+    : stencil_(&system.stencil()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(*stencil_, system.all_spring_blocks(parallel).span(), positions);
     links_ = links_of(graph);
     std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
@@ -201,9 +201,8 @@ void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<cons
                       std::span<Vec4> z) {
     system.precondition(parallel, r, finest_step, smooth_.span());
     if (!coarse_.empty()) {
-        system.multiply(parallel, smooth_.span(), product_.span());
-        restrict_difference(parallel, coarse_.front().interpolation(), r, product_.span(),
-                            coarse_.front().b());
+        system.subtract_product(parallel, r, smooth_.span(), remainder_.span());
+        restrict_to(parallel, coarse_.front().interpolation(), remainder_.span(), coarse_.front().b());
         solve_level(parallel, 0);
         prolong_from(parallel, coarse_.front().interpolation(), weights_.span(), coarse_.front().x(),
                      smooth_.span());
@@ -218,7 +217,7 @@ void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
     const bool once = k == 0;
     level.relax_from_zero(parallel, once ? first_coarse_step : coarse_smoothing.first.step);
     if (!once) level.relax(parallel, coarse_smoothing.second);
-    level.residual(parallel, level.before());
+    level.subtract_product(parallel, level.before());
     const Interpolation& p = coarse_[k + 1].interpolation();
     restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
     solve_level(parallel, k + 1);
@@ -239,7 +238,7 @@ void Multigrid::solve_coarsest() {
 std::size_t Multigrid::bytes() const noexcept {
     std::size_t sum = links_.size() * sizeof(Link) + (slots_.size() + held_.size()) * sizeof(std::uint32_t) +
                       springs_.bytes() + weights_.bytes() + ties_.size() * sizeof(Tie) + smooth_.bytes() +
-                      product_.bytes();
+                      remainder_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

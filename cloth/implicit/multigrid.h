@@ -58,7 +58,7 @@ class Multigrid {
     AlignedBuffer<float> weights_;     // of the first level's P, rows of pinned particles 0
     std::vector<Tie> ties_;            // ascending by coarse node
     std::vector<CoarseLevel> coarse_;
-    AlignedBuffer<Vec4> smooth_, product_;
+    AlignedBuffer<Vec4> smooth_, remainder_;
     Eigen::MatrixXd coarsest_;
     Eigen::LLT<Eigen::MatrixXd> factor_;
     Eigen::VectorXd coarsest_x_;

@@ -31,6 +31,16 @@ double multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* 
     return std::accumulate(std::begin(dots), std::end(dots), 0.0);
 }
 
+/// remainder = b - W x.
+template <class Matrix>
+void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                           Vec4* remainder) {
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const Lanes3 row = row_product(matrix, i, x, xyz(load_rows(x + i)));
+        store_rows(xyz(load_rows(b + i)) - row, hn::Zero(Tag()), remainder + i);
+    }
+}
+
 /// See Relaxation.
 template <class Matrix>
 void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -1,6 +1,7 @@
 #include "cloth/implicit/stencil.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace weft {
@@ -54,6 +55,9 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
       group_slots(groups() + 1),
       entries(row_neighbours.size()) {
     const Rows rows{offsets, row_neighbours};
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        for (std::uint32_t e = offsets[node]; e < offsets[node + 1]; ++e)
+            reach = std::max(reach, static_cast<std::uint32_t>(std::abs(rows.difference(node, e))));
     for (std::uint32_t g = 0; g < groups(); ++g)
         group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
     neighbours = AlignedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);

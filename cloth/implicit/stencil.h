@@ -28,6 +28,7 @@ struct Stencil {
     Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
 
     std::uint32_t nodes = 0;
+    std::uint32_t reach = 0;                   ///< the largest difference between neighbours' numbers
     AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     AlignedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
     AlignedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run

@@ -53,6 +53,21 @@ inline double norm(Parallel& parallel, std::span<const Vec4> v, std::span<double
     return std::sqrt(dot(parallel, v, v, partials));
 }
 
+/// |a - b|.
+inline double distance(Parallel& parallel, std::span<const Vec4> a, std::span<const Vec4> b,
+                       std::span<double> partials) {
+    const double squared = parallel.reduce(
+        static_cast<std::uint32_t>(a.size()), partials, 0.0,
+        [&](const BlockRange& range) {
+            FourRows sum = FourRows::Zero();
+            for (std::uint32_t i = range.begin; i < range.end; i += 4)
+                sum += (load_four(&a[i]) - load_four(&b[i])).square();
+            return sum.topRows<3>().cast<double>().sum();
+        },
+        std::plus<>{});
+    return std::sqrt(squared);
+}
+
 /// out = row by row(i), which gives the four from i on.
 template <class Rows>
 void fill_fours(Parallel& parallel, std::span<Vec4> out, const Rows& rows) {

@@ -103,6 +103,22 @@ Eigen::MatrixXd dense_interpolation(const Interpolation& p) {
     return result;
 }
 
+TEST_P(OnMeshes, TransfersAreTheInterpolationAndItsTranspose) {
+    for (std::size_t k = 0; k < levels.multigrid->levels(); ++k) {
+        const Interpolation& p = levels.multigrid->level(k).interpolation();
+        const Eigen::MatrixXd dense = dense_interpolation(p);
+        const AlignedBuffer<Vec4> fine = random_rows(p.fine, 1, 3), coarse = random_rows(p.coarse, 1, 4);
+        AlignedBuffer<Vec4> restricted(p.coarse), prolonged = random_rows(p.fine, 1, 3);
+        restrict_to(levels.serial, p, fine.span(), restricted.span());
+        prolong_from(levels.serial, p, p.weights.span(), coarse.span(), prolonged.span());
+        EXPECT_LE((flat(restricted.span()) - dense.transpose() * flat(fine.span())).cwiseAbs().maxCoeff(),
+                  1e-5);
+        EXPECT_LE(
+            (flat(prolonged.span()) - flat(fine.span()) - dense * flat(coarse.span())).cwiseAbs().maxCoeff(),
+            1e-5);
+    }
+}
+
 /// W of a coarse level, by multiplying unit vectors.
 Eigen::MatrixXd dense_matrix(const CoarseMatrix& matrix) {
     const std::uint32_t n = matrix.stencil.nodes;
@@ -113,7 +129,7 @@ Eigen::MatrixXd dense_matrix(const CoarseMatrix& matrix) {
             unit[i] = to_vec4(Vector3::Unit(axis), 0);
             for (std::uint32_t block = 0; block < block_count(n); ++block) {
                 const BlockRange range{block * block_size, std::min(n, (block + 1) * block_size), block};
-                residual_block(matrix, range, zero.data(), unit.data(), product.data());
+                subtract_product_block(matrix, range, zero.data(), unit.data(), product.data());
             }
             result.col(3 * i + axis) = -flat(product.span());
         }

@@ -257,12 +257,14 @@ TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
         const AlignedBuffer<Vec4> b = random_rows(scene.size(), 1, 6), x = random_rows(scene.size(), 1, 7);
         AlignedBuffer<Vec4> next = random_rows(scene.size(), 1, 8), preconditioned(scene.size());
         const AlignedBuffer<Vec4> before = random_rows(scene.size(), 1, 8);
-        AlignedBuffer<Vec4> product(scene.size()), correction(scene.size());
+        AlignedBuffer<Vec4> product(scene.size()), remainder(scene.size()), correction(scene.size());
         system.precondition(serial, b.span(), 0.75f, preconditioned.span());
         system.relax(serial, b.span(), x.span(), {.step = 0.75f, .momentum = 0.5f}, next.span());
         system.multiply(serial, x.span(), product.span());
-        for (std::uint32_t i = 0; i < scene.size(); ++i) set_xyz(product[i], xyz(b[i]) - xyz(product[i]));
-        system.precondition(serial, product.span(), 0.75f, correction.span());
+        system.subtract_product(serial, b.span(), x.span(), remainder.span());
+        for (std::uint32_t i = 0; i < scene.size(); ++i)
+            EXPECT_EQ(xyz(remainder[i]), xyz(b[i]) - xyz(product[i])) << "particle " << i;
+        system.precondition(serial, remainder.span(), 0.75f, correction.span());
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
             Symmetric3 block;
             const Eigen::Matrix3f diagonal = reference.diagonal[i].cast<float>();

@@ -1,0 +1,99 @@
+#pragma once
+// Several sweeps over rows in one pass over memory: J. McCalpin, D. Wonnacott, "Time skewing: a value-based
+// approach to optimizing for memory locality", 1999.
+//
+// Within a tile, sweep k runs k times the reach behind sweep 0, where what sweep k - 1 left is still in the
+// cache; it also ends that much short of the tile's ends, where it would need rows of other tiles. These gaps
+// are filled once all tiles are done. Each row's value comes from the same values as in sweeps one after
+// another, so the tiles, which do depend on the number of threads, do not show in any result.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "cloth/implicit/stencil.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// Sweeps that may be asked for at once.
+inline constexpr std::uint32_t most_skewed_sweeps = 4;
+
+/// Of those left, how many to ask for next: fours, or threes where these come out even.
+constexpr std::size_t next_sweeps(std::size_t left) {
+    const std::size_t passes = (left + most_skewed_sweeps - 1) / most_skewed_sweeps;
+    return (left + passes - 1) / passes;
+}
+
+/// How [0, rows) is cut; tiles of whole groups.
+struct SkewedTiles {
+    std::uint32_t rows = 0;
+    std::uint32_t reach = 0;   ///< rows; whole groups
+    std::uint32_t sweeps = 1;  ///< in one pass over the tiles
+    std::uint32_t tiles = 0;   ///< 0: too few rows for any
+
+    /// So many of `sweeps` in one pass that gaps are at most a quarter of the tiles.
+    SkewedTiles(std::uint32_t all_rows, std::uint32_t reach_in_rows, std::uint32_t wanted_sweeps,
+                std::uint32_t threads)
+        : rows(all_rows), reach(whole_groups(reach_in_rows)) {
+        for (sweeps = wanted_sweeps; sweeps > 1; --sweeps) {
+            tiles = std::min(2 * threads, rows / std::max(4 * sweeps * reach, block_size));
+            if (tiles >= threads) return;
+        }
+        tiles = 0;
+    }
+
+    static constexpr std::uint32_t whole_groups(std::uint32_t n) {
+        return (n + Stencil::lanes - 1) / Stencil::lanes * Stencil::lanes;
+    }
+    [[nodiscard]] std::uint32_t edge(std::uint32_t tile) const {
+        return tile == tiles ? rows : rows / tiles / Stencil::lanes * Stencil::lanes * tile;
+    }
+    /// Where a sweep begins and ends in a tile.
+    [[nodiscard]] std::uint32_t first(std::uint32_t tile, std::uint32_t sweep) const {
+        return tile == 0 ? 0 : edge(tile) + sweep * reach;
+    }
+    [[nodiscard]] std::uint32_t last(std::uint32_t tile, std::uint32_t sweep) const {
+        return tile + 1 == tiles ? rows : edge(tile + 1) - sweep * reach;
+    }
+};
+
+/// body(k, rows) for the sweeps k < tiles.sweeps of one tile.
+template <class Body>
+void sweep_tile(const SkewedTiles& tiles, std::uint32_t tile, const Body& body) {
+    const std::uint32_t last_lag = (tiles.sweeps - 1) * tiles.reach;
+    for (std::uint32_t at = tiles.first(tile, 0); at < tiles.last(tile, 0) + last_lag; at += block_size) {
+        for (std::uint32_t k = 0, lag = 0; k < tiles.sweeps; ++k, lag += tiles.reach) {
+            const std::uint32_t begin = std::max(tiles.first(tile, k), at - std::min(at, lag));
+            const std::uint32_t end = std::min(tiles.last(tile, k), std::max(at + block_size, lag) - lag);
+            if (begin < end) body(k, BlockRange{begin, end, begin / block_size});
+        }
+    }
+}
+
+/// body(k, rows) for sweeps k < `sweeps` over [0, rows) in as few passes as pay: sweep k reads, of what sweep
+/// k - 1 wrote, rows no further than `reach` from its own, and may write over what sweep k - 2 wrote in its
+/// own. Precondition: sweeps <= most_skewed_sweeps.
+template <class Body>
+void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, std::uint32_t sweeps,
+                   const Body& body) {
+    const SkewedTiles tiles(rows, reach, sweeps, static_cast<std::uint32_t>(parallel.width()));
+    if (tiles.tiles == 0) {
+        for (std::uint32_t k = 0; k < sweeps; ++k)
+            parallel.ranges(rows, [&](const BlockRange& range) { body(k, range); });
+        return;
+    }
+    for (std::uint32_t done = 0; done < sweeps; done += tiles.sweeps) {
+        SkewedTiles pass = tiles;
+        pass.sweeps = std::min(tiles.sweeps, sweeps - done);
+        const auto sweep = [&](std::uint32_t k, const BlockRange& range) { body(done + k, range); };
+        parallel.blocks(pass.tiles, [&](std::uint32_t tile) { sweep_tile(pass, tile, sweep); });
+        parallel.blocks(pass.tiles - 1, [&](std::uint32_t gap) {
+            const std::uint32_t edge = pass.edge(gap + 1);
+            for (std::uint32_t k = 1; k < pass.sweeps; ++k)
+                sweep(k, BlockRange{edge - k * pass.reach, edge + k * pass.reach, gap});
+        });
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,26 @@
+#pragma once
+// Between a level and the next coarser one.
+
+#include <span>
+
+#include "cloth/implicit/coarsening.h"
+#include "engine/parallel_blocks.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// body(BlockRange) for blocks of 64 coarse nodes: they are few, and have many neighbours.
+template <class Body>
+void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
+    constexpr std::uint32_t size = 64;
+    parallel.ranges(nodes, body, size);
+}
+
+/// coarse = P^T fine.
+void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec4> fine,
+                 std::span<Vec4> coarse);
+/// fine += P coarse, with these weights in place of P's own.
+void prolong_from(Parallel& parallel, const Interpolation& p, std::span<const float> weights,
+                  std::span<const Vec4> coarse, std::span<Vec4> fine);
+
+}  // namespace weft
