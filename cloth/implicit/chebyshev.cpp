@@ -52,11 +52,12 @@ float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations
     const std::span<const Vec4> b = system.right_side().span();
     ChebyshevSteps steps(interval);
     const float first = steps.first();
-    system.precondition(parallel, b, first, dv);
-    const double start = norm(parallel, dv, vectors.partials.span()) / static_cast<double>(first);
-
-    std::ranges::fill(vectors.next.span(), Vec4{});
     std::span<Vec4> present = dv, next = vectors.next.span();
+    if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
+    system.precondition(parallel, b, first, present);
+    const double start = norm(parallel, present, vectors.partials.span()) / static_cast<double>(first);
+
+    clear(parallel, next);
     for (std::size_t left = static_cast<std::size_t>(iterations) - 1; left > 0;) {
         std::array<Relaxation, most_skewed_sweeps> relaxations;
         const std::span now = std::span(relaxations).first(next_sweeps(left));
@@ -66,7 +67,7 @@ float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations
         left -= now.size();
     }
     const Relaxation relaxation = steps.next();
-    std::ranges::copy(next, vectors.before.data());
+    copy(parallel, next, vectors.before.span());
     system.relax(parallel, b, present, relaxation, next);
     std::swap(present, next);
     // Of what the last step did, all but the momentum is the preconditioned residual.
@@ -76,7 +77,6 @@ float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations
         return static_cast<double>((load(present[i]) - load(next[i]) - momentum).squaredNorm());
     });
     const double residual = std::sqrt(squared) / static_cast<double>(relaxation.step);
-    if (present.data() != dv.data()) std::ranges::copy(present, dv.begin());
     return start > 0 ? static_cast<float>(residual / start) : 0.0f;
 }
 

@@ -1,7 +1,5 @@
 #include "cloth/implicit/conjugate_gradient.h"
 
-#include <algorithm>
-
 #include "cloth/implicit/vectors.h"
 
 namespace weft {
@@ -48,7 +46,7 @@ float ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSyst
     const auto block_diagonal = [&](std::span<const Vec4> residual, std::span<Vec4> preconditioned) {
         system.precondition(step.parallel, residual, 1.0f, preconditioned);
     };
-    std::ranges::fill(step.velocity_change, Vec4{});
+    clear(step.parallel, step.velocity_change);
     return conjugate_gradients(step.parallel, system,
                                std::get<ConjugateGradient>(step.settings.method).iterations, block_diagonal,
                                vectors_, step.velocity_change);

@@ -1,6 +1,5 @@
 #include "cloth/implicit/jacobi.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,11 +13,12 @@ namespace weft {
 float solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, AlignedBuffer<Vec4>& scratch,
                    std::span<double> partials, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
-    system.precondition(parallel, b, 1.0f, dv);
+    std::span<Vec4> present = dv, next = scratch.span();
+    if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
+    system.precondition(parallel, b, 1.0f, present);
     if (iterations == 0) return 1;
 
-    const double start = norm(parallel, dv, partials);
-    std::span<Vec4> present = dv, next = scratch.span();
+    const double start = norm(parallel, present, partials);
     for (std::size_t left = static_cast<std::size_t>(iterations); left > 0;) {
         static constexpr std::array<Relaxation, most_skewed_sweeps> steps{};
         const std::size_t now = next_sweeps(left);
@@ -28,7 +28,6 @@ float solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, A
     }
     // One iteration changes the iterate by its preconditioned residual.
     const double change = distance(parallel, present, next, partials);
-    if (present.data() != dv.data()) std::ranges::copy(present, dv.begin());
     return start > 0 ? static_cast<float>(change / start) : 0.0f;
 }
 

@@ -42,7 +42,7 @@ void MultilevelSolver::prepare(const CookedCloth& model, const ClothSettings& se
 
 float MultilevelSolver::solve(const SolverStep& step) {
     const auto& method = std::get<Multilevel>(step.settings.method);
-    std::ranges::copy(step.equation.velocities, velocities_.data());
+    copy(step.parallel, step.equation.velocities, velocities_.span());
     const float residual = method.use == Multilevel::Use::passes ? solve_in_passes(step, method)
                                                                  : solve_nonlinear(step, method.iterations);
     scale_and_add(step.parallel, -1.0f, step.equation.velocities, velocities_.span(), step.velocity_change);

@@ -46,10 +46,11 @@ template <class Matrix>
 void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                 const Relaxation& relaxation, Vec4* next) {
     const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
+    const bool has_momentum = relaxation.momentum != 0;  // else `next` may hold anything
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 x_i = xyz(load_rows(x + i));
         const Lanes3 residual = xyz(load_rows(b + i)) - row_product(matrix, i, x, x_i);
-        const Lanes3 moved = mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i);
+        const Lanes3 moved = has_momentum ? mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i) : x_i;
         store_rows(mul_add(step, preconditioned(matrix, i, residual), moved), hn::Zero(Tag()), next + i);
     }
 }

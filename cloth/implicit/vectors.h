@@ -76,6 +76,16 @@ void fill_fours(Parallel& parallel, std::span<Vec4> out, const Rows& rows) {
     });
 }
 
+/// y = x.
+inline void copy(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> y) {
+    fill_fours(parallel, y, [&](std::uint32_t i) -> FourRows { return load_four(&x[i]); });
+}
+
+/// x = 0.
+inline void clear(Parallel& parallel, std::span<Vec4> x) {
+    fill_fours(parallel, x, [](std::uint32_t) -> FourRows { return FourRows::Zero(); });
+}
+
 /// y = a x + b y.
 inline void scale_and_add(Parallel& parallel, float a, std::span<const Vec4> x, float b, std::span<Vec4> y) {
     fill_fours(parallel, y,
