@@ -14,7 +14,7 @@ struct Symmetric3 {
                 xz * v.x() + yz * v.y() + zz * v.z()};
     }
     [[nodiscard]] Eigen::Matrix3d full() const {
-        return Eigen::Matrix3d{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+        return Eigen::Matrix3f{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}.cast<double>();
     }
     /// Adds `factor` times another.
     void add_scaled(float factor, const Symmetric3& m) {

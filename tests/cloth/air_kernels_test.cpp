@@ -31,7 +31,7 @@ struct Scene {
             set_xyz(cloth.state.positions[from], xyz(cloth.state.positions[onto]));
         };
         for (std::size_t t = 0; t < cloth.model.triangles.size(); t += 37)
-            for (const std::uint32_t k : {1, 2})
+            for (const std::uint32_t k : {1u, 2u})
                 collapse(cloth.model.triangles[t][k], cloth.model.triangles[t][0]);
     }
     [[nodiscard]] Vector3 doubled_area_normal(const Triangle& t) const {
@@ -112,12 +112,12 @@ TEST_P(AirKernels, NormalsAreMeansByArea) {
         std::vector<double> sizes(n, 0);
         for (const Triangle& t : cloth.model.triangles) {
             const Eigen::Vector3d normal = scene.doubled_area_normal(t).cast<double>();
-            const double longest =
+            const float longest =
                 std::max((xyz(cloth.state.positions[t[1]]) - xyz(cloth.state.positions[t[0]])).norm(),
                          (xyz(cloth.state.positions[t[2]]) - xyz(cloth.state.positions[t[0]])).norm());
             for (const std::uint32_t i : t) {
                 sums[i] += normal;
-                sizes[i] += longest * longest;
+                sizes[i] += static_cast<double>(longest * longest);
             }
         }
         for (std::uint32_t i = 0; i < n; ++i) {

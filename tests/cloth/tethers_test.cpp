@@ -269,7 +269,7 @@ TEST(Tethers, TakePinsThatSpringsJoinForOneHold) {
 TEST(Tethers, ReachTheFourNearestHoldsAsIfEachWereMarchedAlone) {
     const CookedCloth model = must(cook(irregular_sheet(20)));
     std::vector<std::uint32_t> pins;
-    for (const std::uint32_t vertex : {0, 19, 47, 144, 210, 266, 380, 399})
+    for (const std::uint32_t vertex : {0u, 19u, 47u, 144u, 210u, 266u, 380u, 399u})
         pins.push_back(model.vertex_to_particle[vertex]);
     std::ranges::sort(pins);
     std::vector<std::vector<double>> alone;

@@ -25,7 +25,8 @@ constexpr Sizes sizes[] = {{1, 1},        {17, 3},       {256, 16},    {1000, 1}
                            {40'007, 130}, {40'007, 500}, {65536, 1026}};
 
 TEST(TimeSkew, EveryRowIsSweptOnceInEverySweepAndNotBeforeWhatItReads) {
-    for (const auto& [rows, reach] : sizes) {
+    for (const Sizes& size : sizes) {
+        const std::uint32_t rows = size.rows, reach = size.reach;
         for (std::uint32_t sweeps = 1; sweeps <= most_skewed_sweeps; ++sweeps) {
             for (const int threads : {1, 2, 3, 8}) {
                 SCOPED_TRACE(testing::Message() << rows << " rows, reach " << reach << ", " << sweeps

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <string>
 #include <thread>
 #include <vector>
@@ -248,7 +247,7 @@ TEST_F(Trace, HasATrackPerThreadWhoseEventsNest) {
     for (const nlohmann::json& event : events)
         if (event["name"] == "thread_name") names[event["tid"]] = event["args"]["name"];
     EXPECT_EQ(names.size(), tracks.size());
-    EXPECT_EQ(std::ranges::count(names | std::views::values, "step"), 1);
+    EXPECT_EQ(std::ranges::count(names, "step", [](const auto& entry) { return entry.second; }), 1);
 
     std::uint32_t blocks = 0;  // of the loops in stage forces
     for (const nlohmann::json& event : complete_events(events))
