@@ -21,7 +21,8 @@ enum class LinearisedAbout {
 };
 
 /// next_i = x_i + step D_i^-1 (b_i - (W x)_i) + momentum (x_i - next_i), next holding the iterate before x
-/// (anything, without momentum). Block Jacobi has step 1 and momentum 0; every semi-iteration of it is a sequence of such steps.
+/// (anything, without momentum). Block Jacobi has step 1 and momentum 0; every semi-iteration of it is a
+/// sequence of such steps.
 struct Relaxation {
     float step = 1;
     float momentum = 0;
