@@ -4,151 +4,153 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.89901:154.803]
-set yrange [12.2046:3318.78]
+set xrange [1.06797:155.044]
+set yrange [8.05049:3318.78]
 set title 'Hung sheet in wind, 256 × 256 particles: distance from converged backward Euler after 1 s' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'RMS distance of particles [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 8
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 626c968+; κ = 36409; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Fibres and sets in substeps iterations=1 substeps=16; Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1'."\n".' Fibres and sets iterations=16; Fibres and sets iterations=4' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 4b8e1f7; κ = 36409; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Fibres and sets in substeps iterations=1 substeps=16; Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1'."\n".' Fibres and sets iterations=16; Fibres and sets iterations=4' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-1.2843 1983.51 "substeps=1"
-1.99648 248.326 "iterations=2"
-2.1207 157.08 "iterations=1"
-2.89088 132.838 "iterations=4"
-3.95438 115.33 "iterations=8"
-4.91458 68.0394 "iterations=1"
-6.15234 59.9944 "passes=1 iterations=2"
-7.93032 59.6888 "passes=2 iterations=1"
-8.97221 54.2986 "passes=3 iterations=1"
-9.27117 52.9194 "passes=1 substeps=2"
-9.54581 48.9608 "passes=2 iterations=2"
-10.2895 36.148 "passes=3 iterations=2"
-11.6295 26.9213 "passes=2 iterations=4"
-13.1876 20.2265 "passes=3 iterations=4"
-16.0867 17.8312 "passes=4 iterations=4"
-26.102 17.4351 "passes=8 iterations=2"
+1.52567 1983.51 "substeps=1"
+1.71835 225.472 "iterations=2"
+1.82138 157.048 "iterations=1"
+2.18789 151.549 "iterations=1"
+2.32793 134.058 "iterations=4"
+3.06152 115.239 "iterations=8"
+4.75049 67.4978 "iterations=1"
+5.57583 67.0008 "iterations=1"
+5.62957 60.4442 "passes=1 iterations=2"
+7.31192 53.8976 "passes=2 iterations=2"
+7.9737 50.7284 "passes=1 substeps=2"
+9.77174 38.7422 "passes=3 iterations=2"
+10.1309 29.972 "passes=2 iterations=4"
+11.6541 29.4956 "passes=4 iterations=2"
+13.0033 25.6148 "passes=2 iterations=6"
+14.2358 21.3494 "passes=3 iterations=4"
+14.4678 19.8629 "passes=4 iterations=4"
+14.9374 11.5007 "passes=3 iterations=6"
 END
 $curve0 << END
-2.1207 157.08 "iterations=1"
-2.68312 164.071 "iterations=3"
-3.67217 195.124 "iterations=7"
-4.7819 227.458 "iterations=15"
-9.41525 244.068 "iterations=31"
-19.6345 231.686 "iterations=63"
-36.962 219.217 "iterations=127"
-73.1499 151.861 "iterations=255"
+1.82138 157.048 "iterations=1"
+1.91934 164.13 "iterations=3"
+2.67905 195.256 "iterations=7"
+4.29241 227.987 "iterations=15"
+7.37196 244.09 "iterations=31"
+13.6218 231.656 "iterations=63"
+26.1286 218.689 "iterations=127"
+50.5539 152.075 "iterations=255"
 END
 $curve1 << END
-1.99648 248.326 "iterations=2"
-3.78864 218.842 "iterations=8"
-6.37019 273.177 "iterations=16"
-20.9216 255.097 "iterations=64"
+1.71835 225.472 "iterations=2"
+2.91597 221.379 "iterations=8"
+4.45815 272.402 "iterations=16"
+13.8915 255.126 "iterations=64"
 END
 $curve2 << END
-3.0069 151.57 "iterations=1"
-4.67409 115.564 "iterations=7"
-12.232 177.186 "iterations=31"
-40.2002 143.652 "iterations=127"
+2.18789 151.549 "iterations=1"
+3.5681 115.596 "iterations=7"
+7.84932 176.724 "iterations=31"
+26.4928 143.301 "iterations=127"
 END
 $curve3 << END
-8.01725 255.283 "iterations=7 substeps=2"
-16.2529 248.62 "iterations=7 substeps=4"
-31.4235 125.013 "iterations=7 substeps=8"
-55.9204 39.5262 "iterations=7 substeps=16"
+5.26822 255.42 "iterations=7 substeps=2"
+11.9669 245.097 "iterations=7 substeps=4"
+21.2849 125.769 "iterations=7 substeps=8"
+46.4435 38.7985 "iterations=7 substeps=16"
 END
 $curve4 << END
-2.89088 132.838 "iterations=4"
-3.95438 115.33 "iterations=8"
-6.15106 114.941 "iterations=16"
-11.8956 98.8501 "iterations=32"
-22.8706 64.1102 "iterations=64"
-59.3073 60.8327 "iterations=128"
+2.32793 134.058 "iterations=4"
+3.06152 115.239 "iterations=8"
+5.50216 112.375 "iterations=16"
+9.55566 104.263 "iterations=32"
+14.0556 64.8118 "iterations=64"
+27.4798 60.4918 "iterations=128"
 END
 $curve5 << END
-3.76371 158.056 "iterations=4"
-5.88528 158.439 "iterations=8"
-10.6825 162.254 "iterations=16"
-21.2106 83.0321 "iterations=32"
-36.0031 66.28 "iterations=64"
-65.7725 58.0866 "iterations=128"
+2.75229 157.523 "iterations=4"
+4.38096 158.507 "iterations=8"
+7.6219 165.1 "iterations=16"
+14.6527 86.8267 "iterations=32"
+28.5025 65.8769 "iterations=64"
+54.095 57.6953 "iterations=128"
 END
 $curve6 << END
-8.2025 64.8986 "iterations=2"
-8.49403 66.8944 "iterations=1"
-11.9278 63.9406 "iterations=3"
-12.5361 63.0774 "iterations=4"
-16.4748 62.2916 "iterations=6"
-21.3129 60.8735 "iterations=8"
-34.7016 60.9504 "iterations=12"
-51.4033 59.0624 "iterations=16"
+5.57583 67.0008 "iterations=1"
+8.2735 65.0979 "iterations=2"
+10.5201 62.8591 "iterations=3"
+13.6756 62.1396 "iterations=4"
+16.9195 60.9797 "iterations=6"
+23.5617 60.214 "iterations=8"
+30.2671 57.8914 "iterations=12"
+39.5936 58.6072 "iterations=16"
 END
 $curve7 << END
-4.91458 68.0394 "iterations=1"
-7.01824 62.5868 "iterations=2"
-10.6139 86.2114 "iterations=4"
-16.1809 109.963 "iterations=8"
+4.75049 67.4978 "iterations=1"
+6.28052 63.9131 "iterations=2"
+8.63255 85.6299 "iterations=4"
+14.151 114.266 "iterations=8"
 END
 $curve8 << END
-7.93032 59.6888 "passes=2 iterations=1"
-8.97221 54.2986 "passes=3 iterations=1"
-9.54581 48.9608 "passes=2 iterations=2"
-10.2895 36.148 "passes=3 iterations=2"
-11.6295 26.9213 "passes=2 iterations=4"
-11.9325 48.3587 "passes=4 iterations=1"
-12.9419 27.2412 "passes=4 iterations=2"
-13.1876 20.2265 "passes=3 iterations=4"
-14.1129 23.1573 "passes=2 iterations=6"
-15.7933 38.469 "passes=6 iterations=1"
-16.0867 17.8312 "passes=4 iterations=4"
-16.955 20.0559 "passes=3 iterations=6"
-21.1082 18.8084 "passes=6 iterations=2"
-25.0647 28.034 "passes=8 iterations=1"
-26.102 17.4351 "passes=8 iterations=2"
+6.98688 61.3486 "passes=2 iterations=1"
+7.31192 53.8976 "passes=2 iterations=2"
+8.28195 54.5341 "passes=3 iterations=1"
+9.77174 38.7422 "passes=3 iterations=2"
+10.1309 29.972 "passes=2 iterations=4"
+11.206 50.1754 "passes=4 iterations=1"
+11.6541 29.4956 "passes=4 iterations=2"
+13.0033 25.6148 "passes=2 iterations=6"
+14.2358 21.3494 "passes=3 iterations=4"
+14.4678 19.8629 "passes=4 iterations=4"
+14.9374 11.5007 "passes=3 iterations=6"
+15.0049 38.9236 "passes=6 iterations=1"
+17.1861 19.998 "passes=6 iterations=2"
+18.5959 31.2786 "passes=8 iterations=1"
+19.5842 17.0026 "passes=8 iterations=2"
 END
 $curve9 << END
-9.27117 52.9194 "passes=1 substeps=2"
-19.7578 20.4413 "passes=1 substeps=4"
-42.1422 17.5272 "passes=1 substeps=8"
-67.6443 20.4397 "passes=1 substeps=16"
+7.9737 50.7284 "passes=1 substeps=2"
+15.1384 21.346 "passes=1 substeps=4"
+30.2416 17.2761 "passes=1 substeps=8"
+61.6234 19.3736 "passes=1 substeps=16"
 END
 $curve10 << END
-6.15234 59.9944 "passes=1 iterations=2"
-9.5201 55.9818 "passes=2 iterations=2"
-12.3304 49.299 "passes=3 iterations=2"
-15.8524 38.5206 "passes=4 iterations=2"
-21.2148 23.7183 "passes=4 iterations=4"
-24.6385 19.9767 "passes=6 iterations=4"
+5.62957 60.4442 "passes=1 iterations=2"
+7.77732 57.3123 "passes=2 iterations=2"
+9.79137 48.5498 "passes=3 iterations=2"
+11.8664 42.8047 "passes=4 iterations=2"
+14.2938 27.7742 "passes=4 iterations=4"
+18.9421 25.7376 "passes=6 iterations=4"
 END
 $curve11 << END
-25.2898 18.5881 "passes=3 substeps=2"
-54.8246 19.8278 "passes=3 substeps=4"
-89.0575 23.5124 "passes=3 substeps=8"
+20.2627 19.435 "passes=3 substeps=2"
+47.3101 23.9527 "passes=3 substeps=4"
+90.6399 23.454 "passes=3 substeps=8"
 END
 $curve12 << END
-1.2843 1983.51 "substeps=1"
-2.66067 2074.24 "substeps=2"
-4.94776 1999.85 "substeps=4"
-9.45331 1579.34 "substeps=8"
-18.734 758.508 "substeps=16"
-37.9799 265.602 "substeps=32"
-80.199 147.894 "substeps=64"
+1.52567 1983.51 "substeps=1"
+2.72152 2074.24 "substeps=2"
+5.96701 1999.85 "substeps=4"
+10.3749 1579.34 "substeps=8"
+19.0759 758.508 "substeps=16"
+37.3228 265.602 "substeps=32"
+74.234 147.894 "substeps=64"
 END
 $curve13 << END
-3.3646 1923.94 "iterations=4"
-11.0673 1774.05 "iterations=16"
-43.6682 1302.25 "iterations=64"
+3.17059 1923.94 "iterations=4"
+10.9252 1774.05 "iterations=16"
+43.7428 1302.25 "iterations=64"
 END
 $curve14 << END
-56.1211 1081.85 "iterations=64"
+60.7079 1081.85 "iterations=64"
 END
 $curve15 << END
-96.7517 103.687 "iterations=1 substeps=64"
+96.9024 103.687 "iterations=1 substeps=64"
 END
 $default << END
-10.2895 36.148 "passes=3 iterations=2"
+9.77174 38.7422 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-wind-256-a-1s.svg'
