@@ -4,6 +4,7 @@
 #include <span>
 
 #include "cloth/implicit/coarsening.h"
+#include "cloth/implicit/stencil.h"
 #include "engine/parallel_blocks.h"
 #include "weft/types.h"
 
@@ -13,6 +14,7 @@ namespace weft {
 template <class Body>
 void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
     constexpr std::uint32_t size = 64;
+    static_assert(size % Stencil::lanes == 0, "a block is whole groups");
     parallel.ranges(nodes, body, size);
 }
 

@@ -34,18 +34,25 @@ inline void store_four(const FourRows& values, Vec4* rows) {
     Eigen::Map<FourRows, Eigen::Aligned16>(&rows->x) = values;
 }
 
-/// Sum over particles of a . b, w left out: in single precision over a quarter of a block, in double beyond.
-inline double dot(Parallel& parallel, std::span<const Vec4> a, std::span<const Vec4> b,
-                  std::span<double> partials) {
+/// Sum over particles of what term(i) gives of the four from i on, w left out: in single precision over a
+/// quarter of a block, in double beyond.
+template <class Term>
+double sum_fours(Parallel& parallel, std::size_t particles, std::span<double> partials, const Term& term) {
     return parallel.reduce(
-        static_cast<std::uint32_t>(a.size()), partials, 0.0,
+        static_cast<std::uint32_t>(particles), partials, 0.0,
         [&](const BlockRange& range) {
             FourRows sum = FourRows::Zero();
-            for (std::uint32_t i = range.begin; i < range.end; i += 4)
-                sum += load_four(&a[i]) * load_four(&b[i]);
+            for (std::uint32_t i = range.begin; i < range.end; i += 4) sum += term(i);
             return sum.topRows<3>().cast<double>().sum();
         },
         std::plus<>{});
+}
+
+/// Sum over particles of a . b.
+inline double dot(Parallel& parallel, std::span<const Vec4> a, std::span<const Vec4> b,
+                  std::span<double> partials) {
+    return sum_fours(parallel, a.size(), partials,
+                     [&](std::uint32_t i) -> FourRows { return load_four(&a[i]) * load_four(&b[i]); });
 }
 
 /// |D^-1 (b - W dv)| and the like are measured so.
@@ -56,16 +63,9 @@ inline double norm(Parallel& parallel, std::span<const Vec4> v, std::span<double
 /// |a - b|.
 inline double distance(Parallel& parallel, std::span<const Vec4> a, std::span<const Vec4> b,
                        std::span<double> partials) {
-    const double squared = parallel.reduce(
-        static_cast<std::uint32_t>(a.size()), partials, 0.0,
-        [&](const BlockRange& range) {
-            FourRows sum = FourRows::Zero();
-            for (std::uint32_t i = range.begin; i < range.end; i += 4)
-                sum += (load_four(&a[i]) - load_four(&b[i])).square();
-            return sum.topRows<3>().cast<double>().sum();
-        },
-        std::plus<>{});
-    return std::sqrt(squared);
+    return std::sqrt(sum_fours(parallel, a.size(), partials, [&](std::uint32_t i) -> FourRows {
+        return (load_four(&a[i]) - load_four(&b[i])).square();
+    }));
 }
 
 /// out = row by row(i), which gives the four from i on.
