@@ -9,30 +9,29 @@ namespace weft {
 CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph)
     : lists_(std::move(lists)),
       interpolation_(std::move(interpolation)),
-      matrix_(graph, lists_.links),
+      matrix_(graph, lists_),
       b_(graph.nodes()),
       x_(graph.nodes()),
       before_(graph.nodes()) {}
 
 void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs) {
-    parallel.ranges(static_cast<std::uint32_t>(lists_.links.size()), [&](const BlockRange& range) {
-        sum_springs_block(lists_, range, springs.data(), matrix_);
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+        sum_springs_block(lists_, range, springs.data(), matrix_.links);
     });
 }
 
+void CoarseLevel::sum_ground(Parallel& parallel, std::span<const Vec4> diagonal,
+                             std::span<const Vec4> off_diagonal) {
+    restrict_to(parallel, interpolation_, diagonal, matrix_.ground_rows.diagonal.span());
+    restrict_to(parallel, interpolation_, off_diagonal, matrix_.ground_rows.off_diagonal.span());
+}
+
 void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
-    parallel.ranges(static_cast<std::uint32_t>(lists_.links.size()), [&](const BlockRange& range) {
-        sum_links_block(lists_, range, finer.matrix().links.data(), matrix_);
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+        sum_links_block(lists_, range, finer.matrix().links, matrix_.links);
     });
-    const Interpolation& p = interpolation_;
-    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
-        for (std::uint32_t c = range.begin; c < range.end; ++c) {
-            Symmetric3 ground;
-            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                ground.add_scaled(p.fine_weights[e], finer.matrix().ground_of(p.fine_nodes[e]));
-            matrix_.set_ground(c, ground);
-        }
-    });
+    const SymmetricRows& ground = finer.matrix().ground_rows;
+    sum_ground(parallel, ground.diagonal.span(), ground.off_diagonal.span());
 }
 
 void CoarseLevel::finish(Parallel& parallel) {

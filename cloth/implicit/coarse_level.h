@@ -20,7 +20,9 @@ class CoarseLevel {
     /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
     /// place.
     void sum_links(Parallel& parallel, std::span<const Vec4> springs);
-    /// Links and ground from another coarse level's. The finest level's ground is the caller's to sum.
+    /// Ground from what holds the finer level's nodes.
+    void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
+    /// Links and ground from another coarse level's.
     void sum(Parallel& parallel, const CoarseLevel& finer);
     /// After links and ground: the matrix.
     void finish(Parallel& parallel);

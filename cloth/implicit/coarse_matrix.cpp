@@ -7,6 +7,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/implicit/external_row-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
@@ -53,12 +54,16 @@ void precondition(const CoarseMatrix& matrix, const BlockRange& range, const Vec
     precondition_rows(matrix, range, b, step, x);
 }
 
-/// A_IJ of the links of a part of slot s.
-HWY_INLINE SymmetricLanes gather_links(const CoarseMatrix& matrix, std::uint32_t s, std::uint32_t lane) {
-    const Vec4* const rows = &matrix.links.data()->diagonal;
-    const std::uint32_t* const picked = &matrix.link_rows[s * Stencil::lanes + lane];
-    const Lanes3 diagonal = gather_rows(rows, picked), off_diagonal = gather_rows(rows + 1, picked);
-    return {diagonal.x, diagonal.y, diagonal.z, off_diagonal.x, off_diagonal.z, off_diagonal.y};
+HWY_INLINE SymmetricLanes symmetric_of(const Lanes3& diagonal, const Lanes3& off_diagonal) {
+    return {diagonal.x, diagonal.y, diagonal.z, off_diagonal.x, off_diagonal.y, off_diagonal.z};
+}
+HWY_INLINE void store_as_rows(const SymmetricLanes& m, Vec4* diagonal, Vec4* off_diagonal) {
+    store_rows({m.xx, m.yy, m.zz}, set(0), diagonal);
+    store_rows({m.xy, m.xz, m.yz}, set(0), off_diagonal);
+}
+HWY_INLINE SymmetricLanes gather_blocks(const SymmetricRows& rows, const std::uint32_t* numbers) {
+    return symmetric_of(gather_rows(rows.diagonal.data(), numbers),
+                        gather_rows(rows.off_diagonal.data(), numbers));
 }
 
 // A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
@@ -67,12 +72,14 @@ void finish(const BlockRange& range, CoarseMatrix& matrix) {
     const Stencil& stencil = matrix.stencil;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        const SymmetricLanes ground = load_block(matrix.ground, group, lane);
+        const SymmetricLanes ground = symmetric_of(xyz(load_rows(&matrix.ground_rows.diagonal[i])),
+                                                   xyz(load_rows(&matrix.ground_rows.off_diagonal[i])));
+        store_symmetric(ground, &matrix.ground[lane_index(i, 0, CoarseMatrix::arrays)]);
         SymmetricLanes diagonal = ground;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const SymmetricLanes block = gather_links(matrix, s, lane);
-            store_symmetric(
-                block, &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, CoarseMatrix::arrays)]);
+            const std::uint32_t entry = s * Stencil::lanes + lane;
+            const SymmetricLanes block = gather_blocks(matrix.links, &matrix.link_rows[entry]);
+            store_symmetric(block, &matrix.coefficients[lane_index(entry, 0, CoarseMatrix::arrays)]);
             diagonal = diagonal + block;
         }
         const Lanes inertia = hn::Add(hn::Add(ground.xx, ground.yy), ground.zz);
@@ -82,109 +89,57 @@ void finish(const BlockRange& range, CoarseMatrix& matrix) {
     }
 }
 
-/// Rows nodes[0], nodes[1], .. side by side, as many as fit.
-template <class D>
-HWY_INLINE hn::Vec<D> rows_side_by_side(D d, const Vec4* rows, const std::uint32_t* nodes) {
-    if constexpr (hn::MaxLanes(D()) == 4) {
-        return hn::Load(d, &rows[*nodes].x);
-    } else {
-        const hn::Half<D> half;
-        return hn::Combine(d, rows_side_by_side(half, rows, nodes + hn::MaxLanes(half) / 4),
-                           rows_side_by_side(half, rows, nodes));
+void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts, Vec4* diagonal,
+                 Vec4* off_diagonal) {
+    const Lanes zero = set(0);
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        SymmetricLanes ground = {zero, zero, zero, zero, zero, zero};
+        if (touches(contacts, i)) ground = contact_blocks(*contacts, i);
+        store_as_rows(add_identity(ground, load_rows(right_side + i).w), diagonal + i, off_diagonal + i);
     }
 }
 
-/// factors[0] four times, factors[1] four times, ..
-HWY_INLINE Lanes each_four_times(const float* factors) {
-    const Tag d;
-    if constexpr (part_lanes == 4) {
-        return hn::Set(d, *factors);
-    } else {
-        alignas(64) static constexpr std::int32_t picks[] = {0,  0,  0,  0,  5,  5,  5,  5,
-                                                             10, 10, 10, 10, 15, 15, 15, 15};
-        return hn::TableLookupLanes(hn::LoadDup128(d, factors), hn::SetTableIndices(d, picks));
+/// sums = sum of add_term(sum so far, factors, numbers of fine links), lane by lane.
+template <class AddTerm>
+HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const AddTerm& add_term,
+                          SymmetricRows& sums) {
+    const Lanes zero = set(0);
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        SymmetricLanes sum = {zero, zero, zero, zero, zero, zero};
+        for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+            const std::uint32_t entry = s * Stencil::lanes + lane;
+            sum = add_term(sum, load_lanes(&lists.factors[entry]), &lists.fine_links[entry]);
+        }
+        store_as_rows(sum, &sums.diagonal[i], &sums.off_diagonal[i]);
     }
 }
 
-/// The sum of a register's rows of four.
-template <class D>
-HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D /*d*/, hn::Vec<D> v) {
-    if constexpr (hn::MaxLanes(D()) == 4) {
-        return v;
-    } else {
-        const hn::Half<D> half;
-        return sum_rows(half, hn::Add(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
-    }
+/// sum + factor (d d^T + a I).
+HWY_INLINE SymmetricLanes add_spring(const SymmetricLanes& sum, Lanes factor, const Lanes3& d, Lanes a) {
+    const Lanes3 scaled = factor * d;
+    return {hn::MulAdd(scaled.x, d.x, hn::MulAdd(factor, a, sum.xx)),
+            hn::MulAdd(scaled.y, d.y, hn::MulAdd(factor, a, sum.yy)),
+            hn::MulAdd(scaled.z, d.z, hn::MulAdd(factor, a, sum.zz)),
+            hn::MulAdd(scaled.x, d.y, sum.xy),
+            hn::MulAdd(scaled.x, d.z, sum.xz),
+            hn::MulAdd(scaled.y, d.z, sum.yz)};
 }
 
-/// The same, of 16 lanes' worth of registers, in the order in which one of 16 lanes would be summed: the
-/// bytes do not depend on how many lanes there are.
-template <class D>
-HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> sum_rows(D d, const hn::Vec<D>* parts) {
-    constexpr std::uint32_t lanes = hn::MaxLanes(D());
-    if constexpr (lanes == 4) {
-        return hn::Add(hn::Add(parts[0], parts[2]), hn::Add(parts[1], parts[3]));
-    } else {
-        return sum_rows(d, lanes == 16 ? parts[0] : hn::Add(parts[0], parts[16 / lanes - 1]));
-    }
-}
-
-// sum of f (d d^T + a I): the row (dx dy dz a) times (dx dy dz 1), and times (dy dz dx .).
 void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
-                 CoarseMatrix& matrix) {
-    const Tag d;
-    const hn::FixedTag<float, 4> row;
-    constexpr std::uint32_t at_once = part_lanes / 4, parts = 4 / at_once;  // of four terms
-    alignas(64) static constexpr std::int32_t next_axis[] = {1, 2,  0, 3,  5,  6,  4,  7,
-                                                             9, 10, 8, 11, 13, 14, 12, 15};
-    const auto rotation = hn::SetTableIndices(d, next_axis);
-    alignas(64) static constexpr float last_axis[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    const Lanes one = hn::Set(d, 1.0f);
-    const auto is_last = hn::Eq(hn::Load(d, last_axis), one);
-    for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        Lanes squares[parts], products[parts];
-        for (std::uint32_t part = 0; part < parts; ++part) squares[part] = products[part] = hn::Zero(d);
-        for (std::uint32_t first = lists.offsets[k]; first < lists.offsets[k + 1]; first += 4) {
-            for (std::uint32_t part = 0; part < parts; ++part) {
-                const std::uint32_t t = first + part * at_once;
-                const Lanes spring = rows_side_by_side(d, springs, &lists.fine_links[t]);
-                const Lanes scaled = hn::Mul(each_four_times(&lists.factors[t]), spring);
-                squares[part] = hn::MulAdd(scaled, hn::IfThenElse(is_last, one, spring), squares[part]);
-                products[part] = hn::MulAdd(scaled, hn::TableLookupLanes(spring, rotation), products[part]);
-            }
-        }
-        SplitBlock sum;
-        hn::Store(sum_rows(d, squares), row, &sum.diagonal.x);
-        hn::Store(sum_rows(d, products), row, &sum.off_diagonal.x);
-        const float a = sum.diagonal.w;
-        sum.diagonal = {sum.diagonal.x + a, sum.diagonal.y + a, sum.diagonal.z + a, 0};
-        matrix.links[k] = sum;
-    }
+                 SymmetricRows& sums) {
+    const auto add = [springs](const auto& sum, Lanes factor, const std::uint32_t* numbers) HWY_ATTR {
+        const Lanes4 spring = gather_rows_with_w(springs, numbers);
+        return add_spring(sum, factor, xyz(spring), spring.w);
+    };
+    sum_terms(lists, range, add, sums);
 }
 
-// Four terms at once, so that no sum waits for the one before.
-void sum_links(const GalerkinLists& lists, const BlockRange& range, const SplitBlock* links,
-               CoarseMatrix& matrix) {
-    const hn::CappedTag<float, 8> d;
-    constexpr std::uint32_t lanes = hn::MaxLanes(d);
-    for (std::uint32_t k = range.begin; k < range.end; ++k) {
-        SplitBlock sum;
-        for (std::uint32_t part = 0; part < 8; part += lanes) {
-            const auto plus_term = [&](std::uint32_t t, hn::Vec<decltype(d)> so_far) HWY_ATTR {
-                const float* link = &links[lists.fine_links[t]].diagonal.x + part;
-                return hn::MulAdd(hn::Set(d, lists.factors[t]), hn::Load(d, link), so_far);
-            };
-            auto sum0 = hn::Zero(d), sum1 = hn::Zero(d), sum2 = hn::Zero(d), sum3 = hn::Zero(d);
-            for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; t += 4) {
-                sum0 = plus_term(t, sum0);
-                sum1 = plus_term(t + 1, sum1);
-                sum2 = plus_term(t + 2, sum2);
-                sum3 = plus_term(t + 3, sum3);
-            }
-            hn::Store(hn::Add(hn::Add(sum0, sum1), hn::Add(sum2, sum3)), d, &sum.diagonal.x + part);
-        }
-        matrix.links[k] = sum;
-    }
+void sum_links(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
+               SymmetricRows& sums) {
+    const auto add = [&links](const auto& sum, Lanes factor, const std::uint32_t* numbers)
+                         HWY_ATTR { return sum + factor * gather_blocks(links, numbers); };
+    sum_terms(lists, range, add, sums);
 }
 
 }  // namespace
@@ -194,6 +149,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE  // what does not depend on the machine
 namespace weft {
 
+HWY_EXPORT(ground_rows);
 HWY_EXPORT(sum_springs);
 HWY_EXPORT(sum_links);
 HWY_EXPORT(finish);
@@ -201,46 +157,41 @@ HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
-CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const std::vector<Link>& link_list)
+CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists)
     : stencil(graph.offsets, graph.neighbours),
       coefficients(arrays * stencil.neighbours.size()),
       ground(std::size_t{arrays} * stencil.groups() * Stencil::lanes),
       inverse_diagonal(ground.size()),
-      links(link_list.size() + 1),
+      ground_rows(stencil.nodes),
+      links(lists.groups() * Stencil::lanes + 1),
       link_rows(stencil.neighbours.size()) {
-    const auto none = static_cast<std::uint32_t>(link_list.size());
-    std::ranges::fill(link_rows.span(), 2 * none);
+    std::ranges::fill(link_rows.span(), lists.groups() * Stencil::lanes);
     // Links ascend, and so do the graph's rows: each row meets its links in order.
     std::vector<std::uint32_t> next(graph.offsets.begin(), graph.offsets.end() - 1);
-    for (std::uint32_t k = 0; k < none; ++k) {
-        for (const std::uint32_t node : {link_list[k].first, link_list[k].second})
-            link_rows[stencil.entries[next[node]++]] = 2 * k;
+    for (std::size_t k = 0; k < lists.links.size(); ++k) {
+        for (const std::uint32_t node : {lists.links[k].first, lists.links[k].second})
+            link_rows[stencil.entries[next[node]++]] = lists.places[k];
     }
-}
-
-Symmetric3 CoarseMatrix::ground_of(std::uint32_t node) const {
-    const float* g = &ground[lane_index(node, 0, arrays)];
-    return {.xx = g[0], .yy = g[16], .zz = g[32], .xy = g[48], .xz = g[64], .yz = g[80]};
-}
-
-void CoarseMatrix::set_ground(std::uint32_t node, const Symmetric3& block) {
-    const float values[] = {block.xx, block.yy, block.zz, block.xy, block.xz, block.yz};
-    for (std::uint32_t k = 0; k < arrays; ++k) ground[lane_index(node, k, arrays)] = values[k];
 }
 
 std::size_t CoarseMatrix::bytes() const noexcept {
     return stencil.bytes() + coefficients.bytes() + ground.bytes() + inverse_diagonal.bytes() +
-           links.bytes() + link_rows.bytes();
+           ground_rows.bytes() + links.bytes() + link_rows.bytes();
+}
+
+void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
+                       Vec4* diagonal, Vec4* off_diagonal) {
+    HWY_DYNAMIC_DISPATCH(ground_rows)(range, right_side, contacts, diagonal, off_diagonal);
 }
 
 void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
-                       CoarseMatrix& matrix) {
-    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, matrix);
+                       SymmetricRows& sums) {
+    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, sums);
 }
 
-void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SplitBlock* links,
-                     CoarseMatrix& matrix) {
-    HWY_DYNAMIC_DISPATCH(sum_links)(lists, range, links, matrix);
+void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
+                     SymmetricRows& sums) {
+    HWY_DYNAMIC_DISPATCH(sum_links)(lists, range, links, sums);
 }
 
 void finish_block(const BlockRange& range, CoarseMatrix& matrix) {

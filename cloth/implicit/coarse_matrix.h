@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cloth/implicit/contacts.h"
 #include "cloth/implicit/galerkin.h"
 #include "cloth/implicit/implicit_system.h"
 #include "cloth/implicit/stencil.h"
@@ -14,10 +15,21 @@
 
 namespace weft {
 
-/// A symmetric block as two rows.
-struct alignas(32) SplitBlock {
-    Vec4 diagonal;      ///< xx yy zz, w 0
-    Vec4 off_diagonal;  ///< xy yz zx, w anything
+/// Symmetric blocks as two rows each.
+struct SymmetricRows {
+    AlignedBuffer<Vec4> diagonal;      ///< xx yy zz, w 0
+    AlignedBuffer<Vec4> off_diagonal;  ///< xy xz yz, w 0
+
+    explicit SymmetricRows(std::size_t blocks = 0) : diagonal(blocks), off_diagonal(blocks) {}
+    [[nodiscard]] Symmetric3 operator[](std::size_t i) const {
+        const Vec4 &d = diagonal[i], &o = off_diagonal[i];
+        return {.xx = d.x, .yy = d.y, .zz = d.z, .xy = o.x, .xz = o.y, .yz = o.z};
+    }
+    void set(std::size_t i, const Symmetric3& block) {
+        diagonal[i] = {block.xx, block.yy, block.zz, 0};
+        off_diagonal[i] = {block.xy, block.xz, block.yz, 0};
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return diagonal.bytes() + off_diagonal.bytes(); }
 };
 
 /// Row I:  G_I x_I + sum_J A_IJ (x_I - x_J).  Symmetric blocks are stored as xx, yy, zz, xy, xz, yz.
@@ -25,26 +37,28 @@ struct CoarseMatrix {
     static constexpr std::uint32_t arrays = 6;
 
     CoarseMatrix() = default;
-    CoarseMatrix(const SpringGraph& graph, const std::vector<Link>& links);
+    CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
 
     Stencil stencil;
     AlignedBuffer<float> coefficients;       ///< A_IJ per slot: 16 of each entry
     AlignedBuffer<float> ground;             ///< G_I per group: 16 of each entry
     AlignedBuffer<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
-    AlignedBuffer<SplitBlock> links;         ///< A_IJ by link, and a last one that is 0
-    AlignedBuffer<std::uint32_t> link_rows;  ///< of each entry: twice its link's number, in `links` as rows
+    SymmetricRows ground_rows;               ///< G_I by node
+    SymmetricRows links;                     ///< A_IJ by place in the lists, and behind them one that is 0
+    AlignedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
 
-    [[nodiscard]] Symmetric3 ground_of(std::uint32_t node) const;
-    void set_ground(std::uint32_t node, const Symmetric3& block);
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// Sums the links of a block from the finest level's springs, d d^T + a I given as (d, a).
+/// r_i I + G_i, which is what holds particles, as rows.
+void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
+                       Vec4* diagonal, Vec4* off_diagonal);
+/// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a).
 void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
-                       CoarseMatrix& matrix);
-/// Sums the links of a block from a finer coarse level's.
-void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SplitBlock* links,
-                     CoarseMatrix& matrix);
+                       SymmetricRows& sums);
+/// The same from a finer coarse level's links.
+void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
+                     SymmetricRows& sums);
 /// After links and ground: a block's coefficients, and the inverse of its diagonal.
 void finish_block(const BlockRange& range, CoarseMatrix& matrix);
 

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
+
+#include "engine/parallel_blocks.h"
 
 namespace weft {
 
@@ -58,34 +63,66 @@ struct Term {
     float factor;
 };
 
-/// Lists as they grow.
+/// Lists as they grow, link by link.
 struct GrowingLists {
     std::vector<Link> links;
-    std::vector<std::uint32_t> offsets{0}, fine_links;
+    std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
+    std::vector<std::uint32_t> fine_links;
     std::vector<float> factors;
 
     void add(std::uint32_t first, const Term& term) {
         if (links.empty() || links.back().first != first || links.back().second != term.second) {
-            fill_up();
-            if (!links.empty()) offsets.push_back(static_cast<std::uint32_t>(factors.size()));
             links.push_back({first, term.second});
+            offsets.push_back(offsets.back());
         }
         fine_links.push_back(term.fine_link);
         factors.push_back(term.factor);
+        ++offsets.back();
     }
-    void fill_up() {
-        while (factors.size() % 4 != 0) {
-            fine_links.push_back(fine_links.back());
-            factors.push_back(0);
-        }
-    }
+    [[nodiscard]] std::uint32_t terms(std::uint32_t link) const { return offsets[link + 1] - offsets[link]; }
 };
 
-template <class T>
-AlignedBuffer<T> copied(const std::vector<T>& values) {
-    AlignedBuffer<T> buffer(values.size());
-    std::ranges::copy(values, buffer.data());
-    return buffer;
+/// Links by the places of their sums.
+std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
+    std::vector<std::uint32_t> order(lists.links.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t begin = 0; begin < order.size(); begin += block_size) {
+        const std::span block =
+            std::span(order).subspan(begin).first(std::min<std::size_t>(block_size, order.size() - begin));
+        std::ranges::stable_sort(block, std::greater(),
+                                 [&](std::uint32_t link) { return lists.terms(link); });
+    }
+    return order;
+}
+
+GalerkinLists in_groups(GrowingLists&& grown) {
+    constexpr std::uint32_t lanes = Stencil::lanes;
+    const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
+    GalerkinLists lists;
+    lists.links = std::move(grown.links);
+    lists.links.shrink_to_fit();
+    lists.places.resize(order.size());
+    lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        lists.places[order[place]] = place;
+        std::uint32_t& slots = lists.group_slots[place / lanes + 1];
+        slots = std::max(slots, grown.terms(order[place]));
+    }
+    for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
+
+    const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
+    lists.fine_links = AlignedBuffer<std::uint32_t>(entries);
+    lists.factors = AlignedBuffer<float>(entries);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
+        const std::uint32_t terms = grown.terms(order[place]);
+        for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+            const std::uint32_t t = s - lists.group_slots[group], entry = s * lanes + place % lanes;
+            lists.fine_links[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
+            lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
+        }
+    }
+    return lists;
 }
 
 }  // namespace
@@ -128,10 +165,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
         });
         for (const Term& term : terms) lists.add(c, term);
     }
-    lists.fill_up();
-    if (!lists.links.empty()) lists.offsets.push_back(static_cast<std::uint32_t>(lists.factors.size()));
-    lists.links.shrink_to_fit();
-    return {std::move(lists.links), copied(lists.offsets), copied(lists.fine_links), copied(lists.factors)};
+    return in_groups(std::move(lists));
 }
 
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
@@ -172,8 +206,12 @@ SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsen
             const std::uint32_t k = touching.links[e];
             const Link& link = lists.links[k];
             float stiffness = 0;
-            for (std::uint32_t t = lists.offsets[k]; t < lists.offsets[k + 1]; ++t)
-                stiffness += lists.factors[t] * fine_stiffness[lists.fine_links[t]];
+            const std::uint32_t group = lists.places[k] / Stencil::lanes,
+                                lane = lists.places[k] % Stencil::lanes;
+            for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+                const std::uint32_t term = s * Stencil::lanes + lane;
+                stiffness += lists.factors[term] * fine_stiffness[lists.fine_links[term]];
+            }
             graph.neighbours[e] = link.first == i ? link.second : link.first;
             graph.stiffness[e] = std::max(stiffness, 0.0f);
             graph.lengths[e] = length[k];

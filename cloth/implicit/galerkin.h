@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cloth/implicit/coarsening.h"
+#include "cloth/implicit/stencil.h"
 #include "engine/aligned_buffer.h"
 
 namespace weft {
@@ -17,16 +18,22 @@ struct Link {
     std::uint32_t first, second;
 };
 
-/// What the coarse springs are summed from: term by term a factor times a spring of the finer level. A link's
-/// terms are filled up to a multiple of four by terms of factor 0, so that kernels can take four at once.
+/// What the coarse springs are summed from, term by term a factor times a spring of the finer level. Sums are
+/// taken in groups of 16 lanes, as a Stencil's rows are; of each 256 those with the most terms come first, so
+/// that the lanes of a group have about as many.
 struct GalerkinLists {
-    std::vector<Link> links;                  ///< of the coarse level, ascending
-    AlignedBuffer<std::uint32_t> offsets;     ///< terms of coarse link k: [offsets[k], offsets[k + 1])
-    AlignedBuffer<std::uint32_t> fine_links;  ///< of each term
-    AlignedBuffer<float> factors;
+    std::vector<Link> links;                   ///< of the coarse level, ascending
+    std::vector<std::uint32_t> places;         ///< of each link: which sum is its, group * lanes + lane
+    AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
+    AlignedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]
+    AlignedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
 
+    [[nodiscard]] std::uint32_t groups() const noexcept {
+        return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return links.size() * sizeof(Link) + offsets.bytes() + fine_links.bytes() + factors.bytes();
+        return links.size() * sizeof(Link) + places.size() * sizeof(std::uint32_t) + group_slots.bytes() +
+               fine_links.bytes() + factors.bytes();
     }
 };
 

@@ -47,13 +47,6 @@ SpringGraph graph_of(const Stencil& stencil, std::span<const Vec4> blocks, std::
     return graph;
 }
 
-/// What holds the fine nodes of coarse node c.
-void add_contacts(const ContactRows& contacts, const Interpolation& p, std::uint32_t c, Symmetric3& ground) {
-    for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-        if (const std::uint32_t i = p.fine_nodes[e]; contacts.touches(i))
-            ground.add_scaled(p.fine_weights[e], contacts.block(i));
-}
-
 /// The slot of i in which j is its neighbour.
 std::uint32_t entry_of(const Stencil& stencil, const Link& link) {
     const std::uint32_t group = link.first / Stencil::lanes, lane = link.first % Stencil::lanes;
@@ -86,6 +79,9 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
         if (coarse_.empty()) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
             for (std::uint32_t& link : lists.fine_links.span()) link = spring_of(links_[link]);
+        } else {
+            const std::vector<std::uint32_t>& places = coarse_.back().lists().places;
+            for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
         }
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph);
     }
@@ -155,37 +151,31 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
-    CoarseLevel& first = coarse_.front();
-    const Interpolation& p = first.interpolation();
-    coarse_ranges(parallel, p.coarse, [&](const BlockRange& range) {
-        for (std::uint32_t c = range.begin; c < range.end; ++c) {
-            float sum = 0;
-            for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-                sum += p.fine_weights[e] * system.right_side()[p.fine_nodes[e]].w;
-            Symmetric3 ground{.xx = sum, .yy = sum, .zz = sum};
-            if (system.contacts() != nullptr) add_contacts(*system.contacts(), p, c, ground);
-            first.matrix().set_ground(c, ground);
-        }
+    // Their rows are gathered where cycles have their vectors.
+    parallel.ranges(stencil_->nodes, [&](const BlockRange& range) {
+        ground_rows_block(range, system.right_side().data(), system.contacts(), smooth_.data(),
+                          remainder_.data());
     });
+    CoarseLevel& first = coarse_.front();
+    first.sum_ground(parallel, smooth_.span(), remainder_.span());
+    SymmetricRows& rows = first.matrix().ground_rows;
     for (const Tie& tie : ties_) {
         const Vec4& spring = springs_[tie.spring];
-        Symmetric3 ground = first.matrix().ground_of(tie.coarse);
+        Symmetric3 ground = rows[tie.coarse];
         ground.add(tie.weight * spring.w, std::sqrt(tie.weight) * xyz(spring));
-        first.matrix().set_ground(tie.coarse, ground);
+        rows.set(tie.coarse, ground);
     }
 }
 
 void Multigrid::factorise_coarsest() {
     const CoarseMatrix& matrix = coarse_.back().matrix();
-    const std::vector<Link>& links = coarse_.back().lists().links;
+    const GalerkinLists& lists = coarse_.back().lists();
     coarsest_.setZero();
     for (std::uint32_t i = 0; i < matrix.stencil.nodes; ++i)
-        coarsest_.block<3, 3>(3 * i, 3 * i) = matrix.ground_of(i).full();
-    for (std::size_t k = 0; k < links.size(); ++k) {
-        const auto& [diagonal, off] = matrix.links[k];
-        const Eigen::Matrix3d block =
-            Symmetric3{diagonal.x, diagonal.y, diagonal.z, off.x, off.z, off.y}.full();
-        const Eigen::Index i = 3 * links[k].first, j = 3 * links[k].second;
+        coarsest_.block<3, 3>(3 * i, 3 * i) = matrix.ground_rows[i].full();
+    for (std::size_t k = 0; k < lists.links.size(); ++k) {
+        const Eigen::Matrix3d block = matrix.links[lists.places[k]].full();
+        const Eigen::Index i = 3 * lists.links[k].first, j = 3 * lists.links[k].second;
         coarsest_.block<3, 3>(i, i) += block;
         coarsest_.block<3, 3>(j, j) += block;
         coarsest_.block<3, 3>(i, j) -= block;
