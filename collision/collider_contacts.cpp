@@ -110,6 +110,12 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thi
     return std::accumulate(block.met.begin(), block.met.end(), 0u);
 }
 
+void clear(NearSurfaces& near, float reach) {
+    for (BlockLanes* lanes : {&near.surfaces, &near.motions})
+        for (auto* component : {&lanes->x, &lanes->y, &lanes->z, &lanes->w}) component->fill(0);
+    near.surfaces.w.fill(reach);
+}
+
 Result<void> validate_point(const char* name, const Vec3& point) {
     if (!is_finite(point)) return out_of_range(name, point, "finite");
     return {};
@@ -196,25 +202,20 @@ std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> collid
 }
 
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
-                        float reach, std::span<const Vec4> positions, const NearSurfaces& near) {
-    NearestBlock block{.positions = positions.data(),
-                       .size = static_cast<std::uint32_t>(positions.size()),
-                       .bounds = bounds_of(positions),
-                       .surfaces = near.surfaces.data(),
-                       .motions = near.motions.data()};
-    bool is_clear = true;
+                        float reach, std::span<const Vec4> positions, float gamma,
+                        std::span<const Vec4> velocities, NearSurfaces& near) {
+    const auto size = static_cast<std::uint32_t>(positions.size());
+    const Bounds bounds = place(positions, gamma, velocities, near.points);
+    bool is_clear = true, found = false;
     for (const ColliderMotion& motion : colliders) {
         const ContactSettings settings{thickness, friction * motion.end.friction, h};
-        if_near(motion, h, thickness + reach, block.bounds, [&](const auto& moving_shape) {
-            if (is_clear) {
-                std::ranges::fill(near.surfaces, Vec4{0, 0, 0, reach});
-                std::ranges::fill(near.motions, Vec4{});
-                is_clear = false;
-            }
-            find_nearest(moving_shape, settings, reach, block);
+        if_near(motion, h, thickness + reach, bounds, [&](const auto& moving_shape) {
+            if (is_clear) clear(near, reach);
+            is_clear = false;
+            found |= find_nearest(moving_shape, settings, reach, size, near);
         });
     }
-    return block.found;
+    return found;
 }
 
 }  // namespace weft

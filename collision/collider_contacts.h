@@ -1,6 +1,7 @@
 #pragma once
 // Particles against spheres, capsules and planes, moving or not, with Coulomb friction.
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -35,15 +36,24 @@ std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> collid
                       float friction, float h, std::span<const Vec4> held, std::span<Vec4> positions,
                       std::span<Vec4> velocities, std::span<std::uint32_t> block_partials);
 
-/// For each of at most block_size positions the surface, at the substep's end, that is nearest of those
-/// nearer than `thickness + reach`. Arrays go on to the end of a group of 16.
-struct NearSurfaces {
-    std::span<Vec4>
-        surfaces;             ///< outward normal; w distance less `thickness` [m], `reach` where none is near
-    std::span<Vec4> motions;  ///< the surface's velocity [m/s]; w friction of cloth and collider together
+/// Vectors of a block's particles, component by component.
+struct BlockLanes {
+    alignas(64) std::array<float, block_size> x, y, z, w;
 };
-/// Returns whether any is near; else the surfaces are not written.
+
+/// Where particles of a block are going to be, and what is near there. Arrays are written to the end of a
+/// group of 16.
+struct NearSurfaces {
+    BlockLanes points;    ///< at the substep's end [m]; w inverse mass
+    BlockLanes surfaces;  ///< outward normal; w distance less `thickness` [m], `reach` where none is near
+    BlockLanes motions;   ///< the surface's velocity [m/s]; w friction of cloth and collider together
+};
+
+/// For each of at most block_size particles the surface, at the substep's end, that is nearest of those
+/// nearer than `thickness + reach`. Particles go to positions + gamma velocities; both arrays go on to the
+/// end of a group of 16. Returns whether any is near; else only the points are written.
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
-                        float reach, std::span<const Vec4> positions, const NearSurfaces& near);
+                        float reach, std::span<const Vec4> positions, float gamma,
+                        std::span<const Vec4> velocities, NearSurfaces& near);
 
 }  // namespace weft

@@ -8,6 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "collision/block_lanes-inl.h"
 #include "collision/coulomb-inl.h"
 #include "engine/lanes-inl.h"
 
@@ -21,9 +22,17 @@ HWY_INLINE Lanes3 set3(const Vector3& v) {
 HWY_INLINE Lanes3 set3(const Vec3& v) {
     return {set(v.x), set(v.y), set(v.z)};
 }
+HWY_INLINE Lanes4 with_w(const Lanes3& v, Lanes w) {
+    return {v.x, v.y, v.z, w};
+}
 template <class Mask>
 HWY_INLINE Lanes3 if_then_else(Mask mask, const Lanes3& a, const Lanes3& b) {
     return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
+}
+
+template <class Mask>
+HWY_INLINE Lanes4 if_then_else(Mask mask, const Lanes4& a, const Lanes4& b) {
+    return with_w(if_then_else(mask, xyz(a), xyz(b)), hn::IfThenElse(mask, a.w, b.w));
 }
 
 struct BoundsLanes {
@@ -43,10 +52,13 @@ struct BoundsLanes {
     }
 };
 
-Bounds bounds(std::span<const Vec4> positions) {
+HWY_INLINE BoundsLanes no_bounds() {
     const Lanes infinity = set(std::numeric_limits<float>::infinity());
-    BoundsLanes bounds{{infinity, infinity, infinity},
-                       {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}};
+    return {{infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}};
+}
+
+Bounds bounds(std::span<const Vec4> positions) {
+    BoundsLanes bounds = no_bounds();
     std::size_t i = 0;
     for (; i + part_lanes <= positions.size(); i += part_lanes) bounds.add(xyz(load_rows(&positions[i])));
     for (; i < positions.size(); ++i)
@@ -183,34 +195,47 @@ void collide_plane(const MovingPlane& plane, const ContactSettings& settings, Co
     collide_block(PlaneLanes(plane, settings.thickness), settings, block);
 }
 
+Bounds place_block(std::span<const Vec4> positions, float gamma, std::span<const Vec4> velocities,
+                   BlockLanes& points) {
+    BoundsLanes bounds = no_bounds();
+    for (std::uint32_t i = 0; i < positions.size(); i += part_lanes) {
+        const Lanes4 position = load_rows(positions.data() + i);
+        const Lanes3 point = mul_add(set(gamma), xyz(load_rows(velocities.data() + i)), xyz(position));
+        store_lanes({point.x, point.y, point.z, position.w}, points, i);
+        bounds.add(point);
+    }
+    return bounds.all();
+}
+
 template <class Shape>
-HWY_INLINE void find_nearest_in(const Shape& shape, const ContactSettings& settings, float reach,
-                                NearestBlock& block) {
+HWY_INLINE bool find_nearest_in(const Shape& shape, const ContactSettings& settings, float reach,
+                                std::uint32_t size, NearSurfaces& near) {
     const Tag d;
-    for (std::uint32_t i = 0; i < block.size; i += part_lanes) {
-        const Lanes3 p = xyz(load_rows(block.positions + i));
+    bool found = false;
+    for (std::uint32_t i = 0; i < size; i += part_lanes) {
+        const Lanes3 p = xyz(load_lanes(near.points, i));
         const auto may_meet = shape.near(p);
         if (hn::AllFalse(d, may_meet)) continue;
         const auto surface = shape.surface(p, may_meet);
         const Lanes gap = hn::Sub(set(reach), surface.penetration);
-        const Lanes4 before = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
+        const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
         const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
-        store_rows(if_then_else(nearer, surface.normal, xyz(before)), hn::IfThenElse(nearer, gap, before.w),
-                   block.surfaces + i);
-        store_rows(if_then_else(nearer, surface.velocity, xyz(motion)),
-                   hn::IfThenElse(nearer, set(settings.friction), motion.w), block.motions + i);
-        block.found = true;
+        store_lanes(if_then_else(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
+        store_lanes(if_then_else(nearer, with_w(surface.velocity, set(settings.friction)), motion),
+                    near.motions, i);
+        found = true;
     }
+    return found;
 }
 
-void find_nearest_capsule(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
-                          NearestBlock& block) {
-    find_nearest_in(CapsuleLanes(capsule, settings.thickness + reach), settings, reach, block);
+bool find_nearest_capsule(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                          std::uint32_t size, NearSurfaces& near) {
+    return find_nearest_in(CapsuleLanes(capsule, settings.thickness + reach), settings, reach, size, near);
 }
 
-void find_nearest_plane(const MovingPlane& plane, const ContactSettings& settings, float reach,
-                        NearestBlock& block) {
-    find_nearest_in(PlaneLanes(plane, settings.thickness + reach), settings, reach, block);
+bool find_nearest_plane(const MovingPlane& plane, const ContactSettings& settings, float reach,
+                        std::uint32_t size, NearSurfaces& near) {
+    return find_nearest_in(PlaneLanes(plane, settings.thickness + reach), settings, reach, size, near);
 }
 
 }  // namespace
@@ -223,6 +248,7 @@ namespace weft {
 HWY_EXPORT(bounds);
 HWY_EXPORT(collide_capsule);
 HWY_EXPORT(collide_plane);
+HWY_EXPORT(place_block);
 HWY_EXPORT(find_nearest_capsule);
 HWY_EXPORT(find_nearest_plane);
 
@@ -238,14 +264,19 @@ void collide(const MovingPlane& plane, const ContactSettings& settings, Collidin
     HWY_DYNAMIC_DISPATCH(collide_plane)(plane, settings, block);
 }
 
-void find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
-                  NearestBlock& block) {
-    HWY_DYNAMIC_DISPATCH(find_nearest_capsule)(capsule, settings, reach, block);
+Bounds place(std::span<const Vec4> positions, float gamma, std::span<const Vec4> velocities,
+             BlockLanes& points) {
+    return HWY_DYNAMIC_DISPATCH(place_block)(positions, gamma, velocities, points);
 }
 
-void find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
-                  NearestBlock& block) {
-    HWY_DYNAMIC_DISPATCH(find_nearest_plane)(plane, settings, reach, block);
+bool find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                  std::uint32_t size, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(find_nearest_capsule)(capsule, settings, reach, size, near);
+}
+
+bool find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach, std::uint32_t size,
+                  NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(find_nearest_plane)(plane, settings, reach, size, near);
 }
 
 }  // namespace weft

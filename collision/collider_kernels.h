@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "collision/collider_contacts.h"
 #include "engine/parallel_blocks.h"
 #include "engine/vector.h"
 #include "weft/types.h"
@@ -44,17 +45,6 @@ struct CollidingBlock {
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
 };
 
-/// Of each particle of a block the surface nearest to it. Arrays go on to the end of a group of 16.
-struct NearestBlock {
-    const Vec4* positions;
-    std::uint32_t size;
-    Bounds bounds;  ///< hold all finite positions
-    Vec4*
-        surfaces;  ///< outward normal; w distance less the thickness [m], at least `reach` where none is near
-    Vec4* motions;  ///< surface's velocity [m/s]; w friction
-    bool found = false;
-};
-
 /// Of those that are numbers.
 [[nodiscard]] Bounds bounds_of(std::span<const Vec4> positions);
 
@@ -62,10 +52,15 @@ struct NearestBlock {
 void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
 
-/// Takes the surface where it is nearer than what the block has. `reach` is beyond the thickness [m].
-void find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
-                  NearestBlock& block);
-void find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
-                  NearestBlock& block);
+/// points = positions + gamma velocities. Returns bounds of those that are numbers.
+[[nodiscard]] Bounds place(std::span<const Vec4> positions, float gamma, std::span<const Vec4> velocities,
+                           BlockLanes& points);
+
+/// Takes the surface where it is nearer than what a block of `size` particles has, and returns whether it is
+/// near any. `reach` is beyond the thickness [m].
+[[nodiscard]] bool find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
+                                std::uint32_t size, NearSurfaces& near);
+[[nodiscard]] bool find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
+                                std::uint32_t size, NearSurfaces& near);
 
 }  // namespace weft

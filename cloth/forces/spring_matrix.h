@@ -25,7 +25,7 @@ struct SpringMatrix {
     float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
     AlignedBuffer<std::uint16_t> coefficients;  ///< per slot 16 a, 16 d_x, d_y, d_z
     AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
-    const ContactRows* contacts = nullptr;      ///< G; null: nothing is in contact
+    const ContactRows* contacts = nullptr;      ///< G; null: there are no colliders
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {

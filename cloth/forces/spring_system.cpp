@@ -52,9 +52,10 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     const float stiffest = std::ranges::max(stiffness_of_kind_);
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     const std::span<const Vec4> positions = about_base ? equation.base_positions : positions_.span();
-    matrix_.contacts = contact_rows(parallel, equation, velocities);
+    matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(equation, positions, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+        linearise_contacts(equation, velocities, range);
         linearise_block(state, about, range, matrix_, right_side_.data());
     });
 }

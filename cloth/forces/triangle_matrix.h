@@ -21,7 +21,7 @@ struct TriangleMatrix {
     AlignedBuffer<float> scalars;           ///< a, per entry of the scalar stencil
     float scale = 0;                        ///< 0: no scalars
     AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
-    const ContactRows* contacts = nullptr;  ///< G; null: nothing is in contact
+    const ContactRows* contacts = nullptr;  ///< G; null: there are no colliders
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {

@@ -189,9 +189,10 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     make_additions(parallel, equation, velocities, true, about);
     if (quadratic_.size() > 0)
         matrix_.scale = bending_factor(equation) * equation.settings.finite_elements.bending;
-    matrix_.contacts = contact_rows(parallel, equation, velocities);
+    matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+        linearise_contacts(equation, velocities, range);
         linearise_block(state, about, range, matrix_, right_side_.data());
     });
 }

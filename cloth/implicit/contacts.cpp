@@ -1,8 +1,6 @@
 #include "cloth/implicit/contacts.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
 
 #include "cloth/implicit/vectors.h"
 
@@ -14,6 +12,7 @@
 #include "cloth/implicit/external_row-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
+#include "collision/block_lanes-inl.h"
 
 #ifndef WEFT_CLOTH_IMPLICIT_CONTACTS_TYPES
 #define WEFT_CLOTH_IMPLICIT_CONTACTS_TYPES
@@ -21,8 +20,8 @@ namespace weft {
 
 /// What the kernel needs of a block.
 struct ContactBlock {
-    const Vec4 *positions, *velocities;  // at the step's end, from the block's first particle on
-    const Vec4 *surfaces, *motions;      // see NearSurfaces
+    const NearSurfaces& near;
+    const Vec4* velocities;  // from the block's first particle on
     float gamma;
     Vector3 fall;            // that gravity will add yet [m]
     float hold;              // particles that pressed and end nearer than this are in contact [m]
@@ -50,8 +49,8 @@ namespace {
 
 /// Which lanes, from `i` on, press or are going to.
 HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
-    const Lanes zero = set(0), w = load_rows(block.positions + i).w;
-    const Lanes4 surface = load_rows(block.surfaces + i);
+    const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
+    const Lanes4 surface = load_lanes(block.near.surfaces, i);
     const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
     const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
     const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
@@ -60,12 +59,12 @@ HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
 
 void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes zero = set(0);
-    const Lanes4 surface = load_rows(block.surfaces + i), motion = load_rows(block.motions + i);
+    const Lanes4 surface = load_lanes(block.near.surfaces, i), motion = load_lanes(block.near.motions, i);
     const auto contact = in_contact(block, i);
     const Lanes stored = load_rows(block.normals + i).w;
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
 
-    const Lanes mass = hn::Div(set(1), load_rows(block.positions + i).w);
+    const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
     const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
     // What did not press yet is not drawn to the surface.
     const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
@@ -145,72 +144,60 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
-Contacts::Contacts(std::uint32_t particles) : normals_(particles), partials_(block_count(particles)) {
+Contacts::Contacts(std::uint32_t particles) : normals_(particles) {
     const std::uint32_t groups = (particles + Stencil::lanes - 1) / Stencil::lanes;
     rows_.blocks = AlignedBuffer<float>(std::size_t{6} * groups * Stencil::lanes);
     rows_.impulses = AlignedBuffer<Vec4>(particles);
     rows_.touching = AlignedBuffer<std::uint32_t>(groups);
 }
 
-const ContactRows* Contacts::linearise(Parallel& parallel, const StepEquation& equation,
-                                       std::span<const Vec4> velocities) {
-    if (!is_first_) press(parallel, velocities);
-    touching_groups_ = parallel.reduce(
-        static_cast<std::uint32_t>(velocities.size()), partials_.span(), 0u,
-        [&](const BlockRange& range) { return linearise_block(equation, velocities, range); }, std::plus<>{});
-    is_first_ = false;
-    return rows();
-}
-
-std::uint32_t Contacts::linearise_block(const StepEquation& equation, std::span<const Vec4> velocities,
-                                        const BlockRange& range) {
+void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> velocities,
+                         const BlockRange& range) {
+    const bool is_first = passes_ == 1;
+    if (!is_first) press(range, velocities, {});
     const ClothSettings& settings = equation.settings;
     const float gamma = equation.gamma;
-    std::array<Vec4, block_size> ends, surfaces, motions;
-    const Vec4 *const x = &equation.base_positions[range.begin], *const v = &velocities[range.begin];
     const std::uint32_t size = range.end - range.begin;
-    for (std::uint32_t i = 0; i < size; i += Stencil::lanes)  // whole groups: what lies behind the last is 0
-        for (std::uint32_t four = i; four < i + Stencil::lanes; four += 4)
-            store_four(load_four(x + four) + gamma * load_four(v + four), &ends[four]);
-    const bool near = find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
-                                         std::span(ends).first(size), {surfaces, motions});
-    const ContactBlock block{.positions = ends.data(),
-                             .velocities = v,
-                             .surfaces = surfaces.data(),
-                             .motions = motions.data(),
+    const std::span<const Vec4> v = velocities.subspan(range.begin, size);
+    NearSurfaces surfaces;
+    const bool near =
+        find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
+                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
+    const ContactBlock block{.near = surfaces,
+                             .velocities = v.data(),
                              .gamma = gamma,
-                             .fall = (is_first_ ? gamma * gamma : 0.0f) * equation.external.gravity,
-                             .hold = is_first_ ? reach : 0.0f,
+                             .fall = (is_first ? gamma * gamma : 0.0f) * equation.external.gravity,
+                             .hold = is_first ? reach : 0.0f,
                              .stick_per_spring = stick_per_spring,
                              .per_mass = spring_per_mass,
                              .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
                              .impulses = rows_.impulses.data() + range.begin,
                              .normals = normals_.data() + range.begin};
-    std::uint32_t count = 0;
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         std::uint32_t& touching = rows_.touching[i / Stencil::lanes];
         const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);
         if (touching != 0 && !touches) std::fill_n(normals_.data() + i, Stencil::lanes, Vec4{});
         touching = touches ? 1 : 0;
-        count += touching;
     }
-    return count;
 }
 
-void Contacts::press(Parallel& parallel, std::span<const Vec4> velocities, std::span<const Vec4> changes) {
-    if (touching_groups_ == 0) return;
-    parallel.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
-            if (!rows_.touches(i)) continue;
-            HWY_DYNAMIC_DISPATCH(press_group)
-            ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
-              .velocities = velocities.data() + i,
-              .changes = changes.empty() ? nullptr : changes.data() + i,
-              .impulses = rows_.impulses.data() + i,
-              .normals = normals_.data() + i});
-        }
-    });
+void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes) {
+    parallel.ranges(static_cast<std::uint32_t>(changes.size()),
+                    [&](const BlockRange& range) { press(range, equation.velocities, changes); });
+}
+
+void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities,
+                     std::span<const Vec4> changes) {
+    for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+        if (!rows_.touches(i)) continue;
+        HWY_DYNAMIC_DISPATCH(press_group)
+        ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
+          .velocities = velocities.data() + i,
+          .changes = changes.empty() ? nullptr : changes.data() + i,
+          .impulses = rows_.impulses.data() + i,
+          .normals = normals_.data() + i});
+    }
 }
 
 }  // namespace weft

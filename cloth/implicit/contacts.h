@@ -29,7 +29,7 @@ struct ContactRows {
     }
 };
 
-/// Null: nothing is in contact.
+/// Null: there are no colliders.
 [[nodiscard]] inline bool touches(const ContactRows* contacts, std::uint32_t i) {
     return contacts != nullptr && contacts->touches(i);
 }
@@ -46,37 +46,34 @@ class Contacts {
     /// A substep begins, in which colliders move so. They must outlive it.
     void begin(std::span<const ColliderMotion> colliders) {
         colliders_ = colliders;
-        is_first_ = true;
+        passes_ = 0;
     }
-    /// The rows, linearised about `velocities`. Null if nothing is in contact.
-    const ContactRows* linearise(Parallel& parallel, const StepEquation& equation,
-                                 std::span<const Vec4> velocities);
+    /// Another linearisation begins, in which every block is to be linearised before its rows are read.
+    const ContactRows* begin_pass() {
+        ++passes_;
+        return &rows_;
+    }
+    /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
+    /// near.
+    void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     /// The substep ends with the equation's velocities + changes: keeps how hard particles press, for the
     /// next one's friction.
-    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes) {
-        press(parallel, equation.velocities, changes);
-    }
+    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes);
     /// Normals of contact, 0 without it; w the impulse along it [kg m/s].
     [[nodiscard]] std::span<const Vec4> normals() const noexcept { return normals_.span(); }
 
-    [[nodiscard]] const ContactRows* rows() const noexcept { return touching_groups_ > 0 ? &rows_ : nullptr; }
+    [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.touching.bytes() + normals_.bytes() +
-               partials_.bytes();
+        return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.touching.bytes() + normals_.bytes();
     }
 
   private:
-    /// Returns how many groups of the block are in contact.
-    std::uint32_t linearise_block(const StepEquation& equation, std::span<const Vec4> velocities,
-                                  const BlockRange& range);
-    void press(Parallel& parallel, std::span<const Vec4> velocities, std::span<const Vec4> changes = {});
+    void press(const BlockRange& range, std::span<const Vec4> velocities, std::span<const Vec4> changes);
 
     ContactRows rows_;
     AlignedBuffer<Vec4> normals_;
-    AlignedBuffer<std::uint32_t> partials_;
     std::span<const ColliderMotion> colliders_;
-    std::uint32_t touching_groups_ = 0;
-    bool is_first_ = true;
+    int passes_ = 0;  // of this substep
 };
 
 }  // namespace weft

@@ -51,7 +51,7 @@ HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes
         row.impulse = mul_add(gamma, mul_add(air.w, since, xyz(air)), row.impulse);
         row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
     }
-    const ContactRows* const contacts = equation.contacts != nullptr ? equation.contacts->rows() : nullptr;
+    const ContactRows* const contacts = equation.contacts != nullptr ? &equation.contacts->rows() : nullptr;
     if (touches(contacts, i))
         row.impulse =
             row.impulse + (xyz(load_rows(&contacts->impulses[i])) - contact_blocks(*contacts, i) * v);

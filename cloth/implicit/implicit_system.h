@@ -70,7 +70,7 @@ class ImplicitSystem {
     /// Of all slots: one for each entry of the stencil. Allocates; not for the steady step.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
-    /// What colliders add to the diagonal, or null: nothing is in contact.
+    /// What colliders add to the diagonal, or null: there are none.
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
 
     /// Whether coarse levels may do without the spring between two particles, since others hold what it
@@ -96,11 +96,14 @@ class ImplicitSystem {
     /// How far apart in memory are particles that have a block.
     [[nodiscard]] virtual std::uint32_t reach() const noexcept { return stencil().reach; }
 
-    /// The equation's contacts, linearised with the system; null if there are none. Before the rows are made.
-    static const ContactRows* contact_rows(Parallel& parallel, const StepEquation& equation,
-                                           std::span<const Vec4> velocities) {
-        return equation.contacts == nullptr ? nullptr
-                                            : equation.contacts->linearise(parallel, equation, velocities);
+    /// The rows of the equation's contacts; null if there are no colliders. A linearisation begins.
+    static const ContactRows* begin_contacts(const StepEquation& equation) {
+        return equation.contacts == nullptr ? nullptr : equation.contacts->begin_pass();
+    }
+    /// Makes those of a block, before the system's own.
+    static void linearise_contacts(const StepEquation& equation, std::span<const Vec4> velocities,
+                                   const BlockRange& range) {
+        if (equation.contacts != nullptr) equation.contacts->linearise(equation, velocities, range);
     }
 
     AlignedBuffer<Vec4> right_side_;
