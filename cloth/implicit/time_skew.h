@@ -17,9 +17,9 @@
 namespace weft {
 
 /// Sweeps that may be asked for at once.
-inline constexpr std::uint32_t most_skewed_sweeps = 4;
+inline constexpr std::uint32_t most_skewed_sweeps = 5;
 
-/// Of those left, how many to ask for next: fours, or threes where these come out even.
+/// Of those left, how many to ask for next: the most, or fewer where these come out even.
 constexpr std::size_t next_sweeps(std::size_t left) {
     const std::size_t passes = (left + most_skewed_sweeps - 1) / most_skewed_sweeps;
     return (left + passes - 1) / passes;
@@ -38,7 +38,8 @@ struct SkewedTiles {
         : rows(all_rows), reach(whole_groups(reach_in_rows)) {
         for (sweeps = wanted_sweeps; sweeps > 1; --sweeps) {
             tiles = std::min(2 * threads, rows / std::max(4 * sweeps * reach, block_size));
-            if (tiles >= threads) return;
+            tiles -= tiles % threads;  // as much for each of them
+            if (tiles > 0) return;
         }
         tiles = 0;
     }
