@@ -1,5 +1,6 @@
 #include "cloth/implicit/coarse_level.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/vector.h"
@@ -15,19 +16,23 @@ CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const
       before_(graph.nodes()) {}
 
 void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs) {
-    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+    coarse_ranges(parallel, lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
         sum_springs_block(lists_, range, springs.data(), matrix_.links);
     });
 }
 
 void CoarseLevel::sum_ground(Parallel& parallel, std::span<const Vec4> diagonal,
                              std::span<const Vec4> off_diagonal) {
-    restrict_to(parallel, interpolation_, diagonal, matrix_.ground_rows.diagonal.span());
-    restrict_to(parallel, interpolation_, off_diagonal, matrix_.ground_rows.off_diagonal.span());
+    SymmetricRows& rows = matrix_.ground_rows;
+    restrict_to(parallel, interpolation_, diagonal, rows.diagonal.span());
+    if (off_diagonal.empty())
+        std::ranges::fill(rows.off_diagonal.span(), Vec4{});
+    else
+        restrict_to(parallel, interpolation_, off_diagonal, rows.off_diagonal.span());
 }
 
 void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
-    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+    coarse_ranges(parallel, lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
         sum_links_block(lists_, range, finer.matrix().links, matrix_.links);
     });
     const SymmetricRows& ground = finer.matrix().ground_rows;

@@ -20,7 +20,7 @@ class CoarseLevel {
     /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
     /// place.
     void sum_links(Parallel& parallel, std::span<const Vec4> springs);
-    /// Ground from what holds the finer level's nodes.
+    /// Ground from what holds the finer level's nodes; no off-diagonal rows: 0.
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Links and ground from another coarse level's.
     void sum(Parallel& parallel, const CoarseLevel& finer);

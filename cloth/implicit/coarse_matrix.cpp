@@ -93,9 +93,11 @@ void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactR
                  Vec4* off_diagonal) {
     const Lanes zero = set(0);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        SymmetricLanes ground = {zero, zero, zero, zero, zero, zero};
-        if (touches(contacts, i)) ground = contact_blocks(*contacts, i);
-        store_as_rows(add_identity(ground, load_rows(right_side + i).w), diagonal + i, off_diagonal + i);
+        const Lanes row_sum = load_rows(right_side + i).w;
+        SymmetricLanes ground = {row_sum, row_sum, row_sum, zero, zero, zero};
+        if (touches(contacts, i)) ground = add_identity(contact_blocks(*contacts, i), row_sum);
+        store_rows({ground.xx, ground.yy, ground.zz}, zero, diagonal + i);
+        if (contacts != nullptr) store_rows({ground.xy, ground.xz, ground.yz}, zero, off_diagonal + i);
     }
 }
 

@@ -66,13 +66,14 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
             std::swap(vectors.direction, vectors.preconditioned);
         else
             turn_direction(parallel, static_cast<float>(now.residual / before.residual), vectors);
-        const double curvature =
-            system.multiply(parallel, std::as_const(vectors.direction).span(), vectors.product.span());
+        const bool is_last = k + 1 == iterations;
+        const double curvature = system.multiply(parallel, std::as_const(vectors.direction).span(),
+                                                 is_last ? std::span<Vec4>() : vectors.product.span());
         const double alpha = now.residual / curvature;
         if (std::isnan(curvature)) return no_number;
         if (!(curvature > 0) || !std::isfinite(alpha)) break;
         advance_along(parallel, static_cast<float>(alpha), vectors, dv);
-        if (k + 1 == iterations) break;
+        if (is_last) break;
         update_residual(parallel, static_cast<float>(alpha), residual, vectors);
         residual = vectors.residual.span();
     }

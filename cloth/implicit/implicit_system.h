@@ -45,7 +45,7 @@ class ImplicitSystem {
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
-    /// product = W x. Returns x . W x.
+    /// product = W x, unless it is empty. Returns x . W x.
     double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product);
     /// remainder = b - W x.
     void subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,

@@ -157,7 +157,8 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
                           remainder_.data());
     });
     CoarseLevel& first = coarse_.front();
-    first.sum_ground(parallel, smooth_.span(), remainder_.span());
+    first.sum_ground(parallel, smooth_.span(),
+                     system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
     SymmetricRows& rows = first.matrix().ground_rows;
     for (const Tie& tie : ties_) {
         const Vec4& spring = springs_[tie.spring];

@@ -17,14 +17,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// product = W x. Returns the rows' share of x . W x.
+/// product = W x, unless it is null. Returns the rows' share of x . W x.
 template <class Matrix>
 double multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
     alignas(64) float dots[Stencil::lanes] = {};  // by lane, so that the sum is the same at any width
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 x_i = xyz(load_rows(x + i));
         const Lanes3 row = row_product(matrix, i, x, x_i);
-        store_rows(row, hn::Zero(Tag()), product + i);
+        if (product != nullptr) store_rows(row, hn::Zero(Tag()), product + i);
         float* const partial = dots + i % Stencil::lanes;
         hn::Store(hn::Add(load_lanes(partial), dot(row, x_i)), Tag(), partial);
     }
