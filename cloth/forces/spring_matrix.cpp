@@ -42,8 +42,9 @@ HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, co
 
 namespace {
 
-double multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    return multiply_rows(matrix, range, x, product);
+Products multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                  Vec4* product) {
+    return multiply_rows(matrix, range, b, x, product);
 }
 
 void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
@@ -98,8 +99,9 @@ void SpringMatrix::set_unit(float largest_block) {
     unit = largest_block > 0 ? std::ldexp(1.0f, exponent - 7) : 1.0f;
 }
 
-double multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
+Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                        Vec4* product) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product);
 }
 
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

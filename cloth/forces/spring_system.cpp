@@ -69,8 +69,9 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                     [&](const BlockRange& range) { residual_block(state, range, residual.data()); });
 }
 
-double SpringSystem::multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const {
-    return multiply_block(matrix_, range, x, product);
+Products SpringSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                     Vec4* product) const {
+    return multiply_block(matrix_, range, b, x, product);
 }
 
 void SpringSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -63,8 +63,9 @@ HWY_INLINE Lanes3 preconditioned(const TriangleMatrix& matrix, std::uint32_t i, 
 
 namespace {
 
-double multiply(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    return multiply_rows(matrix, range, x, product);
+Products multiply(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                  Vec4* product) {
+    return multiply_rows(matrix, range, b, x, product);
 }
 
 void subtract_product(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
@@ -99,8 +100,9 @@ TriangleMatrix::TriangleMatrix(Stencil neighbours)
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
 
-double multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, x, product);
+Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                        Vec4* product) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product);
 }
 
 void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,

@@ -30,9 +30,9 @@ struct TriangleMatrix {
     }
 };
 
-/// These do what ImplicitSystem's functions of the same name do, for one block, and return its share of x . W
-/// x.
-double multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product);
+/// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
+Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                        Vec4* product);
 void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,
                             const Vec4* x, Vec4* remainder);
 void relax_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -218,8 +218,9 @@ void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std
     });
 }
 
-double TriangleSystem::multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const {
-    return multiply_block(matrix_, range, x, product);
+Products TriangleSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                       Vec4* product) const {
+    return multiply_block(matrix_, range, b, x, product);
 }
 
 void TriangleSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,

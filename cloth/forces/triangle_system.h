@@ -34,7 +34,8 @@ class TriangleSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    double multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const override;
+    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                           Vec4* product) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
                                Vec4* remainder) const override;
     void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;

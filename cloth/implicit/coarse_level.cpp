@@ -16,7 +16,7 @@ CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const
       before_(graph.nodes()) {}
 
 void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs) {
-    coarse_ranges(parallel, lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
         sum_springs_block(lists_, range, springs.data(), matrix_.links);
     });
 }
@@ -32,7 +32,7 @@ void CoarseLevel::sum_ground(Parallel& parallel, std::span<const Vec4> diagonal,
 }
 
 void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
-    coarse_ranges(parallel, lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
         sum_links_block(lists_, range, finer.matrix().links, matrix_.links);
     });
     const SymmetricRows& ground = finer.matrix().ground_rows;

@@ -1,5 +1,7 @@
 #include "cloth/implicit/conjugate_gradient.h"
 
+#include <functional>
+
 #include "cloth/implicit/vectors.h"
 
 namespace weft {
@@ -8,8 +10,7 @@ std::size_t CgVectors::bytes() const noexcept {
     return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
 }
 
-CgVectors::Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
-    using Products = CgVectors::Products;
+Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
     return parallel.reduce(
         static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), Products{},
         [&](const BlockRange& range) {
@@ -19,12 +20,10 @@ CgVectors::Products products(Parallel& parallel, std::span<const Vec4> residual,
                 with_residual += z * load_four(&residual[i]);
                 squares += z * z;
             }
-            return Products{with_residual.topRows<3>().cast<double>().sum(),
-                            squares.topRows<3>().cast<double>().sum()};
+            return Products{.b_x = with_residual.topRows<3>().cast<double>().sum(),
+                            .x_x = squares.topRows<3>().cast<double>().sum()};
         },
-        [](const Products& l, const Products& r) {
-            return Products{l.residual + r.residual, l.preconditioned + r.preconditioned};
-        });
+        std::plus<>{});
 }
 
 void turn_direction(Parallel& parallel, float beta, CgVectors& vectors) {

@@ -13,11 +13,6 @@ namespace weft {
 
 /// The memory of one solve.
 struct CgVectors {
-    /// r . z and z . z of a residual r and z = P r.
-    struct Products {
-        double residual = 0, preconditioned = 0;
-    };
-
     explicit CgVectors(std::uint32_t particles)
         : residual(particles),
           preconditioned(particles),
@@ -31,8 +26,8 @@ struct CgVectors {
 };
 
 // The passes over whole vectors that an iteration is made of.
-[[nodiscard]] CgVectors::Products products(Parallel& parallel, std::span<const Vec4> residual,
-                                           CgVectors& vectors);
+/// r . z and z . z.
+[[nodiscard]] Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors);
 /// p = z + beta p.
 void turn_direction(Parallel& parallel, float beta, CgVectors& vectors);
 /// dv += alpha p.
@@ -53,32 +48,36 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     std::span<const Vec4> residual = system.right_side().span();
-    CgVectors::Products first, before, now;
+    Products first, before, now;
     for (int k = 0; k < iterations; ++k) {
-        precondition(residual, vectors.preconditioned.span());
-        before = now;
-        now = products(parallel, residual, vectors);
-        if (k == 0) first = now;
-        if (!std::isfinite(now.residual)) return no_number;
-        if (!(now.residual > rounding * first.residual)) break;
-
-        if (k == 0)
-            std::swap(vectors.direction, vectors.preconditioned);
-        else
-            turn_direction(parallel, static_cast<float>(now.residual / before.residual), vectors);
         const bool is_last = k + 1 == iterations;
-        const double curvature = system.multiply(parallel, std::as_const(vectors.direction).span(),
-                                                 is_last ? std::span<Vec4>() : vectors.product.span());
-        const double alpha = now.residual / curvature;
-        if (std::isnan(curvature)) return no_number;
-        if (!(curvature > 0) || !std::isfinite(alpha)) break;
+        const auto multiply_direction = [&] {
+            return system.multiply(parallel, residual, std::as_const(vectors.direction).span(),
+                                   is_last ? std::span<Vec4>() : vectors.product.span());
+        };
+        precondition(residual, vectors.preconditioned.span());
+        if (k == 0) {  // z is the direction
+            std::swap(vectors.direction, vectors.preconditioned);
+            first = now = multiply_direction();
+        } else {
+            before = now;
+            now = products(parallel, residual, vectors);
+        }
+        if (!std::isfinite(now.b_x)) return no_number;
+        if (!(now.b_x > rounding * first.b_x)) break;
+        if (k > 0) {
+            turn_direction(parallel, static_cast<float>(now.b_x / before.b_x), vectors);
+            now.x_wx = multiply_direction().x_wx;
+        }
+        const double alpha = now.b_x / now.x_wx;
+        if (std::isnan(now.x_wx)) return no_number;
+        if (!(now.x_wx > 0) || !std::isfinite(alpha)) break;
         advance_along(parallel, static_cast<float>(alpha), vectors, dv);
         if (is_last) break;
         update_residual(parallel, static_cast<float>(alpha), residual, vectors);
         residual = vectors.residual.span();
     }
-    return first.preconditioned > 0 ? static_cast<float>(std::sqrt(now.preconditioned / first.preconditioned))
-                                    : 0.0f;
+    return first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f;
 }
 
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).

@@ -8,10 +8,11 @@
 
 namespace weft {
 
-double ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
+Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                                  std::span<Vec4> product) {
     return parallel.reduce(
-        stencil().nodes, partial_sums_.span(), 0.0,
-        [&](const BlockRange& range) { return multiply_rows(range, x.data(), product.data()); },
+        stencil().nodes, partial_sums_.span(), Products{},
+        [&](const BlockRange& range) { return multiply_rows(range, b.data(), x.data(), product.data()); },
         std::plus<>{});
 }
 

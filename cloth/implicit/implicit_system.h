@@ -28,6 +28,15 @@ struct Relaxation {
     float momentum = 0;
 };
 
+/// What multiply() sums on its way: b . x, x . x and x . W x.
+struct Products {
+    double b_x = 0, x_x = 0, x_wx = 0;
+
+    friend Products operator+(const Products& l, const Products& r) {
+        return {l.b_x + r.b_x, l.x_x + r.x_x, l.x_wx + r.x_wx};
+    }
+};
+
 /// Vectors are one Vec4 a particle, w 0, in AlignedBuffers (kernels read whole groups of 16). W is symmetric
 /// positive definite on the free particles; rows of pinned ones (inverse mass 0) are as if they were not
 /// there: 0 comes out.
@@ -45,8 +54,13 @@ class ImplicitSystem {
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
-    /// product = W x, unless it is empty. Returns x . W x.
-    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product);
+    /// product = W x, unless it is empty.
+    Products multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                      std::span<Vec4> product);
+    /// product = W x. Returns x . W x.
+    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
+        return multiply(parallel, x, x, product).x_wx;
+    }
     /// remainder = b - W x.
     void subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                           std::span<Vec4> remainder) const;
@@ -86,8 +100,9 @@ class ImplicitSystem {
 
   protected:
     // The same for some rows, which are whole groups of 16 but for the last.
-    /// Returns their share of x . W x.
-    virtual double multiply_rows(const BlockRange& range, const Vec4* x, Vec4* product) const = 0;
+    /// Returns their shares.
+    virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
+                                   Vec4* product) const = 0;
     virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
                                        Vec4* remainder) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
@@ -107,7 +122,7 @@ class ImplicitSystem {
     }
 
     AlignedBuffer<Vec4> right_side_;
-    AlignedBuffer<double> partial_sums_;
+    AlignedBuffer<Products> partial_sums_;
 };
 
 /// The system of the settings' force model.

@@ -100,10 +100,9 @@ float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) 
         const double beta = k == 0 ? 0.0 : std::max(0.0, (new_rho - dot_of(preconditioned, product)) / rho);
         rho = new_rho;
         scale_and_add(parallel, 1.0f, preconditioned.span(), static_cast<float>(beta), direction.span());
-        const double slope = dot_of(residual, direction);
-        const double curvature = system_->multiply(parallel, direction.span(), product.span());
-        if (!(curvature > 0)) break;
-        const double length = slope / curvature;
+        const Products along = system_->multiply(parallel, residual.span(), direction.span(), product.span());
+        if (!(along.x_wx > 0)) break;
+        const double slope = along.b_x, length = slope / along.x_wx;
         std::swap(residual, product);
         move(length);
         // Where the equation is stiffer along the direction than W said: back to where the secant crosses

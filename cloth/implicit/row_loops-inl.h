@@ -17,18 +17,33 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// product = W x, unless it is null. Returns the rows' share of x . W x.
+/// Of a block's rows; by lane, so that the sums are the same at any width.
+class SumByLanes {
+  public:
+    HWY_INLINE void add(std::uint32_t lane, Lanes values) {
+        hn::Store(hn::Add(load_lanes(sums_ + lane), values), Tag(), sums_ + lane);
+    }
+    [[nodiscard]] double all() const { return std::accumulate(std::begin(sums_), std::end(sums_), 0.0); }
+
+  private:
+    alignas(64) float sums_[Stencil::lanes] = {};
+};
+
+/// product = W x, unless it is null. Returns the rows' shares.
 template <class Matrix>
-double multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* x, Vec4* product) {
-    alignas(64) float dots[Stencil::lanes] = {};  // by lane, so that the sum is the same at any width
+Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                       Vec4* product) {
+    SumByLanes b_x, x_x, x_wx;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 x_i = xyz(load_rows(x + i));
         const Lanes3 row = row_product(matrix, i, x, x_i);
         if (product != nullptr) store_rows(row, hn::Zero(Tag()), product + i);
-        float* const partial = dots + i % Stencil::lanes;
-        hn::Store(hn::Add(load_lanes(partial), dot(row, x_i)), Tag(), partial);
+        const std::uint32_t lane = i % Stencil::lanes;
+        b_x.add(lane, dot(xyz(load_rows(b + i)), x_i));
+        x_x.add(lane, dot(x_i, x_i));
+        x_wx.add(lane, dot(row, x_i));
     }
-    return std::accumulate(std::begin(dots), std::end(dots), 0.0);
+    return {b_x.all(), x_x.all(), x_wx.all()};
 }
 
 /// remainder = b - W x.
