@@ -59,8 +59,10 @@ struct CoarseCounts {
             const CoarseLevel& level = multigrid.level(k);
             const auto nodes = static_cast<double>(level.nodes());
             const double slots = 16.0 * level.matrix().stencil.slots();
-            terms += static_cast<double>(level.lists().factors.size()) / n;
-            lists += static_cast<double>(level.lists().bytes()) / n;
+            const GalerkinLists& of = level.lists();
+            terms += static_cast<double>(of.factors.size()) / n;
+            lists +=
+                static_cast<double>(of.group_slots.bytes() + of.fine_links.bytes() + of.factors.bytes()) / n;
             matrices += static_cast<double>(level.matrix().bytes()) / n;
             read_by_cycle +=
                 (28 * slots + (4 * 16 + 24) * nodes) / n;  // blocks of 24, indices of 4; b, x, D^-1
