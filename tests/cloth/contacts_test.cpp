@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/implicit/contacts.h"
+#include "cloth/implicit/multigrid.h"
 #include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"
@@ -172,6 +173,42 @@ TEST(Contacts, SystemIsSymmetricAndItsDiagonalServesRelaxation) {
         }
         EXPECT_LT(largest_real_part(inverse_diagonal * w), elements ? 2.01 : 2.0);
     }
+}
+
+TEST(Contacts, HoldCoarseNodesByTheirShareOfParticles) {
+    LyingCloth lying;
+    lying.press();
+    Parallel serial(1);
+    const auto system = make_system(lying.cloth.model, lying.cloth.settings);
+    const auto linearise = [&](const StepEquation& equation) {
+        system->linearise(serial, equation, lying.cloth.state.velocities.span(), LinearisedAbout::iterate);
+    };
+    linearise(equation_of(lying.cloth, h));
+    Multigrid without(serial, *system, lying.cloth.state.positions.span());
+    without.build(serial, *system);
+    Multigrid with(serial, *system, lying.cloth.state.positions.span());
+    linearise(lying.equation());
+    with.build(serial, *system);
+    const ContactRows& rows = lying.contacts.rows();
+    const Interpolation& p = with.level(0).interpolation();
+    double held = 0;
+    for (std::uint32_t c = 0; c < p.coarse; ++c) {
+        Symmetric3 expected;
+        for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
+            if (const std::uint32_t i = p.fine_nodes[e]; rows.touches(i))
+                expected.add_scaled(p.fine_weights[e], rows.block(i));
+        const Eigen::Matrix3d found = with.level(0).matrix().ground_rows[c].full();
+        const Eigen::Matrix3d added = found - without.level(0).matrix().ground_rows[c].full();
+        EXPECT_LT((added - expected.full()).norm(), 1e-5 * found.norm()) << c;
+        held += expected.full().norm();
+    }
+    EXPECT_GT(held, 0);
+    // And they let go of them again.
+    linearise(equation_of(lying.cloth, h));
+    with.build(serial, *system);
+    for (std::uint32_t c = 0; c < p.coarse; ++c)
+        EXPECT_EQ(with.level(0).matrix().ground_rows[c].full(),
+                  without.level(0).matrix().ground_rows[c].full());
 }
 
 TEST(Contacts, SolversConvergeToTheDenseSolution) {

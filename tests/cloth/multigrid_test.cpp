@@ -138,6 +138,19 @@ Eigen::MatrixXd dense_matrix(const CoarseMatrix& matrix) {
     return result;
 }
 
+/// Of matrices of 3 x 3 blocks, relative to the second.
+double difference_off_the_diagonal(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) {
+    double error = 0, size = 0;
+    for (Eigen::Index i = 0; i < found.rows(); i += 3) {
+        for (Eigen::Index j = 0; j < found.cols(); j += 3) {
+            if (i == j) continue;
+            error += (found.block<3, 3>(i, j) - expected.block<3, 3>(i, j)).squaredNorm();
+            size += expected.block<3, 3>(i, j).squaredNorm();
+        }
+    }
+    return std::sqrt(error / size);
+}
+
 TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
     // Off the diagonal P^T W P has springs between free particles alone: inertia and springs to pins are
     // lumped.
@@ -156,16 +169,32 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
     const Eigen::MatrixXd p = dense_interpolation(levels.multigrid->level(0).interpolation());
     const Eigen::MatrixXd product = p.transpose() * springs * p;
     const Eigen::MatrixXd coarse = dense_matrix(levels.multigrid->level(0).matrix());
-    double error = 0, size = 0;
-    for (Eigen::Index i = 0; i < coarse.rows(); i += 3) {
-        for (Eigen::Index j = 0; j < i; j += 3) {
-            error += (coarse.block<3, 3>(i, j) - product.block<3, 3>(i, j)).squaredNorm();
-            size += product.block<3, 3>(i, j).squaredNorm();
-        }
-    }
-    EXPECT_LT(std::sqrt(error / size), 1e-3) << "factors below 1e-4 are left out";
+    EXPECT_LT(difference_off_the_diagonal(coarse, product), 1e-3) << "factors below 1e-4 are left out";
     EXPECT_LT((coarse - coarse.transpose()).norm(), 1e-5 * coarse.norm());
     EXPECT_GT(eigenvalues(coarse)[0], 0);
+}
+
+// Springs and what holds nodes apart: rows of springs sum to 0, so that the sum of a row of W is what holds
+// its node, and this is lumped.
+TEST(Multigrid, CoarserLevelsAreSumsOfFinerOnes) {
+    for (const Mesh& mesh : {sheet(30, 21), loose_sheet(28, 20), sphere(3)}) {
+        const Levels levels(waving(mesh, {{0, 1}}));
+        ASSERT_GE(levels.multigrid->levels(), 2u);
+        for (std::size_t k = 1; k < levels.multigrid->levels(); ++k) {
+            const Eigen::MatrixXd p = dense_interpolation(levels.multigrid->level(k).interpolation());
+            const Eigen::MatrixXd finer = dense_matrix(levels.multigrid->level(k - 1).matrix());
+            const Eigen::MatrixXd coarser = dense_matrix(levels.multigrid->level(k).matrix());
+            const auto held = [](const Eigen::MatrixXd& w) -> Eigen::MatrixXd {
+                return w * Eigen::Matrix3d::Identity().replicate(w.cols() / 3, 1);
+            };
+            const Eigen::MatrixXd finer_held = held(finer);
+            EXPECT_LT((held(coarser) - p.transpose() * finer_held).norm(), 1e-5 * coarser.norm());
+            Eigen::MatrixXd springs = finer;
+            for (Eigen::Index i = 0; i < finer.rows(); i += 3)
+                springs.block<3, 3>(i, i) -= finer_held.block<3, 3>(i, 0);
+            EXPECT_LT(difference_off_the_diagonal(coarser, p.transpose() * springs * p), 1e-3);
+        }
+    }
 }
 
 TEST_P(OnMeshes, CycleIsSymmetricPositiveDefiniteAndLeavesPinsAlone) {

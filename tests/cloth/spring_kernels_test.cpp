@@ -14,155 +14,14 @@
 #include "fixtures.h"
 #include "hwy/targets.h"
 #include "meshes.h"
+#include "spring_scene.h"
 
 namespace weft::test {
 namespace {
 
-/// A moving cloth in moving air, a few particles pinned, and all that a step's equation refers to.
-struct Scene {
-    CookedCloth model;
-    ClothSettings settings;
-    AlignedBuffer<Vec4> positions, velocities, base_velocities, air;
-    LinearisedAbout about = LinearisedAbout::base;
-
-    [[nodiscard]] std::uint32_t size() const { return model.particle_count; }
-    [[nodiscard]] StepEquation equation() const {
-        return {.settings = settings,
-                .h = 1.0f / 60,
-                .gamma = 1.0f / 60,
-                .positions = positions.span(),
-                .velocities = velocities.span(),
-                .base_positions = positions.span(),
-                .base_velocities = base_velocities.span(),
-                .external = {.gravity = {0, -9.81f, 0}, .air_damping = 0.5f, .air = air.span()}};
-    }
-    /// Where springs are looked at.
-    [[nodiscard]] Vector3 place(std::uint32_t i) const {
-        const float gamma = about == LinearisedAbout::base ? 0 : equation().gamma;
-        return xyz(positions[i]) + gamma * xyz(velocities[i]);
-    }
-};
-
-Scene make_scene(const Mesh& mesh, float stiffness, LinearisedAbout about) {
-    Scene scene;
-    scene.model = cook(mesh).value();
-    const std::uint32_t n = scene.size();
-    scene.settings.fabric = {.stretch = stiffness, .shear = 0.3f * stiffness, .bend = 1e-3f * stiffness};
-    scene.settings.fabric.damping = 0.01f;
-    scene.positions = random_rows(n, 0.3f * scene.model.info.mean_edge, 1);
-    scene.velocities = random_rows(n, 1, 2);
-    scene.base_velocities = random_rows(n, 1, 3);
-    scene.air = random_rows(n, 1e-3f, 4);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        Vec4& x = scene.positions[i];
-        const Vector3 noise = xyz(x);
-        const float mass = scene.settings.fabric.areal_density * scene.model.rest_area[i];
-        x = to_vec4(xyz(scene.model.positions[i]) + noise, i % 13 == 4 ? 0 : 1 / mass);
-        scene.air[i].w = 1e-4f * static_cast<float>(i % 3);
-    }
-    scene.about = about;
-    return scene;
-}
-
-/// Puts every fifth particle where its first neighbour is.
-void make_coincident(Scene& scene) {
-    for (std::uint32_t i = 0; i < scene.size(); i += 5) {
-        const std::uint32_t j = scene.model.neighbours[scene.model.spring_offsets[i]];
-        set_xyz(scene.positions[i], xyz(scene.positions[j]));
-        scene.velocities[i] = scene.velocities[j];
-    }
-}
-
-/// spring_terms and the equation, particle by particle, summed in double precision.
-struct Reference {
-    explicit Reference(const Scene& scene)
-        : size(scene.size()),
-          diagonal(size, Eigen::Matrix3d::Zero()),
-          links(size),
-          row_sums(size, 0),
-          b(size) {
-        const StepEquation equation = scene.equation();
-        const auto gamma = static_cast<double>(equation.gamma);
-        const bool about_base = scene.about == LinearisedAbout::base;
-        const std::array<float, 3> of_kind = stiffnesses(scene.settings.fabric);
-        for (std::uint32_t i = 0; i < size; ++i) {
-            b[i].setZero();
-            if (scene.positions[i].w == 0) continue;
-            const double mass = 1 / static_cast<double>(scene.positions[i].w);
-            const Eigen::Vector3d v = velocity(scene, i);
-            const auto air_damping = static_cast<double>(equation.external.air_damping);
-            const auto slope = static_cast<double>(scene.air[i].w);
-            row_sums[i] = mass * (1 + gamma * air_damping) + gamma * slope;
-            b[i] = mass * (xyz(scene.base_velocities[i]).cast<double>() - v) +
-                   gamma * mass * (equation.external.gravity.cast<double>() - air_damping * v) +
-                   gamma * xyz(scene.air[i]).cast<double>();
-            diagonal[i] = row_sums[i] * Eigen::Matrix3d::Identity();
-            for (std::uint32_t e = scene.model.spring_offsets[i]; e < scene.model.spring_offsets[i + 1];
-                 ++e) {
-                const std::uint32_t j = scene.model.neighbours[e];
-                const float k = of_kind[static_cast<std::size_t>(scene.model.kinds[e])];
-                const SpringTerms spring =
-                    spring_terms(scene.place(j) - scene.place(i), scene.model.rest_lengths[e], k, i, j);
-                const Eigen::Vector3d n = spring.direction.cast<double>();
-                const double viscous = gamma * 0.01 * static_cast<double>(k);
-                const Eigen::Matrix3d elastic =
-                    gamma * gamma *
-                    (static_cast<double>(spring.isotropic) * Eigen::Matrix3d::Identity() +
-                     static_cast<double>(spring.axial) * n * n.transpose());
-                const Eigen::Matrix3d damping = viscous * n * n.transpose();
-                links[i].push_back({j, elastic + damping});
-                diagonal[i] += elastic + damping;
-                b[i] += gamma * spring.force.cast<double>() +
-                        (damping + (about_base ? 1 : 0) * elastic) * (velocity(scene, j) - v);
-            }
-        }
-    }
-
-    /// Takes the system's blocks, which are those found here but for rounding to half precision (11 digits),
-    /// to zero on some machines.
-    void take_blocks(const Scene& scene, SpringSystem& system) {
-        Parallel serial(1);
-        const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
-        for (std::uint32_t i = 0; i < size; ++i) {
-            std::uint32_t e = scene.model.spring_offsets[i];
-            for (Link& link : links[i]) {
-                const Vec4& spring = blocks[system.stencil().entries[e++]];
-                const Eigen::Vector3d d = xyz(spring).cast<double>();
-                const Eigen::Matrix3d block =
-                    static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
-                EXPECT_LE((block - link.block).norm(), 0x1p-9 * link.block.trace()) << i << " to " << link.to;
-                diagonal[i] += block - link.block;
-                link.block = block;
-            }
-        }
-    }
-
-    static Eigen::Vector3d velocity(const Scene& scene, std::uint32_t i) {
-        return xyz(scene.velocities[i]).cast<double>();
-    }
-    [[nodiscard]] Eigen::Vector3d product(const AlignedBuffer<Vec4>& x, std::uint32_t i) const {
-        const Eigen::Vector3d x_i = xyz(x[i]).cast<double>();
-        Eigen::Vector3d sum = row_sums[i] * x_i;
-        for (const Link& link : links[i]) sum += link.block * (x_i - xyz(x[link.to]).cast<double>());
-        return sum;
-    }
-    /// Of the rounding to which the sums of row i are subject.
-    [[nodiscard]] double scale(std::uint32_t i) const { return diagonal[i].trace(); }
-
-    struct Link {
-        std::uint32_t to;
-        Eigen::Matrix3d block;
-    };
-    std::uint32_t size;
-    std::vector<Eigen::Matrix3d> diagonal;
-    std::vector<std::vector<Link>> links;
-    std::vector<double> row_sums;
-    std::vector<Eigen::Vector3d> b;
-};
-
 struct Case {
     std::string name;
-    std::function<Scene()> scene;
+    std::function<SpringScene()> scene;
 };
 
 std::vector<Case> cases() {
@@ -177,7 +36,7 @@ std::vector<Case> cases() {
             {"one triangle", [] { return make_scene(fan(1), 400, LinearisedAbout::base); }},
             {"coincident particles",
              [=] {
-                 Scene scene = make_scene(irregular(), 400, LinearisedAbout::iterate);
+                 SpringScene scene = make_scene(irregular(), 400, LinearisedAbout::iterate);
                  make_coincident(scene);
                  return scene;
              }},
@@ -185,7 +44,7 @@ std::vector<Case> cases() {
             {"no stiffness", [=] { return make_scene(sheet(9, 9), 0, LinearisedAbout::base); }}};
 }
 
-void linearise(SpringSystem& system, const Scene& scene, Parallel& parallel) {
+void linearise(SpringSystem& system, const SpringScene& scene, Parallel& parallel) {
     system.linearise(parallel, scene.equation(), scene.velocities.span(), scene.about);
 }
 
@@ -204,8 +63,8 @@ constexpr double rounding = 6e-8;
 TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
-        Reference reference(scene);
+        const SpringScene scene = c.scene();
+        SpringReference reference(scene);
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         reference.take_blocks(scene, system);
@@ -232,25 +91,31 @@ TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
     }
 }
 
-TEST_P(SpringKernels, MultiplyReturnsTheEnergy) {
+TEST_P(SpringKernels, MultiplyReturnsTheProductsOnItsWay) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
+        const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
-        const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5);
+        const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
         AlignedBuffer<Vec4> product(scene.size());
-        const double energy = system.multiply(serial, x.span(), product.span());
-        EXPECT_NEAR(energy / flat(x.span()).dot(flat(product.span())), 1, 1e-6);
-        EXPECT_GT(energy, 0);
+        const Products found = system.multiply(serial, b.span(), x.span(), product.span());
+        const Eigen::VectorXd flat_x = flat(x.span()), flat_b = flat(b.span());
+        EXPECT_NEAR(found.x_wx / flat_x.dot(flat(product.span())), 1, 1e-6);
+        EXPECT_GT(found.x_wx, 0);
+        EXPECT_NEAR(found.x_x / flat_x.squaredNorm(), 1, 1e-6);
+        EXPECT_NEAR(found.b_x, flat_b.dot(flat_x), 1e-6 * flat_b.norm() * flat_x.norm());
+        const Products without = system.multiply(serial, b.span(), x.span(), {});
+        EXPECT_EQ(without.x_wx, found.x_wx) << "whether the product is kept or not";
+        EXPECT_EQ(without.b_x, found.b_x);
     }
 }
 
 TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
-        Reference reference(scene);
+        const SpringScene scene = c.scene();
+        SpringReference reference(scene);
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         reference.take_blocks(scene, system);
@@ -291,7 +156,7 @@ TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
 TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
+        const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
@@ -315,7 +180,7 @@ TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
 TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        Scene scene = c.scene();
+        SpringScene scene = c.scene();
         for (Vec4& x : scene.positions.span()) x.w = 100;  // rows of pinned particles may hold anything
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
@@ -342,7 +207,7 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
 TEST_P(SpringKernels, MatrixIsSymmetric) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
+        const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
         linearise(system, scene, serial);
         AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), y = random_rows(scene.size(), 1, 6);
@@ -367,7 +232,7 @@ struct Results {
     }
 };
 
-Results everything(const Scene& scene, Parallel& parallel) {
+Results everything(const SpringScene& scene, Parallel& parallel) {
     SpringSystem system(scene.model);
     linearise(system, scene, parallel);
     AlignedBuffer<Vec4> product(scene.size()), residual(scene.size()), relaxed(scene.size()),
@@ -392,7 +257,7 @@ Results everything(const Scene& scene, Parallel& parallel) {
 }
 
 TEST_P(SpringKernels, SameBytesForAnyNumberOfThreads) {
-    Scene scene = make_scene(loose_sheet(30, 45), 400, LinearisedAbout::iterate);
+    SpringScene scene = make_scene(loose_sheet(30, 45), 400, LinearisedAbout::iterate);
     make_coincident(scene);
     const Results expected = everything(scene, serial);
     for (const int threads : {2, 3, 8}) {
@@ -415,7 +280,7 @@ TEST(SpringKernelWidths, SameBytesOnWideAndNarrowVectors) {
     Parallel serial(1);
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const Scene scene = c.scene();
+        const SpringScene scene = c.scene();
         hwy::SetSupportedTargetsForTest(HWY_AVX2);
         const Results narrow = everything(scene, serial);
         hwy::SetSupportedTargetsForTest(HWY_AVX3);

@@ -15,14 +15,7 @@ namespace weft::test {
 namespace {
 
 constexpr float frame = 1.0f / 60;
-
-WorldSettings vacuum(const Vec3& gravity = {0, -9.81f, 0}) {
-    WorldSettings settings;
-    settings.gravity = gravity;
-    settings.wind.air_density = 0;
-    settings.threads = 1;
-    return settings;
-}
+constexpr Vec3 gravity = {0, -9.81f, 0};
 
 ClothSettings undamped(float stretch, const Method& method, TimeScheme scheme, int substeps = 1) {
     ClothSettings settings;
@@ -38,7 +31,7 @@ const Method converged = ConjugateGradient{.iterations = 300};
 
 /// A sheet of `n` by `n`, stretched by a fifth and pinned all around.
 struct Membrane {
-    Membrane(std::uint32_t n, const ClothSettings& settings) : world(World::create(vacuum()).value()) {
+    Membrane(std::uint32_t n, const ClothSettings& settings) : world(World::create(vacuum(gravity)).value()) {
         Mesh mesh = sheet(n, n);
         mesh.pattern = mesh.texcoords;
         for (Vec3& x : mesh.positions) x = {1.2f * x.x, 0, 1.2f * x.z};
@@ -104,7 +97,7 @@ TEST_P(InTension, BackwardEulerIsOfFirstOrderAndBdf2OfSecond) {
 
 TEST(Bdf2, FallsAheadOfTheTruthByNoMoreThanItsFirstStep) {
     // Backward Euler starts it, with an error of g h^2 / 2 that neither grows nor fades.
-    World world = World::create(vacuum()).value();
+    World world = World::create(vacuum(gravity)).value();
     const ClothId id = world.add_cloth(sheet(5, 5), undamped(400, converged, TimeScheme::bdf2)).value();
     for (int k = 1; k <= 60; ++k) {
         world.step(frame);
@@ -115,7 +108,7 @@ TEST(Bdf2, FallsAheadOfTheTruthByNoMoreThanItsFirstStep) {
 }
 
 TEST(Bdf2, ReleasedClothFallsAtOnceWithItsFullWeight) {
-    World world = World::create(vacuum()).value();
+    World world = World::create(vacuum(gravity)).value();
     const ClothId id = world.add_cloth(sheet(5, 5), undamped(400, converged, TimeScheme::bdf2)).value();
     for (std::uint32_t i = 0; i < 25; ++i) ASSERT_TRUE(world.pin(id, i).ok());
     for (int k = 0; k < 5; ++k) world.step(frame);
@@ -165,7 +158,7 @@ TEST(Bdf2, TakesItsSecondOrderUpAgainAfterAChangeOfStep) {
 
 /// A flat sheet above the plane y = 0, which it keeps 5 mm away from.
 struct Landing {
-    Landing(TimeScheme scheme, float height, float friction) : world(World::create(vacuum()).value()) {
+    Landing(TimeScheme scheme, float height, float friction) : world(World::create(vacuum(gravity)).value()) {
         Mesh mesh = sheet(6, 6);
         for (Vec3& x : mesh.positions) x.y = height;
         ClothSettings settings = undamped(100, converged, scheme);
@@ -221,7 +214,7 @@ TEST(Bdf2, DampsNoiseOfStiffCloth) {
 
 TEST(TimeSchemes, DoNotDependOnTheNumberOfThreads) {
     const auto hash = [](const Method& method, int threads) {
-        WorldSettings world_settings = vacuum();
+        WorldSettings world_settings = vacuum(gravity);
         world_settings.threads = threads;
         World world = World::create(world_settings).value();
         const ClothId id = world.add_cloth(sheet(30, 31), undamped(20, method, TimeScheme::bdf2, 8)).value();
@@ -272,7 +265,7 @@ TEST(SymplecticEuler, IsStableJustInsideItsBoundAndFailsJustOutside) {
 }
 
 TEST(SymplecticEuler, FallsAsItMust) {
-    World world = World::create(vacuum()).value();
+    World world = World::create(vacuum(gravity)).value();
     ClothSettings settings = undamped(0, SymplecticEuler{}, TimeScheme::backward_euler);
     settings.air_damping = 0.5f;
     const ClothId id = world.add_cloth(sheet(3, 3), settings).value();

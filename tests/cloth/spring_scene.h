@@ -1,0 +1,157 @@
+#pragma once
+// What the loops over springs are tested on, and the same computed one particle at a time in double
+// precision.
+
+#include <random>
+#include <vector>
+
+#include "cloth/forces/spring_system.h"
+#include "cloth/forces/springs.h"
+#include "fixtures.h"
+#include "meshes.h"
+
+namespace weft::test {
+
+/// A moving cloth in moving air, a few particles pinned, and all that a step's equation refers to.
+struct SpringScene {
+    CookedCloth model;
+    ClothSettings settings;
+    AlignedBuffer<Vec4> positions, velocities, base_velocities, air;
+    LinearisedAbout about = LinearisedAbout::base;
+
+    [[nodiscard]] std::uint32_t size() const { return model.particle_count; }
+    [[nodiscard]] StepEquation equation() const {
+        return {.settings = settings,
+                .h = 1.0f / 60,
+                .gamma = 1.0f / 60,
+                .positions = positions.span(),
+                .velocities = velocities.span(),
+                .base_positions = positions.span(),
+                .base_velocities = base_velocities.span(),
+                .external = {.gravity = {0, -9.81f, 0}, .air_damping = 0.5f, .air = air.span()}};
+    }
+    /// Where springs are looked at.
+    [[nodiscard]] Vector3 place(std::uint32_t i) const {
+        const float gamma = about == LinearisedAbout::base ? 0 : equation().gamma;
+        return xyz(positions[i]) + gamma * xyz(velocities[i]);
+    }
+};
+
+inline SpringScene make_scene(const Mesh& mesh, float stiffness, LinearisedAbout about) {
+    SpringScene scene;
+    scene.model = cook(mesh).value();
+    const std::uint32_t n = scene.size();
+    scene.settings.fabric = {.stretch = stiffness, .shear = 0.3f * stiffness, .bend = 1e-3f * stiffness};
+    scene.settings.fabric.damping = 0.01f;
+    scene.positions = random_rows(n, 0.3f * scene.model.info.mean_edge, 1);
+    scene.velocities = random_rows(n, 1, 2);
+    scene.base_velocities = random_rows(n, 1, 3);
+    scene.air = random_rows(n, 1e-3f, 4);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        Vec4& x = scene.positions[i];
+        const Vector3 noise = xyz(x);
+        const float mass = scene.settings.fabric.areal_density * scene.model.rest_area[i];
+        x = to_vec4(xyz(scene.model.positions[i]) + noise, i % 13 == 4 ? 0 : 1 / mass);
+        scene.air[i].w = 1e-4f * static_cast<float>(i % 3);
+    }
+    scene.about = about;
+    return scene;
+}
+
+/// Puts every fifth particle where its first neighbour is.
+inline void make_coincident(SpringScene& scene) {
+    for (std::uint32_t i = 0; i < scene.size(); i += 5) {
+        const std::uint32_t j = scene.model.neighbours[scene.model.spring_offsets[i]];
+        set_xyz(scene.positions[i], xyz(scene.positions[j]));
+        scene.velocities[i] = scene.velocities[j];
+    }
+}
+
+/// spring_terms and the equation, particle by particle, summed in double precision.
+struct SpringReference {
+    explicit SpringReference(const SpringScene& scene)
+        : size(scene.size()),
+          diagonal(size, Eigen::Matrix3d::Zero()),
+          links(size),
+          row_sums(size, 0),
+          b(size) {
+        const StepEquation equation = scene.equation();
+        const auto gamma = static_cast<double>(equation.gamma);
+        const bool about_base = scene.about == LinearisedAbout::base;
+        const std::array<float, 3> of_kind = stiffnesses(scene.settings.fabric);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            b[i].setZero();
+            if (scene.positions[i].w == 0) continue;
+            const double mass = 1 / static_cast<double>(scene.positions[i].w);
+            const Eigen::Vector3d v = velocity(scene, i);
+            const auto air_damping = static_cast<double>(equation.external.air_damping);
+            const auto slope = static_cast<double>(scene.air[i].w);
+            row_sums[i] = mass * (1 + gamma * air_damping) + gamma * slope;
+            b[i] = mass * (xyz(scene.base_velocities[i]).cast<double>() - v) +
+                   gamma * mass * (equation.external.gravity.cast<double>() - air_damping * v) +
+                   gamma * xyz(scene.air[i]).cast<double>();
+            diagonal[i] = row_sums[i] * Eigen::Matrix3d::Identity();
+            for (std::uint32_t e = scene.model.spring_offsets[i]; e < scene.model.spring_offsets[i + 1];
+                 ++e) {
+                const std::uint32_t j = scene.model.neighbours[e];
+                const float k = of_kind[static_cast<std::size_t>(scene.model.kinds[e])];
+                const SpringTerms spring =
+                    spring_terms(scene.place(j) - scene.place(i), scene.model.rest_lengths[e], k, i, j);
+                const Eigen::Vector3d n = spring.direction.cast<double>();
+                const double viscous = gamma * 0.01 * static_cast<double>(k);
+                const Eigen::Matrix3d elastic =
+                    gamma * gamma *
+                    (static_cast<double>(spring.isotropic) * Eigen::Matrix3d::Identity() +
+                     static_cast<double>(spring.axial) * n * n.transpose());
+                const Eigen::Matrix3d damping = viscous * n * n.transpose();
+                links[i].push_back({j, elastic + damping});
+                diagonal[i] += elastic + damping;
+                b[i] += gamma * spring.force.cast<double>() +
+                        (damping + (about_base ? 1 : 0) * elastic) * (velocity(scene, j) - v);
+            }
+        }
+    }
+
+    /// Takes the system's blocks, which are those found here but for rounding to half precision (11 digits),
+    /// to zero on some machines.
+    void take_blocks(const SpringScene& scene, SpringSystem& system) {
+        Parallel serial(1);
+        const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            std::uint32_t e = scene.model.spring_offsets[i];
+            for (Link& link : links[i]) {
+                const Vec4& spring = blocks[system.stencil().entries[e++]];
+                const Eigen::Vector3d d = xyz(spring).cast<double>();
+                const Eigen::Matrix3d block =
+                    static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
+                EXPECT_LE((block - link.block).norm(), 0x1p-9 * link.block.trace()) << i << " to " << link.to;
+                diagonal[i] += block - link.block;
+                link.block = block;
+            }
+        }
+    }
+
+    static Eigen::Vector3d velocity(const SpringScene& scene, std::uint32_t i) {
+        return xyz(scene.velocities[i]).cast<double>();
+    }
+    [[nodiscard]] Eigen::Vector3d product(const AlignedBuffer<Vec4>& x, std::uint32_t i) const {
+        const Eigen::Vector3d x_i = xyz(x[i]).cast<double>();
+        Eigen::Vector3d sum = row_sums[i] * x_i;
+        for (const Link& link : links[i]) sum += link.block * (x_i - xyz(x[link.to]).cast<double>());
+        return sum;
+    }
+    /// Of the rounding to which the sums of row i are subject.
+    [[nodiscard]] double scale(std::uint32_t i) const { return diagonal[i].trace(); }
+
+    struct Link {
+        std::uint32_t to;
+        Eigen::Matrix3d block;
+    };
+    std::uint32_t size;
+    std::vector<Eigen::Matrix3d> diagonal;
+    std::vector<std::vector<Link>> links;
+    std::vector<double> row_sums;
+    std::vector<Eigen::Vector3d> b;
+};
+
+}  // namespace weft::test
