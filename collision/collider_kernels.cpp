@@ -198,7 +198,8 @@ void collide_plane(const MovingPlane& plane, const ContactSettings& settings, Co
 Bounds place_block(std::span<const Vec4> positions, float gamma, std::span<const Vec4> velocities,
                    BlockLanes& points) {
     BoundsLanes bounds = no_bounds();
-    for (std::uint32_t i = 0; i < positions.size(); i += part_lanes) {
+    const std::size_t whole_groups = (positions.size() + group_lanes - 1) / group_lanes * group_lanes;
+    for (std::uint32_t i = 0; i < whole_groups; i += part_lanes) {
         const Lanes4 position = load_rows(positions.data() + i);
         const Lanes3 point = mul_add(set(gamma), xyz(load_rows(velocities.data() + i)), xyz(position));
         store_lanes({point.x, point.y, point.z, position.w}, points, i);

@@ -52,7 +52,7 @@ struct CollidingBlock {
 void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
 
-/// points = positions + gamma velocities. Returns bounds of those that are numbers.
+/// points = positions + gamma velocities. Returns bounds that hold those that are numbers.
 [[nodiscard]] Bounds place(std::span<const Vec4> positions, float gamma, std::span<const Vec4> velocities,
                            BlockLanes& points);
 
