@@ -2,8 +2,6 @@
 // The matrix of a coarse level and the loops over it, with the widest vectors that the machine has.
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "cloth/implicit/contacts.h"
 #include "cloth/implicit/galerkin.h"

@@ -48,7 +48,7 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     std::span<const Vec4> residual = system.right_side().span();
-    Products first, before, now;
+    Products first, now;
     for (int k = 0; k < iterations; ++k) {
         const bool is_last = k + 1 == iterations;
         const auto multiply_direction = [&] {
@@ -60,15 +60,13 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
             std::swap(vectors.direction, vectors.preconditioned);
             first = now = multiply_direction();
         } else {
-            before = now;
+            const double before = now.b_x;
             now = products(parallel, residual, vectors);
+            turn_direction(parallel, static_cast<float>(now.b_x / before), vectors);
+            now.x_wx = multiply_direction().x_wx;
         }
         if (!std::isfinite(now.b_x)) return no_number;
         if (!(now.b_x > rounding * first.b_x)) break;
-        if (k > 0) {
-            turn_direction(parallel, static_cast<float>(now.b_x / before.b_x), vectors);
-            now.x_wx = multiply_direction().x_wx;
-        }
         const double alpha = now.b_x / now.x_wx;
         if (std::isnan(now.x_wx)) return no_number;
         if (!(now.x_wx > 0) || !std::isfinite(alpha)) break;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "cloth/implicit/vectors.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/implicit/contacts.cpp"
 #include "hwy/foreach_target.h"  // before highway.h

@@ -151,7 +151,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
-    // Their rows are gathered where cycles have their vectors.
+    // The particles' rows are put where a cycle has its vectors: between cycles these are free.
     parallel.ranges(stencil_->nodes, [&](const BlockRange& range) {
         ground_rows_block(range, system.right_side().data(), system.contacts(), smooth_.data(),
                           remainder_.data());

@@ -16,15 +16,6 @@ struct Symmetric3 {
     [[nodiscard]] Eigen::Matrix3d full() const {
         return Eigen::Matrix3f{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}.cast<double>();
     }
-    /// Adds `factor` times another.
-    void add_scaled(float factor, const Symmetric3& m) {
-        xx += factor * m.xx;
-        yy += factor * m.yy;
-        zz += factor * m.zz;
-        xy += factor * m.xy;
-        xz += factor * m.xz;
-        yz += factor * m.yz;
-    }
     /// Adds a I + d d^T.
     void add(float a, const Vector3& d) {
         xx += a + d.x() * d.x();
