@@ -18,11 +18,13 @@ using HalfBits = hn::Rebind<std::uint16_t, Tag>;
 HWY_INLINE Lanes load_halves(const std::uint16_t* values) {
     return hn::PromoteTo(Tag(), hn::BitCast(HalfTag(), hn::Load(HalfBits(), values)));
 }
-/// Returns what a load will.
+/// Returns what a load will, for halves of full precision. Values are cut to their eleven digits, not
+/// rounded: one instruction, where rounding takes two, and these are what linearising waits for.
 HWY_INLINE Lanes store_halves(Lanes v, std::uint16_t* values) {
-    const auto halves = hn::DemoteTo(HalfTag(), v);
-    hn::Store(hn::BitCast(HalfBits(), halves), HalfBits(), values);
-    return hn::PromoteTo(Tag(), halves);
+    const hn::RebindToUnsigned<Tag> bits;
+    const Lanes cut = hn::BitCast(Tag(), hn::And(hn::BitCast(bits, v), hn::Set(bits, 0xFFFFE000u)));
+    hn::Store(hn::BitCast(HalfBits(), hn::DemoteTo(HalfTag(), cut)), HalfBits(), values);
+    return cut;
 }
 
 /// A block a I + d d^T in each lane.

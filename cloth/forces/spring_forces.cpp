@@ -1,5 +1,7 @@
 #include "cloth/forces/spring_forces.h"
 
+#include <algorithm>
+
 #include "engine/separating_direction.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -16,13 +18,11 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// spring_terms, lane by lane.
+/// spring_terms, lane by lane: the force is stiffness x extension n, K = (stiffness - axial) I + axial n n^T.
 struct Springs {
     Lanes3 direction;  ///< n
-    Lanes tension;     ///< the force is tension n [N]
-    Lanes isotropic;   ///< a [N/m]
-    Lanes axial;       ///< b [N/m]
-    Lanes stiffness;   ///< a + b [N/m]
+    Lanes extension;   ///< [m]
+    Lanes stiffness, axial;
 };
 
 /// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. By
@@ -60,21 +60,35 @@ HWY_INLINE Ends ends_in(const SpringState& state, std::uint32_t s, std::uint32_t
     return {separation, squared, length, hn::Div(set(1), length)};
 }
 
-HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Ends& ends) {
+/// Stiffness of each entry of a slot, by kind.
+HWY_INLINE Lanes stiffness_in(const SpringState& state, std::uint32_t s, std::uint32_t lane,
+                              const SpringStiffness& of_kind) {
+    const SpringKinds& kinds = state.kinds;
+    if (kinds.of_slots[s] != SpringKinds::mixed) return set(of_kind.values[kinds.of_slots[s]]);
+    const Tag d;
+    const hn::RebindToSigned<Tag> numbers;
+    const hn::Rebind<std::uint8_t, Tag> bytes;
+    const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, &kinds.of_entries[s * Stencil::lanes + lane]));
+    return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
+}
+
+HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i,
+                              const SpringStiffness& of_kind, const Ends& ends) {
     const auto& [separation, squared, length, inverse_length] = ends;
     const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
     const Lanes rest_length = load_lanes(&state.rest_lengths[entry]);
-    const Lanes stiffness = load_lanes(&state.stiffness[entry]);
+    const Lanes stiffness = stiffness_in(state, s, i % Stencil::lanes, of_kind);
 
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
-    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0))))))
-        direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
-                                               &state.stencil.neighbours[entry], i);
+    // Where ends coincide there is no spring, mostly.
+    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)))
+        if (!hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
+            direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
+                                                   &state.stencil.neighbours[entry], i);
 
-    const Lanes tension = hn::Mul(stiffness, hn::Sub(length, rest_length));
     const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
-    return {direction, tension, hn::Sub(stiffness, axial), axial, stiffness};
+    return {direction, hn::Sub(length, rest_length), stiffness, axial};
 }
 
 /// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
@@ -82,7 +96,7 @@ HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::ui
 /// other.
 template <class Body>
 HWY_INLINE void for_each_slot(const SpringState& state, std::uint32_t i, const Lanes3& x_i,
-                              const Body& body) {
+                              const SpringStiffness& of_kind, const Body& body) {
     const std::uint32_t group = i / Stencil::lanes;
     const std::uint32_t begin = state.stencil.group_slots[group], end = state.stencil.group_slots[group + 1];
     if (begin == end) return;
@@ -90,7 +104,7 @@ HWY_INLINE void for_each_slot(const SpringState& state, std::uint32_t i, const L
     for (std::uint32_t s = begin; s < end; ++s) {
         const Ends ends = next;
         if (s + 1 < end) next = ends_in(state, s + 1, i, x_i);
-        body(s, springs_in(state, s, i, ends));
+        body(s, springs_in(state, s, i, of_kind, ends));
     }
 }
 
@@ -104,11 +118,10 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
     const bool about_base = about == LinearisedAbout::base;
     const float damping = state.equation.settings.fabric.damping;
     const bool uses_velocities = about_base || damping > 0;
-    // All sums over springs are in the matrix's units, which are powers of two: nothing is rounded for that.
-    const Lanes squared_unit = set(matrix.unit * matrix.unit);
-    const float scaled_gamma = state.equation.gamma / (matrix.unit * matrix.unit);
-    const Lanes gamma = set(scaled_gamma), squared_gamma = set(scaled_gamma * state.equation.gamma);
-    const Lanes viscosity = set(scaled_gamma * damping);
+    // Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
+    const float gamma = state.equation.gamma, squared = matrix.unit * matrix.unit;
+    const SpringStiffness of_kind = state.stiffness.times(gamma * gamma / squared);
+    const Lanes squared_unit = set(squared), per_gamma = set(1 / gamma), viscosity = set(damping / gamma);
 
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes4 position = load_rows(&state.positions[i]);
@@ -119,14 +132,14 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
         Lanes sum_of_a = zero;
         SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for_each_slot(state, i, x_i, [&](std::uint32_t s, const Springs& springs) {
-            const Lanes viscous = hn::Mul(viscosity, springs.stiffness);
-            const Lanes a = hn::Mul(squared_gamma, springs.isotropic);
-            const Lanes along = hn::MulAdd(squared_gamma, springs.axial, viscous);
-            Lanes push = hn::Mul(gamma, springs.tension);
+        for_each_slot(state, i, x_i, of_kind, [&](std::uint32_t s, const Springs& springs) {
+            const Lanes a = hn::Sub(springs.stiffness, springs.axial);
+            const Lanes along = hn::MulAdd(viscosity, springs.stiffness, springs.axial);
+            Lanes push = hn::Mul(springs.stiffness, hn::Mul(per_gamma, springs.extension));
             if (uses_velocities) {
                 const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
-                push = hn::MulAdd(about_base ? along : viscous, dot(springs.direction, relative), push);
+                const Lanes resisted = about_base ? along : hn::Mul(viscosity, springs.stiffness);
+                push = hn::MulAdd(resisted, dot(springs.direction, relative), push);
                 if (about_base) b = mul_add(a, relative, b);
             }
             b = mul_add(push, springs.direction, b);
@@ -157,13 +170,13 @@ void residual(const SpringState& state, const BlockRange& range, Vec4* residual)
         const Row row = external_row(state.equation, i, position.w, v_i);
         Lanes3 force = {set(0), set(0), set(0)};
         const std::uint32_t lane = i % Stencil::lanes;
-        for_each_slot(state, i, x_i, [&](std::uint32_t s, const Springs& springs) {
-            Lanes push = springs.tension;
+        for_each_slot(state, i, x_i, state.stiffness, [&](std::uint32_t s, const Springs& springs) {
+            Lanes pull = springs.extension;
             if (damping > 0) {
                 const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
-                const Lanes viscous = hn::Mul(viscosity, springs.stiffness);
-                push = hn::MulAdd(viscous, dot(springs.direction, relative), push);
+                pull = hn::MulAdd(viscosity, dot(springs.direction, relative), pull);
             }
+            const Lanes push = hn::Mul(springs.stiffness, pull);
             force = mul_add(push, springs.direction, force);
         });
         const auto free = hn::Ne(row.row_sum, set(0));
@@ -180,6 +193,18 @@ namespace weft {
 
 HWY_EXPORT(linearise);
 HWY_EXPORT(residual);
+
+SpringKinds::SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_half_edges)
+    : of_entries(stencil.neighbours.size()), of_slots(stencil.slots()) {
+    std::ranges::fill(of_entries.span(), none);
+    for (std::size_t e = 0; e < of_half_edges.size(); ++e)
+        of_entries[stencil.entries[e]] = static_cast<std::uint8_t>(of_half_edges[e]);
+    for (std::uint32_t s = 0; s < stencil.slots(); ++s) {
+        const auto slot = of_entries.span().subspan(s * Stencil::lanes, Stencil::lanes);
+        const bool all = slot[0] != none && std::ranges::count(slot, slot[0]) == Stencil::lanes;
+        of_slots[s] = all ? slot[0] : mixed;
+    }
+}
 
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
                      SpringMatrix& matrix, Vec4* right_side) {

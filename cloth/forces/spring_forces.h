@@ -2,6 +2,9 @@
 // Forces of springs and their derivatives: the loops over particles, a block at a time, with the widest
 // vectors that the machine has. springs.h states what one spring does.
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <span>
 
 #include "cloth/forces/spring_matrix.h"
@@ -10,12 +13,36 @@
 
 namespace weft {
 
+/// Of the entries of a stencil.
+struct SpringKinds {
+    static constexpr std::uint8_t none = 3;  ///< where it is padded
+    static constexpr std::uint8_t mixed = 4;
+
+    SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_half_edges);
+    [[nodiscard]] std::size_t bytes() const noexcept { return of_entries.bytes() + of_slots.bytes(); }
+
+    AlignedBuffer<std::uint8_t> of_entries;  ///< SpringKind, or none
+    AlignedBuffer<std::uint8_t> of_slots;    ///< that of all entries that are used, or mixed
+};
+
+/// By kind; a table for registers of any width.
+struct SpringStiffness {
+    explicit SpringStiffness(const std::array<float, 3>& of_kind) { std::ranges::copy(of_kind, values); }
+
+    [[nodiscard]] SpringStiffness times(float factor) const {
+        return SpringStiffness({factor * values[0], factor * values[1], factor * values[2]});
+    }
+
+    alignas(64) float values[Stencil::lanes] = {};
+};
+
 /// The springs, and the state of the cloth that they are looked at in. Vectors as in ImplicitSystem.
 struct SpringState {
     const StepEquation& equation;
     const Stencil& stencil;
-    std::span<const float> rest_lengths,
-        stiffness;                    ///< per entry of the stencil; stiffness 0 where it is padded
+    std::span<const float> rest_lengths;  ///< per entry of the stencil
+    const SpringKinds& kinds;
+    SpringStiffness stiffness;        ///< [N/m]
     std::span<const Vec4> positions;  ///< w inverse mass
     std::span<const Vec4> velocities;
 };

@@ -12,21 +12,12 @@ SpringSystem::SpringSystem(const CookedCloth& model)
     : ImplicitSystem(model.particle_count),
       model_(model),
       matrix_(Stencil(model.spring_offsets.span(), model.neighbours.span())),
+      kinds_(matrix_.stencil, model.kinds.span()),
       rest_lengths_(matrix_.stencil.neighbours.size()),
-      stiffness_(matrix_.stencil.neighbours.size()),
       positions_(model.particle_count) {
     std::ranges::fill(rest_lengths_.span(), 1.0f);
     for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e)
         rest_lengths_[matrix_.stencil.entries[e]] = model.rest_lengths[e];
-}
-
-void SpringSystem::set_stiffnesses(const Fabric& fabric) {
-    const std::array<float, 3> of_kind = stiffnesses(fabric);
-    if (of_kind == stiffness_of_kind_) return;
-    stiffness_of_kind_ = of_kind;
-    for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e) {
-        stiffness_[matrix_.stencil.entries[e]] = of_kind[static_cast<std::size_t>(model_.kinds[e])];
-    }
 }
 
 void SpringSystem::place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities) {
@@ -38,14 +29,15 @@ SpringState SpringSystem::state_at(const StepEquation& equation, std::span<const
     return {.equation = equation,
             .stencil = matrix_.stencil,
             .rest_lengths = rest_lengths_.span(),
-            .stiffness = stiffness_.span(),
+            .kinds = kinds_,
+            .stiffness = SpringStiffness(stiffnesses(equation.settings.fabric)),
             .positions = positions,
             .velocities = velocities};
 }
 
 void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
-    set_stiffnesses(equation.settings.fabric);
+    stiffness_of_kind_ = stiffnesses(equation.settings.fabric);
     const bool about_base = about == LinearisedAbout::base;
     if (!about_base) place(parallel, equation, velocities);
     const Fabric& fabric = equation.settings.fabric;
@@ -62,7 +54,6 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
 
 void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                             std::span<const Vec4> velocities, std::span<Vec4> residual) {
-    set_stiffnesses(equation.settings.fabric);
     place(parallel, equation, velocities);
     const SpringState state = state_at(equation, positions_.span(), velocities);
     parallel.ranges(model_.particle_count,
@@ -107,7 +98,7 @@ void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + matrix_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() +
+    return ImplicitSystem::bytes() + matrix_.bytes() + kinds_.bytes() + rest_lengths_.bytes() +
            positions_.bytes();
 }
 

@@ -36,7 +36,6 @@ class SpringSystem final : public ImplicitSystem {
                     Vec4* next) const override;
 
   private:
-    void set_stiffnesses(const Fabric& fabric);
     /// Where the particles are at these velocities: x_base + gamma v.
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
     [[nodiscard]] SpringState state_at(const StepEquation& equation, std::span<const Vec4> positions,
@@ -44,9 +43,10 @@ class SpringSystem final : public ImplicitSystem {
 
     const CookedCloth& model_;
     SpringMatrix matrix_;
-    AlignedBuffer<float> rest_lengths_, stiffness_;  // per entry; 1 and 0 where the stencil is padded
-    std::array<float, 3> stiffness_of_kind_{};       // that stiffness_ was filled from
-    AlignedBuffer<Vec4> positions_;                  // that the last linearise or residual was about
+    SpringKinds kinds_;
+    AlignedBuffer<float> rest_lengths_;         // per entry; 1 where the stencil is padded
+    std::array<float, 3> stiffness_of_kind_{};  // of the last linearise
+    AlignedBuffer<Vec4> positions_;             // that the last linearise or residual was about
 };
 
 }  // namespace weft
