@@ -12,6 +12,7 @@
 #include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/external_row-inl.h"
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/row_windows-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,6 +47,35 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
+/// Where particles are and how they move, for a loop over rows: from memory,
+struct MotionInMemory {
+    MotionInMemory(const SpringState& state, const BlockRange& /*range*/, WindowPair* /*windows*/)
+        : positions{state.stencil, state.positions.data()},
+          velocities{state.stencil, state.velocities.data()} {}
+    HWY_INLINE void come_to(std::uint32_t /*i*/) {}
+
+    RowsInMemory positions, velocities;
+};
+
+/// or from windows.
+struct MotionInWindows {
+    MotionInWindows(const SpringState& state, const BlockRange& range, WindowPair* windows)
+        : state(state),
+          positions(windows->first, state.stencil, range),
+          velocities(windows->second, state.stencil, range) {}
+    HWY_INLINE void come_to(std::uint32_t i) {
+        velocities.come_to(i,
+                           [this](std::uint32_t j) HWY_ATTR { return xyz(load_rows(&state.velocities[j])); });
+        positions.come_to(i, [this](std::uint32_t j) HWY_ATTR {
+            const Lanes3 position = xyz(load_rows(&state.positions[j]));
+            return state.time_ahead == 0 ? position : set(state.time_ahead) * velocities.own(j) + position;
+        });
+    }
+
+    const SpringState& state;
+    OpenWindow positions, velocities;
+};
+
 /// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
 struct Ends {
     Lanes3 separation;
@@ -53,9 +83,9 @@ struct Ends {
 };
 
 /// Of slot s, for the lanes from particle `i` on, which are at x_i.
-HWY_INLINE Ends ends_in(const SpringState& state, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
-    const Lanes3 separation =
-        neighbour_rows(state.stencil, s, i % Stencil::lanes, state.positions.data()) - x_i;
+template <class Motion>
+HWY_INLINE Ends ends_in(const Motion& motion, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
+    const Lanes3 separation = motion.positions.neighbours(s, i % Stencil::lanes) - x_i;
     const Lanes squared = dot(separation, separation), length = hn::Sqrt(squared);
     return {separation, squared, length, hn::Div(set(1), length)};
 }
@@ -94,16 +124,16 @@ HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::ui
 /// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
 /// while the one before is, else a processor would spend half its time on waiting for one root after the
 /// other.
-template <class Body>
-HWY_INLINE void for_each_slot(const SpringState& state, std::uint32_t i, const Lanes3& x_i,
-                              const SpringStiffness& of_kind, const Body& body) {
+template <class Motion, class Body>
+HWY_INLINE void for_each_slot(const SpringState& state, const Motion& motion, std::uint32_t i,
+                              const Lanes3& x_i, const SpringStiffness& of_kind, const Body& body) {
     const std::uint32_t group = i / Stencil::lanes;
     const std::uint32_t begin = state.stencil.group_slots[group], end = state.stencil.group_slots[group + 1];
     if (begin == end) return;
-    Ends next = ends_in(state, begin, i, x_i);
+    Ends next = ends_in(motion, begin, i, x_i);
     for (std::uint32_t s = begin; s < end; ++s) {
         const Ends ends = next;
-        if (s + 1 < end) next = ends_in(state, s + 1, i, x_i);
+        if (s + 1 < end) next = ends_in(motion, s + 1, i, x_i);
         body(s, springs_in(state, s, i, of_kind, ends));
     }
 }
@@ -112,9 +142,10 @@ HWY_INLINE void for_each_slot(const SpringState& state, std::uint32_t i, const L
 // implicitly too:
 //   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
 //   iterate).
-void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, SpringMatrix& matrix,
-               Vec4* right_side) {
-    const Stencil& stencil = state.stencil;
+template <class Motion>
+void linearise_rows(const SpringState& state, LinearisedAbout about, const BlockRange& range,
+                    WindowPair* windows, SpringMatrix& matrix, Vec4* right_side) {
+    Motion motion(state, range, windows);
     const bool about_base = about == LinearisedAbout::base;
     const float damping = state.equation.settings.fabric.damping;
     const bool uses_velocities = about_base || damping > 0;
@@ -124,20 +155,20 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
     const Lanes squared_unit = set(squared), per_gamma = set(1 / gamma), viscosity = set(damping / gamma);
 
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes4 position = load_rows(&state.positions[i]);
-        const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
-        const Row row = external_row(state.equation, i, position.w, v_i);
+        motion.come_to(i);
+        const Lanes3 x_i = motion.positions.own(i), v_i = motion.velocities.own(i);
+        const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
         const Lanes zero = set(0);
         Lanes3 b = {zero, zero, zero};
         Lanes sum_of_a = zero;
         SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for_each_slot(state, i, x_i, of_kind, [&](std::uint32_t s, const Springs& springs) {
+        for_each_slot(state, motion, i, x_i, of_kind, [&](std::uint32_t s, const Springs& springs) {
             const Lanes a = hn::Sub(springs.stiffness, springs.axial);
             const Lanes along = hn::MulAdd(viscosity, springs.stiffness, springs.axial);
             Lanes push = hn::Mul(springs.stiffness, hn::Mul(per_gamma, springs.extension));
             if (uses_velocities) {
-                const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
+                const Lanes3 relative = motion.velocities.neighbours(s, lane) - v_i;
                 const Lanes resisted = about_base ? along : hn::Mul(viscosity, springs.stiffness);
                 push = hn::MulAdd(resisted, dot(springs.direction, relative), push);
                 if (about_base) b = mul_add(a, relative, b);
@@ -160,20 +191,21 @@ void linearise(const SpringState& state, LinearisedAbout about, const BlockRange
     }
 }
 
-void residual(const SpringState& state, const BlockRange& range, Vec4* residual) {
-    const Stencil& stencil = state.stencil;
+template <class Motion>
+void residual_rows(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
+    Motion motion(state, range, windows);
     const float damping = state.equation.settings.fabric.damping;
     const Lanes gamma = set(state.equation.gamma), viscosity = set(damping);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes4 position = load_rows(&state.positions[i]);
-        const Lanes3 x_i = xyz(position), v_i = xyz(load_rows(&state.velocities[i]));
-        const Row row = external_row(state.equation, i, position.w, v_i);
+        motion.come_to(i);
+        const Lanes3 x_i = motion.positions.own(i), v_i = motion.velocities.own(i);
+        const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
         Lanes3 force = {set(0), set(0), set(0)};
         const std::uint32_t lane = i % Stencil::lanes;
-        for_each_slot(state, i, x_i, state.stiffness, [&](std::uint32_t s, const Springs& springs) {
+        for_each_slot(state, motion, i, x_i, state.stiffness, [&](std::uint32_t s, const Springs& springs) {
             Lanes pull = springs.extension;
             if (damping > 0) {
-                const Lanes3 relative = neighbour_rows(stencil, s, lane, state.velocities.data()) - v_i;
+                const Lanes3 relative = motion.velocities.neighbours(s, lane) - v_i;
                 pull = hn::MulAdd(viscosity, dot(springs.direction, relative), pull);
             }
             const Lanes push = hn::Mul(springs.stiffness, pull);
@@ -182,6 +214,17 @@ void residual(const SpringState& state, const BlockRange& range, Vec4* residual)
         const auto free = hn::Ne(row.row_sum, set(0));
         store_rows(keep_where(free, mul_add(gamma, force, row.impulse)), set(0), residual + i);
     }
+}
+
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, WindowPair* windows,
+               SpringMatrix& matrix, Vec4* right_side) {
+    const auto rows = windows == nullptr ? linearise_rows<MotionInMemory> : linearise_rows<MotionInWindows>;
+    rows(state, about, range, windows, matrix, right_side);
+}
+
+void residual(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
+    const auto rows = windows == nullptr ? residual_rows<MotionInMemory> : residual_rows<MotionInWindows>;
+    rows(state, range, windows, residual);
 }
 
 }  // namespace
@@ -207,12 +250,12 @@ SpringKinds::SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_
 }
 
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     SpringMatrix& matrix, Vec4* right_side) {
-    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, matrix, right_side);
+                     WindowPair* windows, SpringMatrix& matrix, Vec4* right_side) {
+    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, windows, matrix, right_side);
 }
 
-void residual_block(const SpringState& state, const BlockRange& range, Vec4* residual) {
-    HWY_DYNAMIC_DISPATCH(residual)(state, range, residual);
+void residual_block(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
+    HWY_DYNAMIC_DISPATCH(residual)(state, range, windows, residual);
 }
 
 }  // namespace weft

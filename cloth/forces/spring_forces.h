@@ -45,11 +45,14 @@ struct SpringState {
     SpringStiffness stiffness;        ///< [N/m]
     std::span<const Vec4> positions;  ///< w inverse mass
     std::span<const Vec4> velocities;
+    float time_ahead =
+        0;  ///< of the positions meant: positions + time_ahead x velocities; 0 without windows [s]
 };
 
 /// The rows of W and b of one block; see ImplicitSystem::linearise.
+/// `windows`, on positions and velocities, may be null.
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     SpringMatrix& matrix, Vec4* right_side);
-void residual_block(const SpringState& state, const BlockRange& range, Vec4* residual);
+                     WindowPair* windows, SpringMatrix& matrix, Vec4* right_side);
+void residual_block(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual);
 
 }  // namespace weft

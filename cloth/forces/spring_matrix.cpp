@@ -18,14 +18,15 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 // Found by the loops through their vectors' namespace, so not in the file's own.
 /// (W x)_i for the lanes from particle `i` on.
-HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
+template <class Rows>
+HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Rows& x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const Lanes zero = hn::Zero(Tag());
     Lanes3 sum = {zero, zero, zero};
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
         const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
-        const Lanes3 difference = x_i - neighbour_rows(stencil, s, lane, x);
+        const Lanes3 difference = x_i - x.neighbours(s, lane);
         sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
     }
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
@@ -42,19 +43,34 @@ HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, co
 
 namespace {
 
+/// loop(rows), with x in rows from memory or from the window, if there is one.
+template <class Loop>
+HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x,
+                          RowWindow* window, const Loop& loop) {
+    if (window == nullptr) {
+        RowsInMemory rows{matrix.stencil, x};
+        return loop(rows);
+    }
+    RowsInWindow rows(*window, matrix.stencil, range, x);
+    return loop(rows);
+}
+
 Products multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                  Vec4* product) {
-    return multiply_rows(matrix, range, b, x, product);
+                  Vec4* product, RowWindow* window) {
+    return with_rows(matrix, range, x, window,
+                     [&](auto& rows) HWY_ATTR { return multiply_rows(matrix, range, b, rows, product); });
 }
 
 void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                      Vec4* remainder) {
-    subtract_product_rows(matrix, range, b, x, remainder);
+                      Vec4* remainder, RowWindow* window) {
+    with_rows(matrix, range, x, window,
+              [&](auto& rows) HWY_ATTR { subtract_product_rows(matrix, range, b, rows, remainder); });
 }
 
 void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-           const Relaxation& relaxation, Vec4* next) {
-    relax_rows(matrix, range, b, x, relaxation, next);
+           const Relaxation& relaxation, Vec4* next, RowWindow* window) {
+    with_rows(matrix, range, x, window,
+              [&](auto& rows) HWY_ATTR { relax_rows(matrix, range, b, rows, relaxation, next); });
 }
 
 void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
@@ -100,18 +116,18 @@ void SpringMatrix::set_unit(float largest_block) {
 }
 
 Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product) {
-    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product);
+                        Vec4* product, RowWindow* window) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product, window);
 }
 
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                            Vec4* remainder) {
-    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder);
+                            Vec4* remainder, RowWindow* window) {
+    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder, window);
 }
 
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                 Relaxation relaxation, Vec4* next) {
-    HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next);
+                 Relaxation relaxation, Vec4* next, RowWindow* window) {
+    HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next, window);
 }
 
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,

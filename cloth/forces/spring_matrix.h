@@ -35,11 +35,11 @@ struct SpringMatrix {
 
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
 Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product);
+                        Vec4* product, RowWindow* window);
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                            Vec4* remainder);
+                            Vec4* remainder, RowWindow* window);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                 Relaxation relaxation, Vec4* next);
+                 Relaxation relaxation, Vec4* next, RowWindow* window);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x);
 /// As ImplicitSystem::spring_blocks, for the slots [range.begin, range.end) of the list.

@@ -15,59 +15,59 @@ SpringSystem::SpringSystem(const CookedCloth& model)
       kinds_(matrix_.stencil, model.kinds.span()),
       rest_lengths_(matrix_.stencil.neighbours.size()),
       positions_(model.particle_count) {
+    windows_ = RowWindows(matrix_.stencil);
     std::ranges::fill(rest_lengths_.span(), 1.0f);
     for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e)
         rest_lengths_[matrix_.stencil.entries[e]] = model.rest_lengths[e];
 }
 
-void SpringSystem::place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities) {
-    scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
-}
-
-SpringState SpringSystem::state_at(const StepEquation& equation, std::span<const Vec4> positions,
-                                   std::span<const Vec4> velocities) const {
+SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equation,
+                                   std::span<const Vec4> velocities, LinearisedAbout about) {
+    const bool ahead = about == LinearisedAbout::iterate;
+    const bool placed = ahead && windows_.tiles(model_.particle_count, parallel.width()) == 0;
+    if (placed)
+        scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
     return {.equation = equation,
             .stencil = matrix_.stencil,
             .rest_lengths = rest_lengths_.span(),
             .kinds = kinds_,
             .stiffness = SpringStiffness(stiffnesses(equation.settings.fabric)),
-            .positions = positions,
-            .velocities = velocities};
+            .positions = placed ? std::as_const(positions_).span() : equation.base_positions,
+            .velocities = velocities,
+            .time_ahead = ahead && !placed ? equation.gamma : 0};
 }
 
 void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
     stiffness_of_kind_ = stiffnesses(equation.settings.fabric);
-    const bool about_base = about == LinearisedAbout::base;
-    if (!about_base) place(parallel, equation, velocities);
-    const Fabric& fabric = equation.settings.fabric;
     const float stiffest = std::ranges::max(stiffness_of_kind_);
-    matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
-    const std::span<const Vec4> positions = about_base ? equation.base_positions : positions_.span();
+    matrix_.set_unit((equation.gamma + equation.settings.fabric.damping) * equation.gamma * stiffest);
     matrix_.contacts = begin_contacts(equation);
-    const SpringState state = state_at(equation, positions, velocities);
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
-        linearise_contacts(equation, velocities, range);
-        linearise_block(state, about, range, matrix_, right_side_.data());
-    });
+    const SpringState state = state_at(parallel, equation, velocities, about);
+    blocks_in_tiles(parallel, model_.particle_count, windows_,
+                    [&](const BlockRange& range, WindowPair* windows) {
+                        linearise_contacts(equation, velocities, range);
+                        linearise_block(state, about, range, windows, matrix_, right_side_.data());
+                    });
 }
 
 void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                             std::span<const Vec4> velocities, std::span<Vec4> residual) {
-    place(parallel, equation, velocities);
-    const SpringState state = state_at(equation, positions_.span(), velocities);
-    parallel.ranges(model_.particle_count,
-                    [&](const BlockRange& range) { residual_block(state, range, residual.data()); });
+    const SpringState state = state_at(parallel, equation, velocities, LinearisedAbout::iterate);
+    blocks_in_tiles(parallel, model_.particle_count, windows_,
+                    [&](const BlockRange& range, WindowPair* windows) {
+                        residual_block(state, range, windows, residual.data());
+                    });
 }
 
-Products SpringSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                     Vec4* product) const {
-    return multiply_block(matrix_, range, b, x, product);
+Products SpringSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                                     RowWindow* window) const {
+    return multiply_block(matrix_, range, b, x, product, window);
 }
 
 void SpringSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                         Vec4* remainder) const {
-    subtract_product_block(matrix_, range, b, x, remainder);
+                                         Vec4* remainder, RowWindow* window) const {
+    subtract_product_block(matrix_, range, b, x, remainder, window);
 }
 
 void SpringSystem::precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const {
@@ -75,8 +75,8 @@ void SpringSystem::precondition_rows(const BlockRange& range, const Vec4* b, flo
 }
 
 void SpringSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                              Vec4* next) const {
-    relax_block(matrix_, range, b, x, relaxation, next);
+                              Vec4* next, RowWindow* window) const {
+    relax_block(matrix_, range, b, x, relaxation, next, window);
 }
 
 // Bend springs lie along structural ones, twice as long: at less than a twentieth of their stiffness they add

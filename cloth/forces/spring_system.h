@@ -27,26 +27,24 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                           Vec4* product) const override;
-    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                               Vec4* remainder) const override;
+    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                           RowWindow* window) const override;
+    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
+                               RowWindow* window) const override;
     void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
-    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                    Vec4* next) const override;
+    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation, Vec4* next,
+                    RowWindow* window) const override;
 
   private:
-    /// Where the particles are at these velocities: x_base + gamma v.
-    void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
-    [[nodiscard]] SpringState state_at(const StepEquation& equation, std::span<const Vec4> positions,
-                                       std::span<const Vec4> velocities) const;
+    [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
+                                       std::span<const Vec4> velocities, LinearisedAbout about);
 
     const CookedCloth& model_;
     SpringMatrix matrix_;
     SpringKinds kinds_;
     AlignedBuffer<float> rest_lengths_;         // per entry; 1 where the stencil is padded
     std::array<float, 3> stiffness_of_kind_{};  // of the last linearise
-    AlignedBuffer<Vec4> positions_;             // that the last linearise or residual was about
+    AlignedBuffer<Vec4> positions_;             // x_base + gamma v, which windows add up themselves
 };
 
 }  // namespace weft

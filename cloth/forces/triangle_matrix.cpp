@@ -17,14 +17,14 @@ namespace weft::HWY_NAMESPACE {
 namespace {
 
 /// sum_j a_ij (x_i - x_j) for the lanes from particle `i` on.
-HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, const Vec4* x,
+HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
                                  const Lanes3& x_i) {
     const Stencil& stencil = matrix.scalar_stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     Lanes3 sum{hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
         sum = mul_add(load_lanes(&matrix.scalars[s * Stencil::lanes + lane]),
-                      x_i - neighbour_rows(stencil, s, lane, x), sum);
+                      x_i - neighbour_rows(stencil, s, lane, x.rows), sum);
     return sum;
 }
 
@@ -32,7 +32,7 @@ HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, 
 
 // Found by the loops through their vectors' namespace, so not in the file's own.
 /// (W x)_i for the lanes from particle `i` on.
-HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, const Vec4* x,
+HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
                               const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
@@ -46,7 +46,7 @@ HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, con
                           load_lanes(slot + (3 * k + 1) * Stencil::lanes),
                           load_lanes(slot + (3 * k + 2) * Stencil::lanes)};
         };
-        const Lanes3 difference = x_i - neighbour_rows(stencil, s, lane, x);
+        const Lanes3 difference = x_i - x.neighbours(s, lane);
         sum.x = hn::Add(sum.x, dot(row(0), difference));
         sum.y = hn::Add(sum.y, dot(row(1), difference));
         sum.z = hn::Add(sum.z, dot(row(2), difference));
@@ -65,17 +65,20 @@ namespace {
 
 Products multiply(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                   Vec4* product) {
-    return multiply_rows(matrix, range, b, x, product);
+    RowsInMemory rows{matrix.stencil, x};
+    return multiply_rows(matrix, range, b, rows, product);
 }
 
 void subtract_product(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                       Vec4* remainder) {
-    subtract_product_rows(matrix, range, b, x, remainder);
+    RowsInMemory rows{matrix.stencil, x};
+    subtract_product_rows(matrix, range, b, rows, remainder);
 }
 
 void relax(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
-    relax_rows(matrix, range, b, x, relaxation, next);
+    RowsInMemory rows{matrix.stencil, x};
+    relax_rows(matrix, range, b, rows, relaxation, next);
 }
 
 void precondition(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {

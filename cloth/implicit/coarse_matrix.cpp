@@ -25,12 +25,13 @@ HWY_INLINE SymmetricLanes load_block(const AlignedBuffer<float>& values, std::ui
 }  // namespace
 
 // Found by the loops through their vectors' namespace, so not in the file's own.
-HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const Vec4* x, const Lanes3& x_i) {
+template <class Rows>
+HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const Rows& x, const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     Lanes3 sum = load_block(matrix.ground, group, lane) * x_i;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
-        sum = sum + load_block(matrix.coefficients, s, lane) * (x_i - neighbour_rows(stencil, s, lane, x));
+        sum = sum + load_block(matrix.coefficients, s, lane) * (x_i - x.neighbours(s, lane));
     return sum;
 }
 
@@ -42,12 +43,14 @@ namespace {
 
 void subtract_product(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                       Vec4* remainder) {
-    subtract_product_rows(matrix, range, b, x, remainder);
+    RowsInMemory rows{matrix.stencil, x};
+    subtract_product_rows(matrix, range, b, rows, remainder);
 }
 
 void relax(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
            const Relaxation& relaxation, Vec4* next) {
-    relax_rows(matrix, range, b, x, relaxation, next);
+    RowsInMemory rows{matrix.stencil, x};
+    relax_rows(matrix, range, b, rows, relaxation, next);
 }
 
 void precondition(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {

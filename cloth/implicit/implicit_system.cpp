@@ -1,42 +1,54 @@
 #include "cloth/implicit/implicit_system.h"
 
-#include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "cloth/implicit/time_skew.h"
 
 namespace weft {
 
+namespace {
+
+RowWindow* first_of(WindowPair* windows) {
+    return windows == nullptr ? nullptr : &windows->first;
+}
+
+}  // namespace
+
 Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                                   std::span<Vec4> product) {
-    return parallel.reduce(
-        stencil().nodes, partial_sums_.span(), Products{},
-        [&](const BlockRange& range) { return multiply_rows(range, b.data(), x.data(), product.data()); },
-        std::plus<>{});
+    const std::uint32_t nodes = stencil().nodes;
+    blocks_in_tiles(parallel, nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
+        partial_sums_[range.block] =
+            multiply_rows(range, b.data(), x.data(), product.data(), first_of(windows));
+    });
+    const std::span<const Products> partials = std::as_const(partial_sums_).span().first(block_count(nodes));
+    return std::accumulate(partials.begin(), partials.end(), Products{});
 }
 
 void ImplicitSystem::subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                                      std::span<Vec4> remainder) const {
-    parallel.ranges(stencil().nodes, [&](const BlockRange& range) {
-        subtract_product_rows(range, b.data(), x.data(), remainder.data());
+                                      std::span<Vec4> remainder) {
+    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
+        subtract_product_rows(range, b.data(), x.data(), remainder.data(), first_of(windows));
     });
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                           Relaxation relaxation, std::span<Vec4> next) const {
-    parallel.ranges(stencil().nodes, [&](const BlockRange& range) {
-        relax_rows(range, b.data(), x.data(), relaxation, next.data());
+                           Relaxation relaxation, std::span<Vec4> next) {
+    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
+        relax_rows(range, b.data(), x.data(), relaxation, next.data(), first_of(windows));
     });
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Relaxation> steps,
-                           std::span<Vec4> x, std::span<Vec4> next) const {
+                           std::span<Vec4> x, std::span<Vec4> next) {
     Vec4* const iterates[] = {x.data(), next.data()};
-    skewed_sweeps(parallel, stencil().nodes, reach(), static_cast<std::uint32_t>(steps.size()),
-                  [&](std::uint32_t k, const BlockRange& range) {
-                      relax_rows(range, b.data(), iterates[k % 2], steps[k], iterates[(k + 1) % 2]);
-                  });
+    const auto relax = [&](std::uint32_t k, const BlockRange& range, RowWindow* window) {
+        relax_rows(range, b.data(), iterates[k % 2], steps[k], iterates[(k + 1) % 2], window);
+    };
+    skewed_sweeps(parallel, stencil().nodes, reach(), static_cast<std::uint32_t>(steps.size()), windows_,
+                  relax);
 }
 
 void ImplicitSystem::precondition(Parallel& parallel, std::span<const Vec4> b, float step,

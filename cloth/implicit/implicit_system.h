@@ -7,6 +7,7 @@
 
 #include "cloth/cook.h"
 #include "cloth/implicit/contacts.h"
+#include "cloth/implicit/row_windows.h"
 #include "cloth/implicit/stencil.h"
 #include "cloth/implicit/step_equation.h"
 #include "engine/aligned_buffer.h"
@@ -63,14 +64,14 @@ class ImplicitSystem {
     }
     /// remainder = b - W x.
     void subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                          std::span<Vec4> remainder) const;
+                          std::span<Vec4> remainder);
     /// One step of relaxation on W x = b.
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
-               std::span<Vec4> next) const;
+               std::span<Vec4> next);
     /// Steps of relaxation in as few passes over memory as may be. Each exchanges x and next, so an even
     /// count of them leaves the last iterate in x. Precondition: steps.size() <= most_skewed_sweeps.
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Relaxation> steps,
-               std::span<Vec4> x, std::span<Vec4> next) const;
+               std::span<Vec4> x, std::span<Vec4> next);
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
 
@@ -95,19 +96,20 @@ class ImplicitSystem {
     [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }
     [[nodiscard]] const AlignedBuffer<Vec4>& right_side() const noexcept { return right_side_; }
     [[nodiscard]] virtual std::size_t bytes() const noexcept {
-        return right_side_.bytes() + partial_sums_.bytes();
+        return right_side_.bytes() + partial_sums_.bytes() + windows_.bytes();
     }
 
   protected:
     // The same for some rows, which are whole groups of 16 but for the last.
     /// Returns their shares.
-    virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                   Vec4* product) const = 0;
-    virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                       Vec4* remainder) const = 0;
+    virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                                   RowWindow* window) const = 0;
+    virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
+                                       RowWindow* window) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
+    /// `window`: on x, which may be used in place of x itself; or null.
     virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                            Vec4* next) const = 0;
+                            Vec4* next, RowWindow* window) const = 0;
     /// How far apart in memory are particles that have a block.
     [[nodiscard]] virtual std::uint32_t reach() const noexcept { return stencil().reach; }
 
@@ -122,6 +124,7 @@ class ImplicitSystem {
     }
 
     AlignedBuffer<Vec4> right_side_;
+    RowWindows windows_;  // empty if the system has no use for them
     AlignedBuffer<Products> partial_sums_;
 };
 

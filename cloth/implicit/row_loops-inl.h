@@ -1,5 +1,6 @@
 // The loops over a matrix's rows that solvers are made of, once for every kind of matrix. For the lanes from
-// row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i, and preconditioned(matrix, i, v),
+// row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x of RowsInMemory or
+// RowsInWindow, and preconditioned(matrix, i, v),
 // which is D_i^-1 v. Included as cloth/implicit/lanes-inl.h.
 
 #if defined(WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -13,6 +14,7 @@
 
 #include "cloth/implicit/implicit_system.h"
 #include "cloth/implicit/lanes-inl.h"
+#include "cloth/implicit/row_windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -30,12 +32,12 @@ class SumByLanes {
 };
 
 /// product = W x, unless it is null. Returns the rows' shares.
-template <class Matrix>
-Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                       Vec4* product) {
+template <class Matrix, class Rows>
+Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x, Vec4* product) {
     SumByLanes b_x, x_x, x_wx;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 x_i = xyz(load_rows(x + i));
+        x.come_to(i);
+        const Lanes3 x_i = x.own(i);
         const Lanes3 row = row_product(matrix, i, x, x_i);
         if (product != nullptr) store_rows(row, hn::Zero(Tag()), product + i);
         const std::uint32_t lane = i % Stencil::lanes;
@@ -47,23 +49,25 @@ Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4
 }
 
 /// remainder = b - W x.
-template <class Matrix>
-void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+template <class Matrix, class Rows>
+void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
                            Vec4* remainder) {
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 row = row_product(matrix, i, x, xyz(load_rows(x + i)));
+        x.come_to(i);
+        const Lanes3 row = row_product(matrix, i, x, x.own(i));
         store_rows(xyz(load_rows(b + i)) - row, hn::Zero(Tag()), remainder + i);
     }
 }
 
 /// See Relaxation.
-template <class Matrix>
-void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+template <class Matrix, class Rows>
+void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
                 const Relaxation& relaxation, Vec4* next) {
     const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
     const bool has_momentum = relaxation.momentum != 0;  // else `next` may hold anything
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 x_i = xyz(load_rows(x + i));
+        x.come_to(i);
+        const Lanes3 x_i = x.own(i);
         const Lanes3 residual = xyz(load_rows(b + i)) - row_product(matrix, i, x, x_i);
         const Lanes3 moved = has_momentum ? mul_add(momentum, x_i - xyz(load_rows(next + i)), x_i) : x_i;
         store_rows(mul_add(step, preconditioned(matrix, i, residual), moved), hn::Zero(Tag()), next + i);

@@ -8,9 +8,11 @@
 // another, so the tiles, which do depend on the number of threads, do not show in any result.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "cloth/implicit/row_windows.h"
 #include "cloth/implicit/stencil.h"
 #include "engine/parallel_blocks.h"
 
@@ -72,27 +74,45 @@ void sweep_tile(const SkewedTiles& tiles, std::uint32_t tile, const Body& body) 
     }
 }
 
-/// body(k, rows) for sweeps k < `sweeps` over [0, rows) in as few passes as pay: sweep k reads, of what sweep
-/// k - 1 wrote, rows no further than `reach` from its own, and may write over what sweep k - 2 wrote in its
-/// own. Precondition: sweeps <= most_skewed_sweeps.
+/// The windows of the sweeps of a tile.
+class TileWindows {
+  public:
+    TileWindows(RowWindows& windows, std::uint32_t tile, std::uint32_t sweeps) {
+        if ((tile + 1) * sweeps > windows.count()) return;
+        for (std::uint32_t k = 0; k < sweeps; ++k) windows_[k] = windows.window(tile * sweeps + k);
+    }
+    /// Null if there are none.
+    RowWindow* of_sweep(std::uint32_t k) { return windows_[k].values == nullptr ? nullptr : &windows_[k]; }
+
+  private:
+    std::array<RowWindow, most_skewed_sweeps> windows_;
+};
+
+/// body(k, rows, window) for sweeps k < `sweeps` over [0, rows) in as few passes as pay: sweep k reads, of
+/// what sweep k - 1 wrote, rows no further than `reach` from its own, and may write over what sweep k - 2
+/// wrote in its own. `window`, on what it reads, may be null. Precondition: sweeps <= most_skewed_sweeps.
 template <class Body>
 void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, std::uint32_t sweeps,
-                   const Body& body) {
+                   RowWindows& windows, const Body& body) {
     const SkewedTiles tiles(rows, reach, sweeps, static_cast<std::uint32_t>(parallel.width()));
     if (tiles.tiles == 0) {
         for (std::uint32_t k = 0; k < sweeps; ++k)
-            parallel.ranges(rows, [&](const BlockRange& range) { body(k, range); });
+            parallel.ranges(rows, [&](const BlockRange& range) { body(k, range, nullptr); });
         return;
     }
     for (std::uint32_t done = 0; done < sweeps; done += tiles.sweeps) {
         SkewedTiles pass = tiles;
         pass.sweeps = std::min(tiles.sweeps, sweeps - done);
-        const auto sweep = [&](std::uint32_t k, const BlockRange& range) { body(done + k, range); };
-        parallel.blocks(pass.tiles, [&](std::uint32_t tile) { sweep_tile(pass, tile, sweep); });
+        parallel.blocks(pass.tiles, [&](std::uint32_t tile) {
+            TileWindows of_tile(windows, tile, pass.sweeps);
+            sweep_tile(pass, tile, [&](std::uint32_t k, const BlockRange& range) {
+                body(done + k, range, of_tile.of_sweep(k));
+            });
+        });
         parallel.blocks(pass.tiles - 1, [&](std::uint32_t gap) {
             const std::uint32_t edge = pass.edge(gap + 1);
             for (std::uint32_t k = 1; k < pass.sweeps; ++k)
-                sweep(k, BlockRange{edge - k * pass.reach, edge + k * pass.reach, gap});
+                body(done + k, BlockRange{edge - k * pass.reach, edge + k * pass.reach, gap}, nullptr);
         });
     }
 }

@@ -40,17 +40,22 @@ TEST(TimeSkew, EveryRowIsSweptOnceInEverySweepAndNotBeforeWhatItReads) {
                 Parallel parallel(executor);
                 std::vector<std::uint32_t> done(rows, 0);
                 int faults = 0;
-                skewed_sweeps(parallel, rows, reach, sweeps, [&](std::uint32_t k, const BlockRange& range) {
-                    faults += range.begin % Stencil::lanes != 0;
-                    faults += range.end % Stencil::lanes != 0 && range.end != rows;
-                    const std::uint32_t first = range.begin - std::min(range.begin, reach);
-                    const std::uint32_t last = std::min(rows, range.end + reach);
-                    for (std::uint32_t i = range.begin; i < range.end; ++i) faults += done[i] != k;
-                    // Of two buffers, what sweep k reads must be there: written by sweep k - 1, not yet by k
-                    // + 1.
-                    for (std::uint32_t i = first; i < last; ++i) faults += done[i] < k || done[i] > k + 1;
-                    for (std::uint32_t i = range.begin; i < range.end; ++i) done[i] = k + 1;
-                });
+                RowWindows none;
+                skewed_sweeps(parallel, rows, reach, sweeps, none,
+                              [&](std::uint32_t k, const BlockRange& range, RowWindow*) {
+                                  faults += range.begin % Stencil::lanes != 0;
+                                  faults += range.end % Stencil::lanes != 0 && range.end != rows;
+                                  const std::uint32_t first = range.begin - std::min(range.begin, reach);
+                                  const std::uint32_t last = std::min(rows, range.end + reach);
+                                  for (std::uint32_t i = range.begin; i < range.end; ++i)
+                                      faults += done[i] != k;
+                                  // Of two buffers, what sweep k reads must be there: written by sweep k - 1,
+                                  // not yet by k
+                                  // + 1.
+                                  for (std::uint32_t i = first; i < last; ++i)
+                                      faults += done[i] < k || done[i] > k + 1;
+                                  for (std::uint32_t i = range.begin; i < range.end; ++i) done[i] = k + 1;
+                              });
                 EXPECT_EQ(faults, 0);
                 for (const std::uint32_t count : done) ASSERT_EQ(count, sweeps);
             }
