@@ -8,14 +8,6 @@
 
 namespace weft {
 
-namespace {
-
-RowWindow* first_of(WindowPair* windows) {
-    return windows == nullptr ? nullptr : &windows->first;
-}
-
-}  // namespace
-
 Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                                   std::span<Vec4> product) {
     const std::uint32_t nodes = stencil().nodes;

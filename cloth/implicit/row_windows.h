@@ -50,10 +50,13 @@ class RowWindows {
     AlignedBuffer<float> values_;
 };
 
-/// Two windows for a loop, or none.
 struct WindowPair {
     RowWindow first, second;
 };
+/// For a loop over one vector's neighbours.
+inline RowWindow* first_of(WindowPair* windows) {
+    return windows == nullptr ? nullptr : &windows->first;
+}
 
 /// body(block, windows) for the blocks of [0, rows), those of a tile one after the other; windows is null
 /// where there are none.

@@ -97,7 +97,9 @@ void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, 
     const SkewedTiles tiles(rows, reach, sweeps, static_cast<std::uint32_t>(parallel.width()));
     if (tiles.tiles == 0) {
         for (std::uint32_t k = 0; k < sweeps; ++k)
-            parallel.ranges(rows, [&](const BlockRange& range) { body(k, range, nullptr); });
+            blocks_in_tiles(parallel, rows, windows, [&](const BlockRange& range, WindowPair* of_tile) {
+                body(k, range, first_of(of_tile));
+            });
         return;
     }
     for (std::uint32_t done = 0; done < sweeps; done += tiles.sweeps) {
