@@ -31,14 +31,14 @@ struct Counts {
 };
 
 // Rows of x y z w are 16 bytes; a half-edge's block a, d_x, d_y, d_z is 8 in half precision, its index 4
-// where neighbours are not runs, its rest length and stiffness 8; D^-1 is 24.
+// where neighbours are not runs, its rest length 4; D^-1 is 24.
 Traffic linearise_traffic(
     const Counts& c) {  // x v air in, b out; per half-edge some 65: n, tension, a, d, b, D
-    return {.bytes = 4 * 16 + 4 + 24 + c.half_edges * (8 + 8) + 4 * c.indices,
+    return {.bytes = 4 * 16 + 4 + 24 + c.half_edges * (8 + 4) + 4 * c.indices,
             .flops = 60 + 65 * c.half_edges};
 }
-Traffic residual_traffic(const Counts& c) {  // v in, x of the iterate out and in, residual out
-    return {.bytes = 6 * 16 + 8 * c.half_edges + 4 * c.indices, .flops = 20 + 35 * c.half_edges};
+Traffic residual_traffic(const Counts& c) {  // x v air in, residual out
+    return {.bytes = 4 * 16 + 4 * c.half_edges + 4 * c.indices, .flops = 20 + 35 * c.half_edges};
 }
 Traffic multiply_traffic(const Counts& c) {  // a (x_i - x_j) + d (d . (x_i - x_j)): 3 + 5 + 9 + 3
     return {.bytes = 2 * 16 + 4 + 8 * c.half_edges + 4 * c.indices, .flops = 12 + 20 * c.half_edges};
