@@ -15,14 +15,14 @@ namespace weft {
 
 /// Of the entries of a stencil.
 struct SpringKinds {
-    static constexpr std::uint8_t none = 3;  ///< where it is padded
+    static constexpr std::uint8_t none = 3;  ///< where it is padded; behind the last SpringKind
     static constexpr std::uint8_t mixed = 4;
 
     SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_half_edges);
     [[nodiscard]] std::size_t bytes() const noexcept { return of_entries.bytes() + of_slots.bytes(); }
 
     AlignedBuffer<std::uint8_t> of_entries;  ///< SpringKind, or none
-    AlignedBuffer<std::uint8_t> of_slots;    ///< that of all entries that are used, or mixed
+    AlignedBuffer<std::uint8_t> of_slots;    ///< that of all 16 entries, or mixed
 };
 
 /// By kind; a table for registers of any width.
@@ -45,8 +45,7 @@ struct SpringState {
     SpringStiffness stiffness;        ///< [N/m]
     std::span<const Vec4> positions;  ///< w inverse mass
     std::span<const Vec4> velocities;
-    float time_ahead =
-        0;  ///< of the positions meant: positions + time_ahead x velocities; 0 without windows [s]
+    float time_ahead = 0;  ///< meant are positions + time_ahead x velocities [s]; 0 without windows
 };
 
 /// The rows of W and b of one block; see ImplicitSystem::linearise.

@@ -74,6 +74,17 @@ void sweep_tile(const SkewedTiles& tiles, std::uint32_t tile, const Body& body) 
     }
 }
 
+/// body(rows) for all rows that sweep k of the tiles left out. There are few gaps, so each is shared out too.
+template <class Body>
+void fill_gaps(Parallel& parallel, const SkewedTiles& tiles, std::uint32_t k, const Body& body) {
+    const std::uint32_t blocks = block_count(2 * k * tiles.reach);
+    parallel.blocks((tiles.tiles - 1) * blocks, [&](std::uint32_t part) {
+        const std::uint32_t edge = tiles.edge(part / blocks + 1);
+        const std::uint32_t begin = edge - k * tiles.reach + part % blocks * block_size;
+        body(BlockRange{begin, std::min(begin + block_size, edge + k * tiles.reach), part});
+    });
+}
+
 /// The windows of the sweeps of a tile.
 class TileWindows {
   public:
@@ -111,11 +122,8 @@ void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, 
                 body(done + k, range, of_tile.of_sweep(k));
             });
         });
-        parallel.blocks(pass.tiles - 1, [&](std::uint32_t gap) {
-            const std::uint32_t edge = pass.edge(gap + 1);
-            for (std::uint32_t k = 1; k < pass.sweeps; ++k)
-                body(done + k, BlockRange{edge - k * pass.reach, edge + k * pass.reach, gap}, nullptr);
-        });
+        for (std::uint32_t k = 1; k < pass.sweeps; ++k)
+            fill_gaps(parallel, pass, k, [&](const BlockRange& range) { body(done + k, range, nullptr); });
     }
 }
 
