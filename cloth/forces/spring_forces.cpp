@@ -112,10 +112,10 @@ HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::ui
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
     // Where ends coincide there is no spring, mostly.
-    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)))
-        if (!hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
-            direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
-                                                   &state.stencil.neighbours[entry], i);
+    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)) &&
+        !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
+        direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
+                                               &state.stencil.neighbours[entry], i);
 
     const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
     return {direction, hn::Sub(length, rest_length), stiffness, axial};

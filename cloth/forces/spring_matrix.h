@@ -14,7 +14,7 @@ namespace weft {
 /// W by rows, in groups of 16 particles: (W x)_i = (r_i + G_i) x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
 ///
 /// a and d are kept in half precision, since a sweep takes as long as these bytes do. Invariant: both ends of
-/// a spring and the diagonal are made of the rounded values, so that W is symmetric, keeps momentum, and is
+/// a spring and the diagonal are made of the cut values, so that W is symmetric, keeps momentum, and is
 /// positive definite.
 struct SpringMatrix {
     explicit SpringMatrix(Stencil neighbours);

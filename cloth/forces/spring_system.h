@@ -36,6 +36,7 @@ class SpringSystem final : public ImplicitSystem {
                     RowWindow* window) const override;
 
   private:
+    /// Particles are placed for it where no window will do that.
     [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
                                        std::span<const Vec4> velocities, LinearisedAbout about);
 

@@ -25,8 +25,8 @@ HWY_INLINE SymmetricLanes load_block(const AlignedBuffer<float>& values, std::ui
 }  // namespace
 
 // Found by the loops through their vectors' namespace, so not in the file's own.
-template <class Rows>
-HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const Rows& x, const Lanes3& x_i) {
+HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
+                              const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     Lanes3 sum = load_block(matrix.ground, group, lane) * x_i;

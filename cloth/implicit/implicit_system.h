@@ -100,14 +100,14 @@ class ImplicitSystem {
     }
 
   protected:
-    // The same for some rows, which are whole groups of 16 but for the last.
+    // The same for some rows, which are whole groups of 16 but for the last. `window`, on x, may be read in
+    // its place, or is null.
     /// Returns their shares.
     virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
                                    RowWindow* window) const = 0;
     virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
                                        RowWindow* window) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
-    /// `window`: on x, which may be used in place of x itself; or null.
     virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
                             Vec4* next, RowWindow* window) const = 0;
     /// How far apart in memory are particles that have a block.

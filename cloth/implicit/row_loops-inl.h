@@ -1,7 +1,7 @@
 // The loops over a matrix's rows that solvers are made of, once for every kind of matrix. For the lanes from
-// row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x of RowsInMemory or
-// RowsInWindow, and preconditioned(matrix, i, v),
-// which is D_i^-1 v. Included as cloth/implicit/lanes-inl.h.
+// row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x in RowsInMemory (of springs,
+// RowsInWindow too), and preconditioned(matrix, i, v), which is D_i^-1 v. Included as
+// cloth/implicit/lanes-inl.h.
 
 #if defined(WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H

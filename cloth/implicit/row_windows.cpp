@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cloth/implicit/time_skew.h"
+
 namespace weft {
 
 namespace {
@@ -16,7 +18,7 @@ std::uint32_t shortest_tile(std::uint32_t reach) {
 RowWindows::RowWindows(const Stencil& stencil) {
     const auto listed = static_cast<std::size_t>(std::ranges::count(stencil.runs.span(), Stencil::no_run));
     if (stencil.slots() == 0 || listed > stencil.slots() / 8) return;
-    reach_ = (stencil.reach + Stencil::lanes - 1) / Stencil::lanes * Stencil::lanes;
+    reach_ = SkewedTiles::whole_groups(stencil.reach);  // as far as one sweep runs behind another
     // Behind, at, and ahead of a group of 16, one of which is being filled.
     rows_ = 2 * reach_ + 2 * Stencil::lanes;
     values_ = AlignedBuffer<float>(floats() * 2 * std::max(1u, stencil.nodes / shortest_tile(reach_)));

@@ -7,22 +7,13 @@
 #include <cstring>
 #include <vector>
 
+#include "as_for_threads.h"
 #include "fixtures.h"
 #include "meshes.h"
 #include "spring_scene.h"
 
 namespace weft::test {
 namespace {
-
-/// Everything serial, but cut as for so many threads.
-Parallel as_for_threads(int threads) {
-    Executor executor;
-    executor.width = threads;
-    executor.run = [](void*, std::uint32_t blocks, Executor::Body body, void* context) {
-        while (blocks > 0) body(context, --blocks);
-    };
-    return Parallel(executor);
-}
 
 constexpr int too_many_threads = 256;  // for tiles of any size: all is read from memory
 

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "as_for_threads.h"
 #include "cloth/forces/spring_system.h"
 #include "cloth/forces/triangle_system.h"
 #include "fixtures.h"
@@ -31,13 +32,7 @@ TEST(TimeSkew, EveryRowIsSweptOnceInEverySweepAndNotBeforeWhatItReads) {
             for (const int threads : {1, 2, 3, 8}) {
                 SCOPED_TRACE(testing::Message() << rows << " rows, reach " << reach << ", " << sweeps
                                                 << " sweeps, " << threads << " threads");
-                // Cut as for these threads, but serial, the last part first. done[i]: sweeps of row i so far.
-                Executor executor;
-                executor.width = threads;
-                executor.run = [](void*, std::uint32_t blocks, Executor::Body body, void* context) {
-                    while (blocks > 0) body(context, --blocks);
-                };
-                Parallel parallel(executor);
+                Parallel parallel = as_for_threads(threads);  // done[i]: sweeps of row i so far
                 std::vector<std::uint32_t> done(rows, 0);
                 int faults = 0;
                 RowWindows none;
