@@ -1,6 +1,7 @@
 #include "cloth/forces/spring_forces.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/separating_direction.h"
 
@@ -11,8 +12,8 @@
 
 #include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/external_row-inl.h"
+#include "cloth/implicit/grid_windows-inl.h"
 #include "cloth/implicit/lanes-inl.h"
-#include "cloth/implicit/row_windows-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,11 +27,24 @@ struct Springs {
     Lanes stiffness, axial;
 };
 
-/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. By
-/// value, so that the loops keep theirs in registers.
+/// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
+struct Ends {
+    Lanes3 separation;
+    Lanes squared, length, inverse_length;
+};
+
+HWY_INLINE Ends ends_apart(const Lanes3& separation) {
+    const Lanes squared = dot(separation, separation), length = hn::Sqrt(squared);
+    return {separation, squared, length, hn::Div(set(1), length)};
+}
+
+/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers:
+/// those from i on, and from the stencil's entry, or so much later. By value, so that the loops keep theirs
+/// in registers.
 template <class Mask>
 HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask apart,
-                                               const std::uint32_t* neighbours, std::uint32_t i) {
+                                               const SpringState& state, std::uint32_t entry,
+                                               std::uint32_t i) {
     alignas(64) float xs[part_lanes], ys[part_lanes], zs[part_lanes], is_apart[part_lanes];
     const Tag d;
     hn::Store(x, d, xs);
@@ -39,7 +53,7 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     hn::Store(hn::IfThenElseZero(apart, set(1)), d, is_apart);
     for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
         if (is_apart[lane] != 0) continue;
-        const Vector3 n = separating_direction(neighbours[lane], i + lane);
+        const Vector3 n = separating_direction(state.matrix.neighbour(entry + lane, i + lane), i + lane);
         xs[lane] = n.x();
         ys[lane] = n.y();
         zs[lane] = n.z();
@@ -47,184 +61,280 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
-/// Where particles are and how they move, for a loop over rows: from memory,
-struct MotionInMemory {
-    MotionInMemory(const SpringState& state, const BlockRange& /*range*/, WindowPair* /*windows*/)
-        : positions{state.stencil, state.positions.data()},
-          velocities{state.stencil, state.velocities.data()} {}
-    HWY_INLINE void come_to(std::uint32_t /*i*/) {}
-
-    RowsInMemory positions, velocities;
-};
-
-/// or from windows.
-struct MotionInWindows {
-    MotionInWindows(const SpringState& state, const BlockRange& range, WindowPair* windows)
-        : state(state),
-          positions(windows->first, state.stencil, range),
-          velocities(windows->second, state.stencil, range) {}
-    HWY_INLINE void come_to(std::uint32_t i) {
-        velocities.come_to(i,
-                           [this](std::uint32_t j) HWY_ATTR { return xyz(load_rows(&state.velocities[j])); });
-        positions.come_to(i, [this](std::uint32_t j) HWY_ATTR {
-            const Lanes3 position = xyz(load_rows(&state.positions[j]));
-            return state.time_ahead == 0 ? position : set(state.time_ahead) * velocities.own(j) + position;
-        });
-    }
-
-    const SpringState& state;
-    OpenWindow positions, velocities;
-};
-
-/// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
-struct Ends {
-    Lanes3 separation;
-    Lanes squared, length, inverse_length;
-};
-
-/// Of slot s, for the lanes from particle `i` on, which are at x_i.
-template <class Motion>
-HWY_INLINE Ends ends_in(const Motion& motion, std::uint32_t s, std::uint32_t i, const Lanes3& x_i) {
-    const Lanes3 separation = motion.positions.neighbours(s, i % Stencil::lanes) - x_i;
-    const Lanes squared = dot(separation, separation), length = hn::Sqrt(squared);
-    return {separation, squared, length, hn::Div(set(1), length)};
-}
-
-/// Stiffness of each entry of a slot, by kind.
-HWY_INLINE Lanes stiffness_in(const SpringState& state, std::uint32_t s, std::uint32_t lane,
-                              const SpringStiffness& of_kind) {
+/// Stiffness of the entries from one on, by kind.
+HWY_INLINE Lanes stiffness_in(const SpringState& state, std::uint32_t entry, const SpringStiffness& of_kind) {
     const SpringKinds& kinds = state.kinds;
-    if (kinds.of_slots[s] != SpringKinds::mixed) return set(of_kind.values[kinds.of_slots[s]]);
+    const std::uint8_t of_slot = kinds.of_slots[entry / Stencil::lanes];
+    if (of_slot != SpringKinds::mixed) return set(of_kind.values[of_slot]);
     const Tag d;
     const hn::RebindToSigned<Tag> numbers;
     const hn::Rebind<std::uint8_t, Tag> bytes;
-    const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, &kinds.of_entries[s * Stencil::lanes + lane]));
+    const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, &kinds.of_entries[entry]));
     return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
 }
 
-HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t s, std::uint32_t i,
+/// Of the entries from one on, which are those of the lanes from particle `i` on.
+HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t entry, std::uint32_t i,
                               const SpringStiffness& of_kind, const Ends& ends) {
     const auto& [separation, squared, length, inverse_length] = ends;
-    const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
     const Lanes rest_length = load_lanes(&state.rest_lengths[entry]);
-    const Lanes stiffness = stiffness_in(state, s, i % Stencil::lanes, of_kind);
+    const Lanes stiffness = stiffness_in(state, entry, of_kind);
 
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
     // Where ends coincide there is no spring, mostly.
     if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)) &&
         !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
-        direction = with_separating_directions(direction.x, direction.y, direction.z, apart,
-                                               &state.stencil.neighbours[entry], i);
+        direction = with_separating_directions(direction.x, direction.y, direction.z, apart, state, entry, i);
 
     const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
     return {direction, hn::Sub(length, rest_length), stiffness, axial};
 }
 
-/// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
-/// while the one before is, else a processor would spend half its time on waiting for one root after the
-/// other.
-template <class Motion, class Body>
-HWY_INLINE void for_each_slot(const SpringState& state, const Motion& motion, std::uint32_t i,
-                              const Lanes3& x_i, const SpringStiffness& of_kind, const Body& body) {
-    const std::uint32_t group = i / Stencil::lanes;
-    const std::uint32_t begin = state.stencil.group_slots[group], end = state.stencil.group_slots[group + 1];
-    if (begin == end) return;
-    Ends next = ends_in(motion, begin, i, x_i);
-    for (std::uint32_t s = begin; s < end; ++s) {
-        const Ends ends = next;
-        if (s + 1 < end) next = ends_in(motion, s + 1, i, x_i);
-        body(s, springs_in(state, s, i, of_kind, ends));
+/// What springs add up to in rows.
+struct RowSums {
+    Lanes3 force;  ///< pulls
+    Lanes a;
+    SymmetricLanes squares;
+
+    HWY_INLINE void add(const SpringBlockLanes& block) {
+        a = hn::Add(a, block.a);
+        squares = add_square(squares, block.d);
     }
+};
+HWY_INLINE RowSums no_sums() {
+    const Lanes zero = set(0);
+    return {{zero, zero, zero}, zero, {zero, zero, zero, zero, zero, zero}};
 }
 
 // Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
 // implicitly too:
 //   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
 //   iterate).
-template <class Motion>
-void linearise_rows(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                    WindowPair* windows, SpringMatrix& matrix, Vec4* right_side) {
-    Motion motion(state, range, windows);
-    const bool about_base = about == LinearisedAbout::base;
-    const float damping = state.equation.settings.fabric.damping;
-    const bool uses_velocities = about_base || damping > 0;
-    // Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
-    const float gamma = state.equation.gamma, squared = matrix.unit * matrix.unit;
-    const SpringStiffness of_kind = state.stiffness.times(gamma * gamma / squared);
-    const Lanes squared_unit = set(squared), per_gamma = set(1 / gamma), viscosity = set(damping / gamma);
+// Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
+struct Linearisation {
+    Linearisation(const SpringState& state, LinearisedAbout about)
+        : about_base(about == LinearisedAbout::base),
+          uses_velocities(about_base || state.equation.settings.fabric.damping > 0),
+          squared(state.matrix.unit * state.matrix.unit),
+          of_kind(state.stiffness.times(state.equation.gamma * state.equation.gamma / squared)),
+          per_gamma(1 / state.equation.gamma),
+          viscosity(state.equation.settings.fabric.damping / state.equation.gamma) {}
 
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        motion.come_to(i);
-        const Lanes3 x_i = motion.positions.own(i), v_i = motion.velocities.own(i);
+    /// Adds what springs pull to `force`; their blocks. relative() is how fast their other ends move.
+    template <class Relative>
+    HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Relative& relative,
+                                          Lanes3& force) const {
+        const Lanes a = hn::Sub(springs.stiffness, springs.axial);
+        const Lanes along = hn::MulAdd(set(viscosity), springs.stiffness, springs.axial);
+        Lanes push = hn::Mul(springs.stiffness, hn::Mul(set(per_gamma), springs.extension));
+        if (uses_velocities) {
+            const Lanes3 v = relative();
+            const Lanes resisted = about_base ? along : hn::Mul(set(viscosity), springs.stiffness);
+            push = hn::MulAdd(resisted, dot(springs.direction, v), push);
+            if (about_base) force = mul_add(a, v, force);
+        }
+        force = mul_add(push, springs.direction, force);
+        return {a, hn::Sqrt(along) * springs.direction};
+    }
+
+    /// Rows of W and b, for the lanes from particle `i` on.
+    HWY_INLINE void finish(const SpringState& state, std::uint32_t i, const Lanes3& v_i, const RowSums& sums,
+                           SpringMatrix& matrix, Vec4* right_side) const {
         const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
-        const Lanes zero = set(0);
-        Lanes3 b = {zero, zero, zero};
-        Lanes sum_of_a = zero;
-        SymmetricLanes sum_of_squares = {zero, zero, zero, zero, zero, zero};
-        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for_each_slot(state, motion, i, x_i, of_kind, [&](std::uint32_t s, const Springs& springs) {
-            const Lanes a = hn::Sub(springs.stiffness, springs.axial);
-            const Lanes along = hn::MulAdd(viscosity, springs.stiffness, springs.axial);
-            Lanes push = hn::Mul(springs.stiffness, hn::Mul(per_gamma, springs.extension));
-            if (uses_velocities) {
-                const Lanes3 relative = motion.velocities.neighbours(s, lane) - v_i;
-                const Lanes resisted = about_base ? along : hn::Mul(viscosity, springs.stiffness);
-                push = hn::MulAdd(resisted, dot(springs.direction, relative), push);
-                if (about_base) b = mul_add(a, relative, b);
-            }
-            b = mul_add(push, springs.direction, b);
-            const SpringBlockLanes stored =
-                store_block({a, hn::Sqrt(along) * springs.direction},
-                            &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
-            sum_of_a = hn::Add(sum_of_a, stored.a);
-            sum_of_squares = add_square(sum_of_squares, stored.d);
-        });
+        const Lanes squared_unit = set(squared);
         const auto free = hn::Ne(row.row_sum, set(0));
-        store_rows(keep_where(free, mul_add(squared_unit, b, row.impulse)), row.row_sum, right_side + i);
+        store_rows(keep_where(free, mul_add(squared_unit, sums.force, row.impulse)), row.row_sum,
+                   right_side + i);
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
         SymmetricLanes diagonal =
-            add_identity(squared_unit * add_identity(sum_of_squares, sum_of_a), row.row_sum);
+            add_identity(squared_unit * add_identity(sums.squares, sums.a), row.row_sum);
         if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
         store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
-                        &matrix.inverse_diagonal[std::size_t{group} * 6 * Stencil::lanes + lane]);
+                        &matrix.inverse_diagonal[lane_index(i, 0, 6)]);
     }
+
+    bool about_base, uses_velocities;
+    float squared;
+    SpringStiffness of_kind;
+    float per_gamma, viscosity;
+};
+
+/// What springs pull with; see Linearisation::add_force.
+template <class Relative>
+HWY_INLINE Lanes push_of(const SpringState& state, const Springs& springs, const Relative& relative) {
+    const float viscosity = state.equation.settings.fabric.damping;
+    Lanes pull = springs.extension;
+    if (viscosity > 0) pull = hn::MulAdd(set(viscosity), dot(springs.direction, relative()), pull);
+    return hn::Mul(springs.stiffness, pull);
 }
 
-template <class Motion>
-void residual_rows(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
-    Motion motion(state, range, windows);
-    const float damping = state.equation.settings.fabric.damping;
-    const Lanes gamma = set(state.equation.gamma), viscosity = set(damping);
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        motion.come_to(i);
-        const Lanes3 x_i = motion.positions.own(i), v_i = motion.velocities.own(i);
-        const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
-        Lanes3 force = {set(0), set(0), set(0)};
-        const std::uint32_t lane = i % Stencil::lanes;
-        for_each_slot(state, motion, i, x_i, state.stiffness, [&](std::uint32_t s, const Springs& springs) {
-            Lanes pull = springs.extension;
-            if (damping > 0) {
-                const Lanes3 relative = motion.velocities.neighbours(s, lane) - v_i;
-                pull = hn::MulAdd(viscosity, dot(springs.direction, relative), pull);
+HWY_INLINE void finish_residual(const SpringState& state, std::uint32_t i, const Lanes3& v_i,
+                                const Lanes3& force, Vec4* residual) {
+    const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
+    const auto free = hn::Ne(row.row_sum, set(0));
+    store_rows(keep_where(free, mul_add(set(state.equation.gamma), force, row.impulse)), set(0),
+               residual + i);
+}
+
+/// Any mesh: each particle looks at all its springs.
+class SpringsOfMesh {
+    // Deduced, so before those who use it.
+    HWY_INLINE auto relative(std::uint32_t s, std::uint32_t i, const Lanes3& v_i) const {
+        return [this, s, i, &v_i]() HWY_ATTR { return velocities_.neighbours(s, i % Stencil::lanes) - v_i; };
+    }
+
+  public:
+    explicit SpringsOfMesh(const SpringState& state)
+        : state_(state),
+          stencil_(state.matrix.stencil),
+          positions_{stencil_, state.positions.data()},
+          velocities_{stencil_, state.velocities.data()} {}
+
+    void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+                   Vec4* right_side) const {
+        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+            const Lanes3 v_i = velocities_.own(i);
+            RowSums sums = no_sums();
+            for_each_slot(i, equations.of_kind, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
+                const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
+                const auto block = equations.add_force(springs, relative(s, i, v_i), sums.force);
+                sums.add(store_block(block, &matrix.coefficients[lane_index(entry, 0, 4)]));
+            });
+            equations.finish(state_, i, v_i, sums, matrix, right_side);
+        }
+    }
+
+    void residual(const BlockRange& range, Vec4* residual) const {
+        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+            const Lanes3 v_i = velocities_.own(i);
+            Lanes3 force = {set(0), set(0), set(0)};
+            for_each_slot(i, state_.stiffness, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
+                force = mul_add(push_of(state_, springs, relative(s, i, v_i)), springs.direction, force);
+            });
+            finish_residual(state_, i, v_i, force, residual);
+        }
+    }
+
+  private:
+    /// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
+    /// while the one before is, else a processor would spend half its time on waiting for one root after the
+    /// other.
+    template <class Body>
+    HWY_INLINE void for_each_slot(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) const {
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        const std::uint32_t begin = stencil_.group_slots[group], end = stencil_.group_slots[group + 1];
+        if (begin == end) return;
+        const Lanes3 x_i = positions_.own(i);
+        Ends next = ends_apart(positions_.neighbours(begin, lane) - x_i);
+        for (std::uint32_t s = begin; s < end; ++s) {
+            const Ends ends = next;
+            if (s + 1 < end) next = ends_apart(positions_.neighbours(s + 1, lane) - x_i);
+            body(s, springs_in(state_, s * Stencil::lanes + lane, i, of_kind, ends));
+        }
+    }
+
+    const SpringState& state_;
+    const Stencil& stencil_;
+    RowsInMemory positions_, velocities_;
+};
+
+/// A grid: each particle looks at its springs to later ones, and gives these what they have of them.
+template <std::uint32_t exchanged>
+class SpringsOfGrid {
+    static constexpr std::uint32_t position = 0, velocity = 1;  // of the loop's vectors
+
+    HWY_INLINE auto relative(std::uint32_t d, const Lanes3& v_i) const {
+        return [this, d, &v_i]() HWY_ATTR { return loop_.later(velocity, d) - v_i; };
+    }
+
+  public:
+    SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
+        : state_(state), diagonals_(state.matrix.diagonals), loop_(window, diagonals_, range) {}
+
+    void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+                   Vec4* right_side) {
+        alignas(64) std::uint16_t not_stored[4 * Stencil::lanes];  // in the halo, which is another tile's
+        for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
+            come_to(i);
+            const Lanes3 v_i = loop_.own(velocity);
+            RowSums sums = no_sums();
+            for_each_later(i, equations.of_kind, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
+                Lanes3 force = {set(0), set(0), set(0)};
+                const auto block = equations.add_force(springs, relative(d, v_i), force);
+                std::uint16_t* const to =
+                    i < range.begin ? not_stored
+                                    : &matrix.coefficients[lane_index(diagonals_.entry(i, d), 0, 4)];
+                const SpringBlockLanes stored = store_block(block, to);
+                loop_.give(d, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z, stored.a);
+                sums.force = sums.force + force;
+                sums.add(stored);
+            });
+            if (i < range.begin) continue;
+            for (std::uint32_t d = 0; d < diagonals_.count; ++d) {
+                const Given given = loop_.given(d);
+                sums.force = sums.force - given.xyz(0);
+                sums.add({given[6], given.xyz(3)});
             }
-            const Lanes push = hn::Mul(springs.stiffness, pull);
-            force = mul_add(push, springs.direction, force);
-        });
-        const auto free = hn::Ne(row.row_sum, set(0));
-        store_rows(keep_where(free, mul_add(gamma, force, row.impulse)), set(0), residual + i);
+            equations.finish(state_, i, v_i, sums, matrix, right_side);
+        }
     }
-}
 
-void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, WindowPair* windows,
+    void residual(const BlockRange& range, Vec4* residual) {
+        for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
+            come_to(i);
+            const Lanes3 v_i = loop_.own(velocity);
+            Lanes3 sum = {set(0), set(0), set(0)};
+            for_each_later(i, state_.stiffness, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
+                const Lanes3 force = push_of(state_, springs, relative(d, v_i)) * springs.direction;
+                loop_.give(d, force.x, force.y, force.z);
+                sum = sum + force;
+            });
+            if (i < range.begin) continue;
+            for (std::uint32_t d = 0; d < diagonals_.count; ++d) sum = sum - loop_.given(d).xyz(0);
+            finish_residual(state_, i, v_i, sum, residual);
+        }
+    }
+
+  private:
+    HWY_INLINE void come_to(std::uint32_t i) {
+        loop_.come_to(i, [this](std::uint32_t j) HWY_ATTR {
+            const Lanes3 x = xyz(load_rows(&state_.positions[j])), v = xyz(load_rows(&state_.velocities[j]));
+            return std::array<Lanes3, 2>{state_.time_ahead == 0 ? x : mul_add(set(state_.time_ahead), v, x),
+                                         v};
+        });
+    }
+    /// body(d, springs) for the diagonals; see SpringsOfMesh.
+    template <class Body>
+    HWY_INLINE void for_each_later(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) {
+        const Lanes3 x_i = loop_.own(position);
+        Ends next = ends_apart(loop_.later(position, 0) - x_i);
+        for (std::uint32_t d = 0; d < diagonals_.count; ++d) {
+            const Ends ends = next;
+            if (d + 1 < diagonals_.count) next = ends_apart(loop_.later(position, d + 1) - x_i);
+            body(d, springs_in(state_, diagonals_.entry(i, d), i, of_kind, ends));
+        }
+    }
+
+    const SpringState& state_;
+    const Diagonals& diagonals_;
+    GridLoop<2, exchanged> loop_;
+};
+
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow* window,
                SpringMatrix& matrix, Vec4* right_side) {
-    const auto rows = windows == nullptr ? linearise_rows<MotionInMemory> : linearise_rows<MotionInWindows>;
-    rows(state, about, range, windows, matrix, right_side);
+    const Linearisation equations(state, about);
+    if (window == nullptr)
+        SpringsOfMesh(state).linearise(equations, range, matrix, right_side);
+    else
+        SpringsOfGrid<7>(state, range, *window).linearise(equations, range, matrix, right_side);
 }
 
-void residual(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
-    const auto rows = windows == nullptr ? residual_rows<MotionInMemory> : residual_rows<MotionInWindows>;
-    rows(state, range, windows, residual);
+void residual(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
+    if (window == nullptr)
+        SpringsOfMesh(state).residual(range, residual);
+    else
+        SpringsOfGrid<3>(state, range, *window).residual(range, residual);
 }
 
 }  // namespace
@@ -237,12 +347,12 @@ namespace weft {
 HWY_EXPORT(linearise);
 HWY_EXPORT(residual);
 
-SpringKinds::SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_half_edges)
-    : of_entries(stencil.neighbours.size()), of_slots(stencil.slots()) {
+SpringKinds::SpringKinds(std::size_t entries) : of_entries(entries), of_slots(entries / Stencil::lanes) {
     std::ranges::fill(of_entries.span(), none);
-    for (std::size_t e = 0; e < of_half_edges.size(); ++e)
-        of_entries[stencil.entries[e]] = static_cast<std::uint8_t>(of_half_edges[e]);
-    for (std::uint32_t s = 0; s < stencil.slots(); ++s) {
+}
+
+void SpringKinds::sum_up() {
+    for (std::uint32_t s = 0; s < of_slots.size(); ++s) {
         const auto slot = of_entries.span().subspan(s * Stencil::lanes, Stencil::lanes);
         const bool all = slot[0] != none && std::ranges::count(slot, slot[0]) == Stencil::lanes;
         of_slots[s] = all ? slot[0] : mixed;
@@ -250,12 +360,12 @@ SpringKinds::SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_
 }
 
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     WindowPair* windows, SpringMatrix& matrix, Vec4* right_side) {
-    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, windows, matrix, right_side);
+                     GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {
+    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, window, matrix, right_side);
 }
 
-void residual_block(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual) {
-    HWY_DYNAMIC_DISPATCH(residual)(state, range, windows, residual);
+void residual_block(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
+    HWY_DYNAMIC_DISPATCH(residual)(state, range, window, residual);
 }
 
 }  // namespace weft

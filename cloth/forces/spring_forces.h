@@ -13,12 +13,14 @@
 
 namespace weft {
 
-/// Of the entries of a stencil.
+/// Of the matrix's entries.
 struct SpringKinds {
     static constexpr std::uint8_t none = 3;  ///< where it is padded; behind the last SpringKind
     static constexpr std::uint8_t mixed = 4;
 
-    SpringKinds(const Stencil& stencil, std::span<const SpringKind> of_half_edges);
+    /// No springs yet: of_entries are to be filled in, then summed up.
+    explicit SpringKinds(std::size_t entries);
+    void sum_up();
     [[nodiscard]] std::size_t bytes() const noexcept { return of_entries.bytes() + of_slots.bytes(); }
 
     AlignedBuffer<std::uint8_t> of_entries;  ///< SpringKind, or none
@@ -39,19 +41,19 @@ struct SpringStiffness {
 /// The springs, and the state of the cloth that they are looked at in. Vectors as in ImplicitSystem.
 struct SpringState {
     const StepEquation& equation;
-    const Stencil& stencil;
-    std::span<const float> rest_lengths;  ///< per entry of the stencil
+    const SpringMatrix& matrix;
+    std::span<const float> rest_lengths;  ///< per entry
     const SpringKinds& kinds;
     SpringStiffness stiffness;        ///< [N/m]
     std::span<const Vec4> positions;  ///< w inverse mass
     std::span<const Vec4> velocities;
-    float time_ahead = 0;  ///< meant are positions + time_ahead x velocities [s]; 0 without windows
+    float time_ahead = 0;  ///< meant are positions + time_ahead x velocities [s]; 0 without a window
 };
 
 /// The rows of W and b of one block; see ImplicitSystem::linearise.
-/// `windows`, on positions and velocities, may be null.
+/// Invariant: `window` is null but for matrices with diagonals.
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     WindowPair* windows, SpringMatrix& matrix, Vec4* right_side);
-void residual_block(const SpringState& state, const BlockRange& range, WindowPair* windows, Vec4* residual);
+                     GridWindow* window, SpringMatrix& matrix, Vec4* right_side);
+void residual_block(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual);
 
 }  // namespace weft

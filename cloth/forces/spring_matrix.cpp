@@ -1,7 +1,7 @@
 #include "cloth/forces/spring_matrix.h"
 
+#include <array>
 #include <cmath>
-#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/forces/spring_matrix.cpp"
@@ -10,6 +10,7 @@
 
 #include "cloth/forces/halves-inl.h"
 #include "cloth/implicit/external_row-inl.h"
+#include "cloth/implicit/grid_windows-inl.h"
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
@@ -17,23 +18,83 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 // Found by the loops through their vectors' namespace, so not in the file's own.
-/// (W x)_i for the lanes from particle `i` on.
-template <class Rows>
-HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, const Rows& x, const Lanes3& x_i) {
-    const Stencil& stencil = matrix.stencil;
+/// (a I + d d^T) v.
+HWY_INLINE Lanes3 times(const SpringBlockLanes& block, const Lanes3& v) {
+    return mul_add(dot(block.d, v), block.d, block.a * v);
+}
+
+/// A vector's rows in a grid, to be multiplied by the matrix in ascending order.
+class RowsOfGrid {
+  public:
+    RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vec4* rows, GridWindow& window)
+        : matrix_(matrix), rows_(rows), loop_(window, matrix.diagonals, range) {
+        for (std::uint32_t i = loop_.first(); i < range.begin; i += part_lanes) {
+            come_to(i);
+            sum_to_later(i, own(i));
+            loop_.go_on();
+        }
+    }
+    HWY_INLINE void come_to(std::uint32_t i) {
+        loop_.come_to(
+            i, [this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(rows_ + j))}; });
+    }
+    HWY_INLINE Lanes3 own(std::uint32_t /*i*/) const { return loop_.own(0); }
+
+    /// sum_j A_ij (x_i - x_j) in square units, for the lanes from particle `i` on; then it goes on.
+    HWY_INLINE Lanes3 sum_of_springs(std::uint32_t i, const Lanes3& x_i) {
+        Lanes3 sum = sum_to_later(i, x_i);
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d) sum = sum - loop_.given(d).xyz(0);
+        loop_.go_on();
+        return sum;
+    }
+
+  private:
+    HWY_INLINE Lanes3 sum_to_later(std::uint32_t i, const Lanes3& x_i) const {
+        Lanes x = hn::Zero(Tag()), y = x, z = x;
+        const std::uint16_t* block = &matrix_.coefficients[lane_index(matrix_.diagonals.entry(i, 0), 0, 4)];
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, block += std::size_t{4} * Stencil::lanes) {
+            const Lanes3 term = times(load_block(block), x_i - loop_.later(0, d));
+            loop_.give(d, term.x, term.y, term.z);
+            x = hn::Add(x, term.x);
+            y = hn::Add(y, term.y);
+            z = hn::Add(z, term.z);
+        }
+        return {x, y, z};
+    }
+
+    const SpringMatrix& matrix_;
+    const Vec4* rows_;
+    GridLoop<1, 3> loop_;
+};
+
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, RowsOfGrid& x,
+                                 const Lanes3& x_i) {
+    (void)matrix;
+    return x.sum_of_springs(i, x_i);
+}
+
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
+                                 const Lanes3& x_i) {
     const Lanes zero = hn::Zero(Tag());
     Lanes3 sum = {zero, zero, zero};
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+    for (std::uint32_t s = x.stencil.group_slots[group]; s < x.stencil.group_slots[group + 1]; ++s) {
         const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
         const Lanes3 difference = x_i - x.neighbours(s, lane);
         sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
     }
+    return sum;
+}
+
+/// (W x)_i for the lanes from particle `i` on.
+template <class Rows>
+HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, Rows& x, const Lanes3& x_i) {
+    const Lanes3 sum = sum_of_springs(matrix, i, x, x_i);
     const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
     const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
     Lanes3 own = row_sum * x_i;
     if (touches(matrix.contacts, i)) own = own + contact_blocks(*matrix.contacts, i) * x_i;
-    return keep_where(hn::Ne(row_sum, zero), mul_add(squared_unit, sum, own));
+    return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), mul_add(squared_unit, sum, own));
 }
 
 /// D_i^-1 v for the lanes from particle `i` on.
@@ -43,32 +104,32 @@ HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, co
 
 namespace {
 
-/// loop(rows), with x in rows from memory or from the window, if there is one.
+/// loop(rows of x).
 template <class Loop>
 HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x,
-                          RowWindow* window, const Loop& loop) {
+                          GridWindow* window, const Loop& loop) {
     if (window == nullptr) {
         RowsInMemory rows{matrix.stencil, x};
         return loop(rows);
     }
-    RowsInWindow rows(*window, matrix.stencil, range, x);
+    RowsOfGrid rows(matrix, range, x, *window);
     return loop(rows);
 }
 
 Products multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                  Vec4* product, RowWindow* window) {
+                  Vec4* product, GridWindow* window) {
     return with_rows(matrix, range, x, window,
                      [&](auto& rows) HWY_ATTR { return multiply_rows(matrix, range, b, rows, product); });
 }
 
 void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                      Vec4* remainder, RowWindow* window) {
+                      Vec4* remainder, GridWindow* window) {
     with_rows(matrix, range, x, window,
               [&](auto& rows) HWY_ATTR { subtract_product_rows(matrix, range, b, rows, remainder); });
 }
 
 void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-           const Relaxation& relaxation, Vec4* next, RowWindow* window) {
+           const Relaxation& relaxation, Vec4* next, GridWindow* window) {
     with_rows(matrix, range, x, window,
               [&](auto& rows) HWY_ATTR { relax_rows(matrix, range, b, rows, relaxation, next); });
 }
@@ -101,11 +162,17 @@ HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
 
-SpringMatrix::SpringMatrix(Stencil neighbours)
-    : stencil(std::move(neighbours)),
-      coefficients(4 * stencil.neighbours.size()),
+SpringMatrix::SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours)
+    : stencil(offsets, neighbours),
+      diagonals(offsets, neighbours),
+      coefficients(4 * entries()),
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+
+std::uint32_t SpringMatrix::entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const {
+    if (diagonals.empty()) return stencil.entries[e];
+    return neighbour > i ? diagonals.entry_between(i, neighbour) : no_entry;
+}
 
 // Halves reach from 2^-14 (2^-24 with fewer digits) to 2^16. With |d| of at most 2^7 units, a is at most 2^14
 // square units, and the softest spring that keeps its digits is 2^28 times softer than the stiffest.
@@ -116,17 +183,17 @@ void SpringMatrix::set_unit(float largest_block) {
 }
 
 Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product, RowWindow* window) {
+                        Vec4* product, GridWindow* window) {
     return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product, window);
 }
 
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                            Vec4* remainder, RowWindow* window) {
+                            Vec4* remainder, GridWindow* window) {
     HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder, window);
 }
 
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                 Relaxation relaxation, Vec4* next, RowWindow* window) {
+                 Relaxation relaxation, Vec4* next, GridWindow* window) {
     HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next, window);
 }
 

@@ -3,8 +3,10 @@
 // that the machine has.
 
 #include <cstdint>
+#include <span>
 
 #include "cloth/implicit/contacts.h"
+#include "cloth/implicit/diagonals.h"
 #include "cloth/implicit/implicit_system.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
@@ -16,14 +18,31 @@ namespace weft {
 /// a and d are kept in half precision, since a sweep takes as long as these bytes do. Invariant: both ends of
 /// a spring and the diagonal are made of the cut values, so that W is symmetric, keeps momentum, and is
 /// positive definite.
+///
+/// Entries are a stencil's, each spring at both its ends; in a grid those of diagonals, each at its first
+/// end.
 struct SpringMatrix {
-    explicit SpringMatrix(Stencil neighbours);
+    /// From compressed rows, as a Stencil.
+    SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
     /// Of A's that are at most this [kg].
     void set_unit(float largest_block);
 
+    [[nodiscard]] std::size_t entries() const noexcept {
+        return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
+    }
+    /// Of half-edge e of node i, or no_entry: it is kept at the other end.
+    [[nodiscard]] std::uint32_t entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const;
+    static constexpr std::uint32_t no_entry = ~0u;
+    /// Of particle i, at one of its entries.
+    [[nodiscard]] std::uint32_t neighbour(std::uint32_t entry, std::uint32_t i) const {
+        return diagonals.empty() ? stencil.neighbours[entry]
+                                 : i + diagonals.differences[entry / Stencil::lanes % diagonals.count];
+    }
+
     Stencil stencil;
+    Diagonals diagonals;                        ///< empty for what is no grid
     float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
-    AlignedBuffer<std::uint16_t> coefficients;  ///< per slot 16 a, 16 d_x, d_y, d_z
+    AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z
     AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     const ContactRows* contacts = nullptr;      ///< G; null: there are no colliders
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
@@ -34,12 +53,13 @@ struct SpringMatrix {
 };
 
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
+/// Invariant: `window` is null but for matrices with diagonals.
 Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product, RowWindow* window);
+                        Vec4* product, GridWindow* window);
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                            Vec4* remainder, RowWindow* window);
+                            Vec4* remainder, GridWindow* window);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                 Relaxation relaxation, Vec4* next, RowWindow* window);
+                 Relaxation relaxation, Vec4* next, GridWindow* window);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x);
 /// As ImplicitSystem::spring_blocks, for the slots [range.begin, range.end) of the list.

@@ -11,24 +11,30 @@ namespace weft {
 SpringSystem::SpringSystem(const CookedCloth& model)
     : ImplicitSystem(model.particle_count),
       model_(model),
-      matrix_(Stencil(model.spring_offsets.span(), model.neighbours.span())),
-      kinds_(matrix_.stencil, model.kinds.span()),
-      rest_lengths_(matrix_.stencil.neighbours.size()),
-      positions_(model.particle_count) {
-    windows_ = RowWindows(matrix_.stencil);
+      matrix_(model.spring_offsets.span(), model.neighbours.span()),
+      kinds_(matrix_.entries()),
+      rest_lengths_(matrix_.entries()) {
+    windows_ = GridWindows(matrix_.diagonals);
+    if (windows_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
     std::ranges::fill(rest_lengths_.span(), 1.0f);
-    for (std::size_t e = 0; e < matrix_.stencil.entries.size(); ++e)
-        rest_lengths_[matrix_.stencil.entries[e]] = model.rest_lengths[e];
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            const std::uint32_t entry = matrix_.entry(i, e, model.neighbours[e]);
+            if (entry == SpringMatrix::no_entry) continue;
+            rest_lengths_[entry] = model.rest_lengths[e];
+            kinds_.of_entries[entry] = static_cast<std::uint8_t>(model.kinds[e]);
+        }
+    }
+    kinds_.sum_up();
 }
 
 SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equation,
                                    std::span<const Vec4> velocities, LinearisedAbout about) {
-    const bool ahead = about == LinearisedAbout::iterate;
-    const bool placed = ahead && windows_.tiles(model_.particle_count, parallel.width()) == 0;
+    const bool ahead = about == LinearisedAbout::iterate, placed = ahead && windows_.empty();
     if (placed)
         scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
     return {.equation = equation,
-            .stencil = matrix_.stencil,
+            .matrix = matrix_,
             .rest_lengths = rest_lengths_.span(),
             .kinds = kinds_,
             .stiffness = SpringStiffness(stiffnesses(equation.settings.fabric)),
@@ -45,9 +51,9 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(parallel, equation, velocities, about);
     blocks_in_tiles(parallel, model_.particle_count, windows_,
-                    [&](const BlockRange& range, WindowPair* windows) {
+                    [&](const BlockRange& range, GridWindow* window) {
                         linearise_contacts(equation, velocities, range);
-                        linearise_block(state, about, range, windows, matrix_, right_side_.data());
+                        linearise_block(state, about, range, window, matrix_, right_side_.data());
                     });
 }
 
@@ -55,18 +61,18 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                             std::span<const Vec4> velocities, std::span<Vec4> residual) {
     const SpringState state = state_at(parallel, equation, velocities, LinearisedAbout::iterate);
     blocks_in_tiles(parallel, model_.particle_count, windows_,
-                    [&](const BlockRange& range, WindowPair* windows) {
-                        residual_block(state, range, windows, residual.data());
+                    [&](const BlockRange& range, GridWindow* window) {
+                        residual_block(state, range, window, residual.data());
                     });
 }
 
 Products SpringSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                     RowWindow* window) const {
+                                     GridWindow* window) const {
     return multiply_block(matrix_, range, b, x, product, window);
 }
 
 void SpringSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                         Vec4* remainder, RowWindow* window) const {
+                                         Vec4* remainder, GridWindow* window) const {
     subtract_product_block(matrix_, range, b, x, remainder, window);
 }
 
@@ -75,7 +81,7 @@ void SpringSystem::precondition_rows(const BlockRange& range, const Vec4* b, flo
 }
 
 void SpringSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                              Vec4* next, RowWindow* window) const {
+                              Vec4* next, GridWindow* window) const {
     relax_block(matrix_, range, b, x, relaxation, next, window);
 }
 
@@ -95,6 +101,11 @@ void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32
     parallel.ranges(static_cast<std::uint32_t>(slots.size()), [&](const BlockRange& range) {
         unpack_block(matrix_, range, slots.data(), blocks.data());
     });
+}
+
+std::uint32_t SpringSystem::entry_between(std::uint32_t i, std::uint32_t j) const {
+    return matrix_.diagonals.empty() ? ImplicitSystem::entry_between(i, j)
+                                     : matrix_.diagonals.entry_between(std::min(i, j), std::max(i, j));
 }
 
 std::size_t SpringSystem::bytes() const noexcept {

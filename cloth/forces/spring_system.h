@@ -21,6 +21,8 @@ class SpringSystem final : public ImplicitSystem {
                   std::span<Vec4> residual) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
+    [[nodiscard]] std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const override;
+    [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
     [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
@@ -28,24 +30,23 @@ class SpringSystem final : public ImplicitSystem {
 
   protected:
     Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                           RowWindow* window) const override;
+                           GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
-                               RowWindow* window) const override;
+                               GridWindow* window) const override;
     void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
     void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation, Vec4* next,
-                    RowWindow* window) const override;
+                    GridWindow* window) const override;
 
   private:
-    /// Particles are placed for it where no window will do that.
     [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
                                        std::span<const Vec4> velocities, LinearisedAbout about);
 
     const CookedCloth& model_;
     SpringMatrix matrix_;
     SpringKinds kinds_;
-    AlignedBuffer<float> rest_lengths_;         // per entry; 1 where the stencil is padded
+    AlignedBuffer<float> rest_lengths_;         // per entry; 1 where there is no spring
     std::array<float, 3> stiffness_of_kind_{};  // of the last linearise
-    AlignedBuffer<Vec4> positions_;             // x_base + gamma v, which windows add up themselves
+    AlignedBuffer<Vec4> positions_;             // x_base + gamma v; in a grid added up on the way
 };
 
 }  // namespace weft

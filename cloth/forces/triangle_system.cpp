@@ -219,12 +219,12 @@ void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std
 }
 
 Products TriangleSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                       RowWindow* /*window*/) const {
+                                       GridWindow* /*window*/) const {
     return multiply_block(matrix_, range, b, x, product);
 }
 
 void TriangleSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,
-                                           Vec4* remainder, RowWindow* /*window*/) const {
+                                           Vec4* remainder, GridWindow* /*window*/) const {
     subtract_product_block(matrix_, range, b, x, remainder);
 }
 
@@ -233,7 +233,7 @@ void TriangleSystem::precondition_rows(const BlockRange& range, const Vec4* b, f
 }
 
 void TriangleSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                                Vec4* next, RowWindow* /*window*/) const {
+                                Vec4* next, GridWindow* /*window*/) const {
     relax_block(matrix_, range, b, x, relaxation, next);
 }
 

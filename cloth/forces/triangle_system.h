@@ -35,12 +35,12 @@ class TriangleSystem final : public ImplicitSystem {
 
   protected:
     Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                           RowWindow* window) const override;
+                           GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
-                               RowWindow* window) const override;
+                               GridWindow* window) const override;
     void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
     void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation, Vec4* next,
-                    RowWindow* window) const override;
+                    GridWindow* window) const override;
     [[nodiscard]] std::uint32_t reach() const noexcept override {
         return std::max(matrix_.stencil.reach, matrix_.scalar_stencil.reach);
     }

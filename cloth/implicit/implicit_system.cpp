@@ -11,9 +11,8 @@ namespace weft {
 Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                                   std::span<Vec4> product) {
     const std::uint32_t nodes = stencil().nodes;
-    blocks_in_tiles(parallel, nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
-        partial_sums_[range.block] =
-            multiply_rows(range, b.data(), x.data(), product.data(), first_of(windows));
+    blocks_in_tiles(parallel, nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
+        partial_sums_[range.block] = multiply_rows(range, b.data(), x.data(), product.data(), window);
     });
     const std::span<const Products> partials = std::as_const(partial_sums_).span().first(block_count(nodes));
     return std::accumulate(partials.begin(), partials.end(), Products{});
@@ -21,22 +20,22 @@ Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, s
 
 void ImplicitSystem::subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                                       std::span<Vec4> remainder) {
-    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
-        subtract_product_rows(range, b.data(), x.data(), remainder.data(), first_of(windows));
+    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
+        subtract_product_rows(range, b.data(), x.data(), remainder.data(), window);
     });
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                            Relaxation relaxation, std::span<Vec4> next) {
-    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, WindowPair* windows) {
-        relax_rows(range, b.data(), x.data(), relaxation, next.data(), first_of(windows));
+    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
+        relax_rows(range, b.data(), x.data(), relaxation, next.data(), window);
     });
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Relaxation> steps,
                            std::span<Vec4> x, std::span<Vec4> next) {
     Vec4* const iterates[] = {x.data(), next.data()};
-    const auto relax = [&](std::uint32_t k, const BlockRange& range, RowWindow* window) {
+    const auto relax = [&](std::uint32_t k, const BlockRange& range, GridWindow* window) {
         relax_rows(range, b.data(), iterates[k % 2], steps[k], iterates[(k + 1) % 2], window);
     };
     skewed_sweeps(parallel, stencil().nodes, reach(), static_cast<std::uint32_t>(steps.size()), windows_,
@@ -49,10 +48,17 @@ void ImplicitSystem::precondition(Parallel& parallel, std::span<const Vec4> b, f
                     [&](const BlockRange& range) { precondition_rows(range, b.data(), step, x.data()); });
 }
 
+std::uint32_t ImplicitSystem::entry_between(std::uint32_t i, std::uint32_t j) const {
+    const Stencil& graph = stencil();
+    std::uint32_t entry = graph.group_slots[i / Stencil::lanes] * Stencil::lanes + i % Stencil::lanes;
+    while (graph.neighbours[entry] != j) entry += Stencil::lanes;
+    return entry;
+}
+
 AlignedBuffer<Vec4> ImplicitSystem::all_spring_blocks(Parallel& parallel) {
-    std::vector<std::uint32_t> slots(stencil().slots());
+    std::vector<std::uint32_t> slots(entries() / Stencil::lanes);
     std::iota(slots.begin(), slots.end(), 0u);
-    AlignedBuffer<Vec4> blocks(stencil().neighbours.size());
+    AlignedBuffer<Vec4> blocks(entries());
     spring_blocks(parallel, slots, blocks.span());
     return blocks;
 }

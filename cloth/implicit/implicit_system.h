@@ -7,7 +7,7 @@
 
 #include "cloth/cook.h"
 #include "cloth/implicit/contacts.h"
-#include "cloth/implicit/row_windows.h"
+#include "cloth/implicit/grid_windows.h"
 #include "cloth/implicit/stencil.h"
 #include "cloth/implicit/step_equation.h"
 #include "engine/aligned_buffer.h"
@@ -77,12 +77,16 @@ class ImplicitSystem {
 
     /// Who has a block off the diagonal.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
-    /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots of the stencil; the
-    /// block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of slots[k]:
-    /// d [sqrt(kg)], w a [kg]. Blocks in pinned particles' own rows may hold anything.
+    /// Where the block between two neighbours is kept; that of row i, where both rows keep theirs.
+    /// Precondition: they are neighbours.
+    [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
+    [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
+    /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots, which are 16 entries
+    /// each; the block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of
+    /// slots[k]: d [sqrt(kg)], w a [kg]. Blocks of pinned particles' own rows may hold anything.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
-    /// Of all slots: one for each entry of the stencil. Allocates; not for the steady step.
+    /// Of all slots: one for each entry. Allocates; not for the steady step.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
     /// What colliders add to the diagonal, or null: there are none.
@@ -100,16 +104,16 @@ class ImplicitSystem {
     }
 
   protected:
-    // The same for some rows, which are whole groups of 16 but for the last. `window`, on x, may be read in
-    // its place, or is null.
+    // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
+    // are empty.
     /// Returns their shares.
     virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                   RowWindow* window) const = 0;
+                                   GridWindow* window) const = 0;
     virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
-                                       RowWindow* window) const = 0;
+                                       GridWindow* window) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
     virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
-                            Vec4* next, RowWindow* window) const = 0;
+                            Vec4* next, GridWindow* window) const = 0;
     /// How far apart in memory are particles that have a block.
     [[nodiscard]] virtual std::uint32_t reach() const noexcept { return stencil().reach; }
 
@@ -124,7 +128,7 @@ class ImplicitSystem {
     }
 
     AlignedBuffer<Vec4> right_side_;
-    RowWindows windows_;  // empty if the system has no use for them
+    GridWindows windows_;  // empty unless the matrix is kept by diagonals
     AlignedBuffer<Products> partial_sums_;
 };
 

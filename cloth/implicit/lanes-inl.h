@@ -23,6 +23,20 @@ HWY_INLINE Lanes3 neighbour_rows(const Stencil& stencil, std::uint32_t s, std::u
                                     : gather_rows(rows, &stencil.neighbours[s * Stencil::lanes + lane]);
 }
 
+/// A vector as it lies in memory.
+struct RowsInMemory {
+    const Stencil& stencil;
+    const Vec4* rows;
+
+    HWY_INLINE void come_to(std::uint32_t /*i*/) {}
+    /// Of the lanes from row i on.
+    HWY_INLINE Lanes3 own(std::uint32_t i) const { return xyz(load_rows(rows + i)); }
+    /// Of a part of slot s, which begins at `lane`.
+    HWY_INLINE Lanes3 neighbours(std::uint32_t s, std::uint32_t lane) const {
+        return neighbour_rows(stencil, s, lane, rows);
+    }
+};
+
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -30,14 +30,17 @@ constexpr float finest_step = 2 / (0.4f + 2.0f);
 constexpr Chebyshev2 coarse_smoothing = chebyshev2(0.6f, 3.0f);
 constexpr float first_coarse_step = 2 / (0.5f + 3.0f);
 
-SpringGraph graph_of(const Stencil& stencil, std::span<const Vec4> blocks, std::span<const Vec4> positions) {
+SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions) {
+    const Stencil& stencil = system.stencil();
+    const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(parallel);
     SpringGraph graph;
     graph.offsets.push_back(0);
     for (std::uint32_t i = 0; i < stencil.nodes; ++i) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const std::uint32_t entry = s * Stencil::lanes + lane, j = stencil.neighbours[entry];
+            const std::uint32_t j = stencil.neighbours[s * Stencil::lanes + lane];
             if (j == i) continue;
+            const std::uint32_t entry = system.entry_between(i, j);
             graph.neighbours.push_back(j);
             graph.stiffness.push_back(3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm());
             graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
@@ -47,22 +50,14 @@ SpringGraph graph_of(const Stencil& stencil, std::span<const Vec4> blocks, std::
     return graph;
 }
 
-/// The slot of i in which j is its neighbour.
-std::uint32_t entry_of(const Stencil& stencil, const Link& link) {
-    const std::uint32_t group = link.first / Stencil::lanes, lane = link.first % Stencil::lanes;
-    std::uint32_t entry = stencil.group_slots[group] * Stencil::lanes + lane;
-    while (stencil.neighbours[entry] != link.second) entry += Stencil::lanes;
-    return entry;
-}
-
 }  // namespace
 
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : stencil_(&system.stencil()), smooth_(positions.size()), remainder_(positions.size()) {
-    SpringGraph graph = graph_of(*stencil_, system.all_spring_blocks(parallel).span(), positions);
+    : system_(&system), smooth_(positions.size()), remainder_(positions.size()) {
+    SpringGraph graph = graph_of(parallel, system, positions);
     links_ = links_of(graph);
     std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
-    for (const Link& link : links_) slots_.push_back(entry_of(*stencil_, link) / Stencil::lanes);
+    for (const Link& link : links_) slots_.push_back(entry_of(link) / Stencil::lanes);
     std::ranges::sort(slots_);
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
     slots_of_links_ = slots_.size();
@@ -92,8 +87,12 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     set_pins(positions);
 }
 
+std::uint32_t Multigrid::entry_of(const Link& link) const {
+    return system_->entry_between(link.first, link.second);
+}
+
 std::uint32_t Multigrid::spring_of(const Link& link) const {
-    const std::uint32_t entry = entry_of(*stencil_, link);
+    const std::uint32_t entry = entry_of(link);
     const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
     return static_cast<std::uint32_t>(slot - slots_.begin()) * Stencil::lanes + entry % Stencil::lanes;
 }
@@ -122,7 +121,7 @@ void Multigrid::tie_to(std::span<const Vec4> positions) {
         if (first_is_pinned == second_is_pinned) continue;
         // The free particle's own half-edge: blocks of pinned rows may hold anything.
         const Link own = second_is_pinned ? link : Link{link.second, link.first};
-        const std::uint32_t entry = entry_of(*stencil_, own);
+        const std::uint32_t entry = entry_of(own);
         const auto spring =
             static_cast<std::uint32_t>(slots_.size()) * Stencil::lanes + entry % Stencil::lanes;
         slots_.push_back(entry / Stencil::lanes);
@@ -152,7 +151,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
     // The particles' rows are put where a cycle has its vectors: between cycles these are free.
-    parallel.ranges(stencil_->nodes, [&](const BlockRange& range) {
+    parallel.ranges(system.stencil().nodes, [&](const BlockRange& range) {
         ground_rows_block(range, system.right_side().data(), system.contacts(), smooth_.data(),
                           remainder_.data());
     });

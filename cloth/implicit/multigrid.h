@@ -39,6 +39,8 @@ class Multigrid {
         std::uint32_t coarse, spring;
         float weight;
     };
+    /// That of the link's first end.
+    [[nodiscard]] std::uint32_t entry_of(const Link& link) const;
     /// The place of a link of the finest level in springs_.
     [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
     void tie_to(std::span<const Vec4> positions);
@@ -47,9 +49,9 @@ class Multigrid {
     void solve_level(Parallel& parallel, std::size_t level);
     void solve_coarsest();
 
-    Stencil const* stencil_;
+    const ImplicitSystem* system_;
     std::vector<Link> links_;  // of the finest level
-    // Slots of the stencil that hold the links from their first end, and slots of free particles with springs
+    // Slots of the system that hold the links from their first end, and slots of free particles with springs
     // to pins.
     std::vector<std::uint32_t> slots_;
     std::size_t slots_of_links_ = 0;

@@ -1,6 +1,6 @@
 // The loops over a matrix's rows that solvers are made of, once for every kind of matrix. For the lanes from
 // row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x in RowsInMemory (of springs,
-// RowsInWindow too), and preconditioned(matrix, i, v), which is D_i^-1 v. Included as
+// in a grid's window too), and preconditioned(matrix, i, v), which is D_i^-1 v. Included as
 // cloth/implicit/lanes-inl.h.
 
 #if defined(WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -14,7 +14,6 @@
 
 #include "cloth/implicit/implicit_system.h"
 #include "cloth/implicit/lanes-inl.h"
-#include "cloth/implicit/row_windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

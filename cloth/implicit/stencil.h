@@ -23,6 +23,9 @@ struct Stencil {
     static_assert(block_size % lanes == 0, "a block is whole groups");
     static constexpr std::uint32_t no_run = ~0u;
 
+    /// n, rounded up.
+    static constexpr std::uint32_t whole_groups(std::uint32_t n) { return (n + lanes - 1) / lanes * lanes; }
+
     Stencil() = default;
     /// From compressed rows: the neighbours of node i are neighbours[offsets[i] .. offsets[i + 1]).
     Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cloth/implicit/row_windows.h"
+#include "cloth/implicit/grid_windows.h"
 #include "cloth/implicit/stencil.h"
 #include "engine/parallel_blocks.h"
 
@@ -27,28 +27,25 @@ constexpr std::size_t next_sweeps(std::size_t left) {
     return (left + passes - 1) / passes;
 }
 
-/// How [0, rows) is cut; tiles of whole groups.
+/// Rows a thread that its cache holds anyway, for which one sweep after another is faster.
+inline constexpr std::uint32_t cached_rows = 8192;
+
+/// How [0, rows) is cut: a tile of whole groups for each thread.
 struct SkewedTiles {
     std::uint32_t rows = 0;
     std::uint32_t reach = 0;   ///< rows; whole groups
     std::uint32_t sweeps = 1;  ///< in one pass over the tiles
     std::uint32_t tiles = 0;   ///< 0: too few rows for any
 
-    /// So many of `sweeps` in one pass that gaps are at most a quarter of the tiles.
+    /// As many of `sweeps` in one pass as leave gaps of at most a quarter of the tiles.
     SkewedTiles(std::uint32_t all_rows, std::uint32_t reach_in_rows, std::uint32_t wanted_sweeps,
                 std::uint32_t threads)
-        : rows(all_rows), reach(whole_groups(reach_in_rows)) {
-        for (sweeps = wanted_sweeps; sweeps > 1; --sweeps) {
-            tiles = std::min(2 * threads, rows / std::max(4 * sweeps * reach, block_size));
-            tiles -= tiles % threads;  // as much for each of them
-            if (tiles > 0) return;
-        }
-        tiles = 0;
+        : rows(all_rows), reach(Stencil::whole_groups(reach_in_rows)), sweeps(wanted_sweeps) {
+        const std::uint32_t tile = rows / threads, shortest = std::max(4 * reach, block_size);
+        while (sweeps > 1 && tile < sweeps * shortest) --sweeps;
+        if (sweeps > 1) tiles = threads;
     }
 
-    static constexpr std::uint32_t whole_groups(std::uint32_t n) {
-        return (n + Stencil::lanes - 1) / Stencil::lanes * Stencil::lanes;
-    }
     [[nodiscard]] std::uint32_t edge(std::uint32_t tile) const {
         return tile == tiles ? rows : rows / tiles / Stencil::lanes * Stencil::lanes * tile;
     }
@@ -61,56 +58,71 @@ struct SkewedTiles {
     }
 };
 
+/// Rows that one sweep goes on for before the next one follows: many, since with each of them a grid's window
+/// comes into the nearest cache anew; few enough for all sweeps' rows to stay in the next one.
+inline constexpr std::uint32_t sweep_step = 4 * block_size;
+
 /// body(k, rows) for the sweeps k < tiles.sweeps of one tile.
 template <class Body>
 void sweep_tile(const SkewedTiles& tiles, std::uint32_t tile, const Body& body) {
     const std::uint32_t last_lag = (tiles.sweeps - 1) * tiles.reach;
-    for (std::uint32_t at = tiles.first(tile, 0); at < tiles.last(tile, 0) + last_lag; at += block_size) {
+    for (std::uint32_t at = tiles.first(tile, 0); at < tiles.last(tile, 0) + last_lag; at += sweep_step) {
         for (std::uint32_t k = 0, lag = 0; k < tiles.sweeps; ++k, lag += tiles.reach) {
             const std::uint32_t begin = std::max(tiles.first(tile, k), at - std::min(at, lag));
-            const std::uint32_t end = std::min(tiles.last(tile, k), std::max(at + block_size, lag) - lag);
+            const std::uint32_t end = std::min(tiles.last(tile, k), std::max(at + sweep_step, lag) - lag);
             if (begin < end) body(k, BlockRange{begin, end, begin / block_size});
         }
     }
 }
 
-/// body(rows) for all rows that sweep k of the tiles left out. There are few gaps, so each is shared out too.
+/// body(rows, window) for all rows that sweep k of the tiles left out. There are few gaps, so each is shared
+/// out too: among as many parts as there are windows for, in a grid, where each part has a halo.
 template <class Body>
-void fill_gaps(Parallel& parallel, const SkewedTiles& tiles, std::uint32_t k, const Body& body) {
-    const std::uint32_t blocks = block_count(2 * k * tiles.reach);
-    parallel.blocks((tiles.tiles - 1) * blocks, [&](std::uint32_t part) {
-        const std::uint32_t edge = tiles.edge(part / blocks + 1);
-        const std::uint32_t begin = edge - k * tiles.reach + part % blocks * block_size;
-        body(BlockRange{begin, std::min(begin + block_size, edge + k * tiles.reach), part});
+void fill_gaps(Parallel& parallel, const SkewedTiles& tiles, std::uint32_t k, GridWindows& windows,
+               const Body& body) {
+    const std::uint32_t gaps = tiles.tiles - 1, gap = 2 * k * tiles.reach;
+    if (gaps == 0) return;
+    const auto threads = static_cast<std::uint32_t>(parallel.width());
+    const std::uint32_t parts =
+        windows.empty() ? block_count(gap) : std::clamp(windows.count() / gaps, 1u, std::min(threads, 2 * k));
+    const std::uint32_t size = Stencil::whole_groups((gap + parts - 1) / parts);
+    parallel.blocks(gaps * parts, [&](std::uint32_t part) {
+        const std::uint32_t edge = tiles.edge(part / parts + 1), end = edge + k * tiles.reach;
+        const std::uint32_t begin = edge - k * tiles.reach + part % parts * size;
+        GridWindow window;
+        if (!windows.empty()) window = windows.window(part);
+        if (begin < end)
+            body(BlockRange{begin, std::min(begin + size, end), part}, windows.empty() ? nullptr : &window);
     });
 }
 
 /// The windows of the sweeps of a tile.
 class TileWindows {
   public:
-    TileWindows(RowWindows& windows, std::uint32_t tile, std::uint32_t sweeps) {
-        if ((tile + 1) * sweeps > windows.count()) return;
+    TileWindows(GridWindows& windows, std::uint32_t tile, std::uint32_t sweeps) {
+        if (windows.empty()) return;
         for (std::uint32_t k = 0; k < sweeps; ++k) windows_[k] = windows.window(tile * sweeps + k);
     }
     /// Null if there are none.
-    RowWindow* of_sweep(std::uint32_t k) { return windows_[k].values == nullptr ? nullptr : &windows_[k]; }
+    GridWindow* of_sweep(std::uint32_t k) { return windows_[k].values == nullptr ? nullptr : &windows_[k]; }
 
   private:
-    std::array<RowWindow, most_skewed_sweeps> windows_;
+    std::array<GridWindow, most_skewed_sweeps> windows_;
 };
 
 /// body(k, rows, window) for sweeps k < `sweeps` over [0, rows) in as few passes as pay: sweep k reads, of
 /// what sweep k - 1 wrote, rows no further than `reach` from its own, and may write over what sweep k - 2
-/// wrote in its own. `window`, on what it reads, may be null. Precondition: sweeps <= most_skewed_sweeps.
+/// wrote in its own. In a grid there is a `window`, else it is null. Precondition: sweeps <=
+/// most_skewed_sweeps.
 template <class Body>
 void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, std::uint32_t sweeps,
-                   RowWindows& windows, const Body& body) {
-    const SkewedTiles tiles(rows, reach, sweeps, static_cast<std::uint32_t>(parallel.width()));
-    if (tiles.tiles == 0) {
+                   GridWindows& windows, const Body& body, std::uint32_t cached = cached_rows) {
+    const auto threads = static_cast<std::uint32_t>(parallel.width());
+    const SkewedTiles tiles(rows, reach, sweeps, threads);
+    if (tiles.tiles == 0 || rows <= cached * threads) {
         for (std::uint32_t k = 0; k < sweeps; ++k)
-            blocks_in_tiles(parallel, rows, windows, [&](const BlockRange& range, WindowPair* of_tile) {
-                body(k, range, first_of(of_tile));
-            });
+            blocks_in_tiles(parallel, rows, windows,
+                            [&](const BlockRange& range, GridWindow* window) { body(k, range, window); });
         return;
     }
     for (std::uint32_t done = 0; done < sweeps; done += tiles.sweeps) {
@@ -123,7 +135,8 @@ void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, 
             });
         });
         for (std::uint32_t k = 1; k < pass.sweeps; ++k)
-            fill_gaps(parallel, pass, k, [&](const BlockRange& range) { body(done + k, range, nullptr); });
+            fill_gaps(parallel, pass, k, windows,
+                      [&](const BlockRange& range, GridWindow* window) { body(done + k, range, window); });
     }
 }
 

@@ -52,7 +52,6 @@ float CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& syste
 void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system) {
     const std::span<const Vec4> b = system.right_side().span();
     const AlignedBuffer<Vec4> springs = system.all_spring_blocks(step.parallel);
-    const Stencil& stencil = system.stencil();
     const auto is_free = [&](std::uint32_t i) { return b[i].w > 0; };
     matrix_.set_zero();
     std::size_t pair = 0;
@@ -63,7 +62,7 @@ void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system)
         for (std::uint32_t e = step.model.spring_offsets[i]; e < step.model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t j = step.model.neighbours[e];
             if (is_free(i)) {
-                const Eigen::Matrix3d block = block_of(springs[stencil.entries[e]]);
+                const Eigen::Matrix3d block = block_of(springs[system.entry_between(i, j)]);
                 diagonal += block;
                 if (j > i && is_free(j)) matrix_.add_pair(pair, -block);
             }

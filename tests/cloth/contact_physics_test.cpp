@@ -157,7 +157,8 @@ Threads threads_on_ball(const ClothSettings& settings) {
 }
 
 // Met after the step alone, contacts let the ball through the weave: threads grow to twice their length and
-// more.
+// more. As it is the longest of 8000 is 1.2 to 1.6 times as long, which rounding decides: thickness changed
+// by a millionth gives any of these.
 TEST(ContactPhysics, AFineSheetOnABallStaysWholeAtOneStepAFrame) {
     std::vector<ClothSettings> cases(6);
     cases[1].self_collision.enabled = true;
@@ -169,7 +170,7 @@ TEST(ContactPhysics, AFineSheetOnABallStaysWholeAtOneStepAFrame) {
         SCOPED_TRACE(k);
         cases[k].thickness = 0.008f;
         const Threads threads = threads_on_ball(cases[k]);
-        EXPECT_LT(threads.longest, 1.5);
+        EXPECT_LT(threads.longest, 1.75);
         EXPECT_NEAR(threads.mean, 1, 0.005);
     }
 }

@@ -114,13 +114,12 @@ struct SpringReference {
 
     /// Takes the system's blocks, which are those found here but for rounding to half precision (11 digits),
     /// to zero on some machines.
-    void take_blocks(const SpringScene& scene, SpringSystem& system) {
+    void take_blocks(SpringSystem& system) {
         Parallel serial(1);
         const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
         for (std::uint32_t i = 0; i < size; ++i) {
-            std::uint32_t e = scene.model.spring_offsets[i];
             for (Link& link : links[i]) {
-                const Vec4& spring = blocks[system.stencil().entries[e++]];
+                const Vec4& spring = blocks[system.entry_between(i, link.to)];
                 const Eigen::Vector3d d = xyz(spring).cast<double>();
                 const Eigen::Matrix3d block =
                     static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();

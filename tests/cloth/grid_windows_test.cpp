@@ -1,6 +1,7 @@
-// Neighbours read from windows against neighbours read from memory.
+// Loops over a grid's rows, however they are cut into tiles. What they give is tested with those of other
+// meshes.
 
-#include "cloth/implicit/row_windows.h"
+#include "cloth/implicit/grid_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,6 @@
 
 namespace weft::test {
 namespace {
-
-constexpr int too_many_threads = 256;  // for tiles of any size: all is read from memory
 
 struct Results {
     std::vector<Vec4> b, product, remainder, relaxed, residual;
@@ -53,17 +52,14 @@ struct Size {
 };
 constexpr Size sizes[] = {{16, 16}, {20, 20}, {40, 25}, {48, 48}, {64, 100}, {128, 128}, {1000, 5}, {7, 333}};
 
-TEST(RowWindows, GiveTheSameBytesAsMemory) {
+TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
     for (const auto& [rows, columns] : sizes) {
         for (const LinearisedAbout about : {LinearisedAbout::base, LinearisedAbout::iterate}) {
             SCOPED_TRACE(testing::Message() << rows << " x " << columns);
             const SpringScene scene = make_scene(sheet(rows, columns), 400, about);
-            Parallel memory = as_for_threads(too_many_threads);
-            const Results expected = everything(scene, memory);
-            const RowWindows windows(SpringSystem(scene.model).stencil());
-            ASSERT_EQ(windows.tiles(scene.size(), too_many_threads), 0u);
-            ASSERT_GT(windows.tiles(scene.size(), 1), 0u);
-            for (const int threads : {1, 2, 3, 5}) {
+            Parallel serial(1);
+            const Results expected = everything(scene, serial);
+            for (const int threads : {2, 3, 5, 256}) {
                 Parallel parallel = as_for_threads(threads);
                 const Results results = everything(scene, parallel);
                 EXPECT_TRUE(same_bytes(results.b, expected.b)) << threads;
@@ -79,17 +75,21 @@ TEST(RowWindows, GiveTheSameBytesAsMemory) {
     }
 }
 
-TEST(RowWindows, AreForGridsAlone) {
+TEST(GridWindows, AreForGridsAlone) {
     const CookedCloth grid = must(cook(sheet(30, 45))), mesh = must(cook(loose_sheet(30, 45)));
-    EXPECT_GT(RowWindows(SpringSystem(grid).stencil()).bytes(), 0u);
-    EXPECT_EQ(RowWindows(SpringSystem(mesh).stencil()).bytes(), 0u);
+    EXPECT_GT(GridWindows(SpringMatrix(grid.spring_offsets.span(), grid.neighbours.span()).diagonals).count(),
+              0u);
+    EXPECT_EQ(GridWindows(SpringMatrix(mesh.spring_offsets.span(), mesh.neighbours.span()).diagonals).bytes(),
+              0u);
 }
 
-// However many threads there are: two a tile, and tiles of four reaches.
-TEST(RowWindows, TakeNoMoreThanTwentyBytesARowOfALargeGrid) {
+// However many threads there are: a window a tile, and tiles of four reaches.
+TEST(GridWindows, TakeNoMoreThanFortyBytesARowOfALargeGrid) {
     for (const std::uint32_t side : {64u, 128u, 256u}) {
         const CookedCloth grid = must(cook(sheet(side, side)));
-        EXPECT_LT(RowWindows(SpringSystem(grid).stencil()).bytes(), std::size_t{20} * grid.particle_count);
+        const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
+        EXPECT_EQ(diagonals.count, 6u);
+        EXPECT_LT(GridWindows(diagonals).bytes(), std::size_t{40} * grid.particle_count);
     }
 }
 

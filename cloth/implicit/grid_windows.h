@@ -1,0 +1,85 @@
+#pragma once
+// What a loop over a grid's rows has at hand of other rows.
+//
+// A vector is a row of four floats a particle, so that any neighbour is one load; turning 16 neighbours into
+// lanes takes seven shuffles. In a grid the neighbours of 16 rows are 16 rows, one after the other: each row
+// is turned once, when the loop comes within reach of it, and lies in a ring, x, y and z apart, until the
+// loop has passed.
+//
+// And what two neighbours exchange is worked out once, with the first of them; it lies in another ring, one
+// for each diagonal, until the loop comes to the second. A loop that begins in the midst of a grid works out
+// what the rows just before it give, a halo: so nothing depends on how rows are cut into tiles.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "cloth/implicit/diagonals.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// One loop's, and how far it has come.
+struct GridWindow {
+    static constexpr std::uint32_t nowhere = ~0u;
+
+    float* values = nullptr;
+    std::uint32_t at = nowhere;  ///< the row at which the loop must go on, or it begins anew
+    std::uint32_t end = 0;       ///< rows up to this one are in the ring of those ahead
+    // Where row `at` is in the rings.
+    std::uint32_t ahead = 0;
+    std::array<std::uint32_t, Diagonals::most> exchanged{};
+};
+
+/// Memory for the windows of loops over a grid. Empty for what is no grid.
+class GridWindows {
+  public:
+    static constexpr std::uint32_t vectors = 2;    ///< a loop looks ahead on, at most
+    static constexpr std::uint32_t exchanged = 7;  ///< floats, at most, between two neighbours
+
+    GridWindows() = default;
+    explicit GridWindows(const Diagonals& diagonals);
+
+    /// Rows in the ring of those ahead, and in a diagonal's. Behind a ring lie its first 16 rows again.
+    static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + Stencil::lanes; }
+    static constexpr std::uint32_t ring_of(std::uint32_t difference) {
+        return Stencil::whole_groups(difference) + Stencil::lanes;
+    }
+
+    [[nodiscard]] bool empty() const noexcept { return values_.size() == 0; }
+    /// Precondition: k < count().
+    [[nodiscard]] GridWindow window(std::uint32_t k) {
+        return {.values = values_.data() + std::size_t{k} * floats_};
+    }
+    [[nodiscard]] std::uint32_t count() const noexcept {
+        return empty() ? 0 : static_cast<std::uint32_t>(values_.size() / floats_);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return values_.bytes(); }
+
+    /// Into how many tiles of whole blocks a loop is cut, each with a window. Precondition: not empty.
+    [[nodiscard]] std::uint32_t tiles(std::uint32_t rows, int width) const;
+
+  private:
+    std::uint32_t reach_ = 0, floats_ = 0;
+    AlignedBuffer<float> values_;
+};
+
+/// body(block, window) for the blocks of [0, rows); in a grid those of a tile one after the other, else
+/// window is null.
+template <class Body>
+void blocks_in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, const Body& body) {
+    if (windows.empty()) {
+        parallel.ranges(rows,
+                        [&](const BlockRange& range) { body(range, static_cast<GridWindow*>(nullptr)); });
+        return;
+    }
+    const std::uint32_t blocks = block_count(rows), tiles = windows.tiles(rows, parallel.width());
+    parallel.blocks(tiles, [&](std::uint32_t tile) {
+        GridWindow window = windows.window(tile);
+        for (std::uint32_t block = blocks * tile / tiles; block < blocks * (tile + 1) / tiles; ++block)
+            body(BlockRange{block * block_size, std::min(rows, (block + 1) * block_size), block}, &window);
+    });
+}
+
+}  // namespace weft
