@@ -32,8 +32,7 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
       state(model.particle_count),
       velocity_change(model.particle_count),
-      triangle_groups(model),
-      triangle_rows(triangle_groups.rows),
+      surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     std::ranges::copy(model.positions.span(), state.positions.data());
@@ -132,8 +131,8 @@ ClothInfo Cloth::info() const {
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
                  (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
                  (self_contacts ? self_contacts->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-                 triangle_groups.bytes() + triangle_rows.bytes() + air_velocities.bytes() +
-                 air_forces.bytes() + partial_counts.bytes() + partial_surveys.bytes();
+                 surface.bytes() + air_velocities.bytes() + air_forces.bytes() + partial_counts.bytes() +
+                 partial_surveys.bytes();
     return info;
 }
 

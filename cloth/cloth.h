@@ -12,9 +12,9 @@
 #include "cloth/implicit/contacts.h"
 #include "cloth/solver.h"
 #include "cloth/state.h"
+#include "cloth/surface.h"
 #include "cloth/survey.h"
 #include "cloth/tethers.h"
-#include "cloth/triangle_groups.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
 #include "weft/settings.h"
@@ -64,9 +64,7 @@ struct Cloth {
     std::optional<Contacts> contacts;             ///< only with colliders, and if the solver is implicit
     std::vector<Pin> pins;                        ///< in ascending order of particles
 
-    TriangleGroups triangle_groups;
-    /// Between steps, and until air forces overwrite them, the area normals of the present positions.
-    AlignedBuffer<Vec4> triangle_rows;
+    Surface surface;
     AlignedBuffer<Vec4> air_velocities;  ///< of the gusty air at each particle [m/s]; empty without gusts
     AlignedBuffer<Vec4> air_forces;      ///< see ExternalForces
     AlignedBuffer<std::uint32_t> partial_counts;

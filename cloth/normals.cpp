@@ -1,23 +1,19 @@
 #include "cloth/normals.h"
 
 #include <algorithm>
+#include <array>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/normals.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/grid_cells-inl.h"
 #include "cloth/triangle_groups-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-/// 0 for equal a and b: each product is rounded.
-HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
-    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-            hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
 
 void area_normals_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* positions,
                      Vec4* area_normals) {
@@ -29,18 +25,40 @@ void area_normals_of(const TriangleGroups& groups, const BlockRange& range, cons
     }
 }
 
+/// Of the sums of area normals.
+HWY_INLINE Lanes3 unit_normals(const Lanes3& sum) {
+    const Lanes one = hn::Set(Tag(), 1.0f), squared = dot(sum, sum);
+    const auto has_direction = hn::Gt(squared, hn::Set(Tag(), 1e-36f));
+    const Lanes3 n = hn::Div(one, hn::Sqrt(squared)) * sum;
+    return {hn::IfThenElseZero(has_direction, n.x), hn::IfThenElse(has_direction, n.y, one),
+            hn::IfThenElseZero(has_direction, n.z)};
+}
+
 void normals_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* area_normals,
                 Vec4* normals) {
-    const Lanes zero = hn::Zero(Tag()), one = hn::Set(Tag(), 1.0f);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 sum = unpacked(sum_over_triangles(groups, i, area_normals));
-        const Lanes squared = dot(sum, sum);
-        const auto has_direction = hn::Gt(squared, hn::Set(Tag(), 1e-36f));
-        const Lanes3 n = hn::Div(one, hn::Sqrt(squared)) * sum;
-        store_packed(packed({hn::IfThenElseZero(has_direction, n.x), hn::IfThenElse(has_direction, n.y, one),
-                             hn::IfThenElseZero(has_direction, n.z)},
-                            zero),
-                     normals + i);
+        store_packed(packed(unit_normals(sum), hn::Zero(Tag())), normals + i);
+    }
+}
+
+void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4* positions, Vec4* normals,
+                     GridWindow& window) {
+    GridLoop<1, 3> loop(window, cells.corners, range);
+    for (std::uint32_t i = loop.first(); i < range.end; i += part_lanes, loop.go_on()) {
+        loop.come_to(i, [&](std::uint32_t j)
+                            HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(positions + j))}; });
+        const CellLanes cell(cells, i);
+        const auto [left, right] = cell.area_normals(CellLanes::corners(loop, 0));
+        const auto x = cell.shares(left.x, right.x), y = cell.shares(left.y, right.y),
+                   z = cell.shares(left.z, right.z);
+        loop.give(0, x.near_right, y.near_right, z.near_right);
+        loop.give(1, x.far_left, y.far_left, z.far_left);
+        loop.give(2, x.far_right, y.far_right, z.far_right);
+        if (i < range.begin) continue;
+        Lanes3 sum = {x.first, y.first, z.first};
+        for (std::uint32_t d = 0; d < 3; ++d) sum = sum + loop.given(d).xyz(0);
+        store_rows(unit_normals(sum), hn::Zero(Tag()), normals + i);
     }
 }
 
@@ -53,6 +71,7 @@ namespace weft {
 
 HWY_EXPORT(area_normals_of);
 HWY_EXPORT(normals_of);
+HWY_EXPORT(normals_of_grid);
 
 void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> positions,
                           std::span<Vec4> area_normals) {
@@ -61,13 +80,30 @@ void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std:
     });
 }
 
+namespace {
+
+/// What lies behind the last particle stays 0.
+void clear_behind(std::uint32_t end, std::span<Vec4> rows) {
+    for (std::uint32_t i = end; i % Stencil::lanes != 0; ++i) rows.data()[i] = {};
+}
+
+}  // namespace
+
 void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> area_normals,
                      std::span<Vec4> normals) {
     parallel.ranges(groups.particles, [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(normals_of)(groups, range, area_normals.data(), normals.data());
-        // What lies behind the last particle stays 0.
-        for (std::uint32_t i = range.end; i % TriangleGroups::lanes != 0; ++i) normals.data()[i] = {};
+        clear_behind(range.end, normals);
     });
+}
+
+void compute_normals(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
+                     std::span<Vec4> normals) {
+    blocks_in_tiles(
+        parallel, cells.corners.nodes, cells.windows, [&](const BlockRange& range, GridWindow* window) {
+            HWY_DYNAMIC_DISPATCH(normals_of_grid)(cells, range, positions.data(), normals.data(), *window);
+            clear_behind(range.end, normals);
+        });
 }
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cloth/grid_cells.h"
 #include "cloth/triangle_groups.h"
 #include "engine/parallel_blocks.h"
 #include "weft/types.h"
@@ -13,7 +14,9 @@ namespace weft {
 void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> positions,
                           std::span<Vec4> area_normals);
 
-/// Means of the triangles' normals, weighted by area; +Y where they cancel out.
+/// Of particles; see Surface.
+void compute_normals(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
+                     std::span<Vec4> normals);
 void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> area_normals,
                      std::span<Vec4> normals);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "cloth/normals.h"
-
 namespace weft {
 
 namespace {
@@ -60,9 +58,7 @@ void Simulation::prepare(Cloth& cloth) {
 }
 
 void Simulation::update_normals(Parallel& loops, Cloth& cloth) {
-    compute_area_normals(loops, cloth.triangle_groups, cloth.state.positions.span(),
-                         cloth.triangle_rows.span());
-    compute_normals(loops, cloth.triangle_groups, cloth.triangle_rows.span(), cloth.state.normals.span());
+    cloth.surface.compute_normals(loops, cloth.state.positions.span(), cloth.state.normals.span());
 }
 
 }  // namespace weft

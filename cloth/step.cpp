@@ -7,8 +7,6 @@
 
 #include "cloth/advance.h"
 #include "cloth/forces/gusts.h"
-#include "cloth/forces/wind.h"
-#include "cloth/normals.h"
 #include "cloth/simulation.h"
 
 namespace weft {
@@ -92,15 +90,17 @@ void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
         .sample(worker.parallel, cloth.state.positions.span(), cloth.air_velocities.span());
 }
 
-// A step begins with the area normals that the last one ended with, since only steps move particles.
+// A step begins with the normals that the last one ended with, since only steps move particles.
 void Simulation::air_forces(Worker& worker, Cloth& cloth, bool first_substep) {
     if (!air_is_on()) return;
     const auto timer = timed(Stage::wind);
-    if (!first_substep)
-        compute_area_normals(worker.parallel, cloth.triangle_groups, cloth.state.positions.span(),
-                             cloth.triangle_rows.span());
-    compute_air_forces(worker.parallel, cloth.triangle_groups, cloth.state.velocities.span(), settings.wind,
-                       cloth.air_velocities.span(), cloth.triangle_rows.span(), cloth.air_forces.span());
+    cloth.surface.compute_air_forces(worker.parallel,
+                                     {.wind = settings.wind,
+                                      .positions = cloth.state.positions.span(),
+                                      .velocities = cloth.state.velocities.span(),
+                                      .air_velocities = cloth.air_velocities.span(),
+                                      .has_moved = !first_substep},
+                                     cloth.air_forces.span());
 }
 
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {

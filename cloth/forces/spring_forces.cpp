@@ -272,7 +272,7 @@ class SpringsOfGrid {
             });
             if (i < range.begin) continue;
             for (std::uint32_t d = 0; d < diagonals_.count; ++d) {
-                const Given given = loop_.given(d);
+                const auto given = loop_.given(d);
                 sums.force = sums.force - given.xyz(0);
                 sums.add({given[6], given.xyz(3)});
             }

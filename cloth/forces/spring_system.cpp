@@ -14,7 +14,7 @@ SpringSystem::SpringSystem(const CookedCloth& model)
       matrix_(model.spring_offsets.span(), model.neighbours.span()),
       kinds_(matrix_.entries()),
       rest_lengths_(matrix_.entries()) {
-    windows_ = GridWindows(matrix_.diagonals);
+    windows_ = GridWindows(matrix_.diagonals, 7);
     if (windows_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
     std::ranges::fill(rest_lengths_.span(), 1.0f);
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {

@@ -1,19 +1,18 @@
 #include "cloth/forces/wind.h"
 
+#include <array>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/forces/wind.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/grid_cells-inl.h"
 #include "cloth/triangle_groups-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-HWY_INLINE Lanes set(float value) {
-    return hn::Set(Tag(), value);
-}
 
 HWY_INLINE PackedRows sum_over_corners(const TriangleGroups& groups, std::uint32_t t, const Vec4* rows) {
     return corner_rows(groups, t, 0, rows) + corner_rows(groups, t, 1, rows) +
@@ -34,27 +33,77 @@ HWY_INLINE Lanes3 relative_velocity(const TriangleGroups& groups, std::uint32_t 
 //   lift  = 1/2 rho A c |u| Cl (|u| n - c u)   across it, greatest at 45 degrees, none head-on or edge-on
 // (the flat-plate model of Keckeisen et al. 2004, "Modelling effects of wind fields in cloth animations",
 // with lift that vanishes edge-on, so that the force is continuous where the side that faces the wind
-// changes). With N = 2 A n as it is stored:
+// changes). With N = 2 A n:
 //   c = |u.N| / (|u| |N|),   |u| n = sign(u.N) |u|^2 / (|u| |N|) N
-void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const Wind& wind,
-                   const Vec4* velocities, std::span<const Vec4> air_velocities, Vec4* triangle_rows) {
-    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
-    const Lanes drag = set(wind.drag), lift = set(wind.lift);
-    const Lanes to_pressure = set(wind.air_density / 12);  // of a third of the triangle, by 2 A
-    const Lanes to_slope = set(wind.air_density / 6 * (wind.drag + wind.lift));
-    for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
-        const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
-        const Lanes3 u = relative_velocity(groups, t, velocities, mean_wind, air_velocities);
+struct AirOnPlates {
+    explicit AirOnPlates(const Wind& wind)
+        : drag(wind.drag),
+          lift(wind.lift),
+          to_pressure(wind.air_density / 12),  // of a third of the triangle, by 2 A
+          to_slope(wind.air_density / 6 * (wind.drag + wind.lift)) {}
+
+    /// A third of the force on triangles, w its slope.
+    HWY_INLINE Lanes4 thirds(const Lanes3& normal, const Lanes3& u) const {
         const Lanes through = dot(u, normal), squared_speed = dot(u, u);
         const Lanes squared = hn::Mul(squared_speed, dot(normal, normal));
         const Lanes product = hn::Sqrt(squared);  // |u| |N|
         const Lanes lift_per_product =
-            hn::IfThenElseZero(hn::Gt(squared, set(1e-36f)), hn::Div(lift, product));
-        const Lanes pressure = hn::Mul(to_pressure, hn::Abs(through));
-        const Lanes along = hn::NegMulAdd(lift_per_product, hn::Abs(through), drag);
+            hn::IfThenElseZero(hn::Gt(squared, set(1e-36f)), hn::Div(set(lift), product));
+        const Lanes pressure = hn::Mul(set(to_pressure), hn::Abs(through));
+        const Lanes along = hn::NegMulAdd(lift_per_product, hn::Abs(through), set(drag));
         const Lanes across = hn::CopySignToAbs(hn::Mul(lift_per_product, squared_speed), through);
         const Lanes3 force = pressure * mul_add(across, normal, along * u);
-        store_packed(packed(force, hn::Mul(to_slope, product)), triangle_rows + t);
+        return {force.x, force.y, force.z, hn::Mul(set(to_slope), product)};
+    }
+
+    float drag, lift, to_pressure, to_slope;
+};
+
+void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const Wind& wind,
+                   const Vec4* velocities, std::span<const Vec4> air_velocities, Vec4* triangle_rows) {
+    const AirOnPlates air(wind);
+    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+    for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
+        const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
+        const Lanes4 force =
+            air.thirds(normal, relative_velocity(groups, t, velocities, mean_wind, air_velocities));
+        store_packed(packed(xyz(force), force.w), triangle_rows + t);
+    }
+}
+
+void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const Wind& wind,
+                        const Vec4* positions, const Vec4* velocities, std::span<const Vec4> air_velocities,
+                        Vec4* forces, GridWindow& window) {
+    const AirOnPlates air(wind);
+    const Lanes third = set(1.0f / 3.0f);
+    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+    GridLoop<2, 4> loop(window, cells.corners, range);
+    for (std::uint32_t i = loop.first(); i < range.end; i += part_lanes, loop.go_on()) {
+        loop.come_to(i, [&](std::uint32_t j) HWY_ATTR {
+            const Lanes3 streams = air_velocities.empty() ? mean_wind : xyz(load_rows(&air_velocities[j]));
+            return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
+                                         streams - xyz(load_rows(velocities + j))};
+        });
+        const CellLanes cell(cells, i);
+        const auto u = CellLanes::corners(loop, 1);
+        const auto [left_normal, right_normal] = cell.area_normals(CellLanes::corners(loop, 0));
+        const Lanes4 left = air.thirds(left_normal, third * (u.first + u.far_left + cell.third_of_left(u)));
+        const Lanes4 right =
+            air.thirds(right_normal, third * (u.far_right + u.near_right + cell.third_of_right(u)));
+        const auto x = cell.shares(left.x, right.x), y = cell.shares(left.y, right.y),
+                   z = cell.shares(left.z, right.z), slope = cell.shares(left.w, right.w);
+        loop.give(0, x.near_right, y.near_right, z.near_right, slope.near_right);
+        loop.give(1, x.far_left, y.far_left, z.far_left, slope.far_left);
+        loop.give(2, x.far_right, y.far_right, z.far_right, slope.far_right);
+        if (i < range.begin) continue;
+        Lanes3 force = {x.first, y.first, z.first};
+        Lanes slopes = slope.first;
+        for (std::uint32_t d = 0; d < 3; ++d) {
+            const auto given = loop.given(d);
+            force = force + given.xyz(0);
+            slopes = hn::Add(slopes, given[3]);
+        }
+        store_rows(force, slopes, forces + i);
     }
 }
 
@@ -72,6 +121,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(air_forces_of);
+HWY_EXPORT(air_forces_of_grid);
 HWY_EXPORT(sums_of);
 
 void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
@@ -84,6 +134,17 @@ void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::s
     parallel.ranges(groups.particles, [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(sums_of)(groups, range, triangle_rows.data(), particle_forces.data());
     });
+}
+
+void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
+                        std::span<const Vec4> velocities, const Wind& wind,
+                        std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
+    blocks_in_tiles(parallel, cells.corners.nodes, cells.windows,
+                    [&](const BlockRange& range, GridWindow* window) {
+                        HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
+                        (cells, range, wind, positions.data(), velocities.data(), air_velocities,
+                         particle_forces.data(), *window);
+                    });
 }
 
 }  // namespace weft

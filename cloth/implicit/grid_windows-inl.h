@@ -30,7 +30,7 @@ struct Given {
 /// neighbours what is theirs; `given` is what earlier neighbours gave; then it goes on.
 template <std::uint32_t vectors, std::uint32_t exchanged>
 class GridLoop {
-    static_assert(vectors <= GridWindows::vectors && exchanged <= GridWindows::exchanged);
+    static_assert(vectors <= GridWindows::vectors);
 
   public:
     HWY_INLINE GridLoop(GridWindow& window, const Diagonals& diagonals, const BlockRange& range)
@@ -72,7 +72,7 @@ class GridLoop {
     /// row(j) gives the vectors in the lanes from row j on.
     template <class Row>
     HWY_INLINE void come_to(std::uint32_t i, const Row& row) {
-        for (const std::uint32_t end = i + part_lanes + reach_; end_ < end; end_ += part_lanes) {
+        for (const std::uint32_t end = i + part_lanes + reach_ + GridWindows::early; end_ < end; end_ += part_lanes) {
             std::uint32_t at = place_ + (end_ - i);
             if (at >= size_) at -= size_;
             const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};

@@ -11,7 +11,7 @@ std::uint32_t shortest_tile(std::uint32_t reach) {
 
 }  // namespace
 
-GridWindows::GridWindows(const Diagonals& diagonals) : reach_(diagonals.reach()) {
+GridWindows::GridWindows(const Diagonals& diagonals, std::uint32_t exchanged) : reach_(diagonals.reach()) {
     if (diagonals.empty()) return;
     floats_ = 3 * vectors * (ring_ahead(reach_) + Stencil::lanes);
     for (std::uint32_t d = 0; d < diagonals.count; ++d)

@@ -35,14 +35,17 @@ struct GridWindow {
 /// Memory for the windows of loops over a grid. Empty for what is no grid.
 class GridWindows {
   public:
-    static constexpr std::uint32_t vectors = 2;    ///< a loop looks ahead on, at most
-    static constexpr std::uint32_t exchanged = 7;  ///< floats, at most, between two neighbours
+    static constexpr std::uint32_t vectors = 2;  ///< a loop looks ahead on, at most
 
     GridWindows() = default;
-    explicit GridWindows(const Diagonals& diagonals);
+    /// `exchanged`: floats, at most, between two neighbours.
+    GridWindows(const Diagonals& diagonals, std::uint32_t exchanged);
 
+    /// How much earlier than needed rows are read: a load that overlaps what has just been stored would wait
+    /// until that has left the processor.
+    static constexpr std::uint32_t early = 2 * Stencil::lanes;
     /// Rows in the ring of those ahead, and in a diagonal's. Behind a ring lie its first 16 rows again.
-    static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + Stencil::lanes; }
+    static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + early + Stencil::lanes; }
     static constexpr std::uint32_t ring_of(std::uint32_t difference) {
         return Stencil::whole_groups(difference) + Stencil::lanes;
     }

@@ -118,7 +118,7 @@ template <class Body>
 void skewed_sweeps(Parallel& parallel, std::uint32_t rows, std::uint32_t reach, std::uint32_t sweeps,
                    GridWindows& windows, const Body& body, std::uint32_t cached = cached_rows) {
     const auto threads = static_cast<std::uint32_t>(parallel.width());
-    const SkewedTiles tiles(rows, reach, sweeps, threads);
+    const SkewedTiles tiles(rows, reach + (windows.empty() ? 0 : GridWindows::early), sweeps, threads);
     if (tiles.tiles == 0 || rows <= cached * threads) {
         for (std::uint32_t k = 0; k < sweeps; ++k)
             blocks_in_tiles(parallel, rows, windows,

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <random>
 
-#include "cloth/forces/wind.h"
-#include "cloth/normals.h"
+#include "cloth/forces/gusts.h"
+#include "cloth/surface.h"
 #include "fixtures.h"
 #include "hwy/targets.h"
 #include "meshes.h"
@@ -39,14 +39,15 @@ struct Scene {
         return (x(1) - x(0)).cross(x(2) - x(0));
     }
     void compute(Parallel& parallel, bool gusts) {
-        compute_area_normals(parallel, cloth.triangle_groups, cloth.state.positions.span(),
-                             cloth.triangle_rows.span());
-        compute_normals(parallel, cloth.triangle_groups, cloth.triangle_rows.span(),
-                        cloth.state.normals.span());
+        cloth.surface.compute_normals(parallel, cloth.state.positions.span(), cloth.state.normals.span());
         cloth.set_air(true, false);
-        compute_air_forces(parallel, cloth.triangle_groups, cloth.state.velocities.span(), breeze,
-                           gusts ? air.span() : std::span<Vec4>(), cloth.triangle_rows.span(),
-                           cloth.air_forces.span());
+        cloth.surface.compute_air_forces(parallel,
+                                         {.wind = breeze,
+                                          .positions = cloth.state.positions.span(),
+                                          .velocities = cloth.state.velocities.span(),
+                                          .air_velocities = gusts ? air.span() : std::span<Vec4>(),
+                                          .has_moved = false},
+                                         cloth.air_forces.span());
     }
 
     Cloth cloth;
@@ -57,6 +58,9 @@ std::vector<NamedMesh> meshes() {
     std::vector<NamedMesh> all = sound_meshes();
     all.push_back({"sheet", sheet(31, 40)});
     all.push_back({"whole groups", sheet(8, 32)});
+    all.push_back({"narrow sheet", sheet(40, 2)});
+    all.push_back({"sheet cut evenly", evenly_cut({.rows = 9, .columns = 21})});
+    all.push_back({"sheet as a mesh", loose_sheet(31, 40)});
     all.push_back({"one triangle", fan(1)});
     if (const char* data = std::getenv("WEFT_DATA"))
         all.push_back(
@@ -197,8 +201,8 @@ TEST(AirKernelWidths, SameBytesOnWideAndNarrowVectors) {
 }
 
 // What the air of a step's first substep rests on: whatever has happened to the cloth, the last step left the
-// area normals of the positions at which the next one begins.
-TEST(AreaNormals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
+// normals of the positions at which the next one begins.
+TEST(Normals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     WorldSettings settings;
     settings.threads = 1;
     settings.wind = breeze;
@@ -208,10 +212,9 @@ TEST(AreaNormals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     Cloth& cloth = **simulation.cloths.find(id);
     simulation.prepare(cloth);
     const auto expect_current = [&](const char* when) {
-        AlignedBuffer<Vec4> fresh(cloth.triangle_groups.rows);
-        compute_area_normals(simulation.parallel, cloth.triangle_groups, cloth.state.positions.span(),
-                             fresh.span());
-        EXPECT_EQ(std::memcmp(fresh.data(), cloth.triangle_rows.data(), fresh.bytes()), 0) << when;
+        AlignedBuffer<Vec4> fresh(cloth.state.size());
+        Surface(cloth.model).compute_normals(simulation.parallel, cloth.state.positions.span(), fresh.span());
+        EXPECT_EQ(std::memcmp(fresh.data(), cloth.state.normals.data(), fresh.bytes()), 0) << when;
     };
     const auto step = [&](const char* when) {
         expect_current(when);

@@ -77,10 +77,10 @@ TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
 
 TEST(GridWindows, AreForGridsAlone) {
     const CookedCloth grid = must(cook(sheet(30, 45))), mesh = must(cook(loose_sheet(30, 45)));
-    EXPECT_GT(GridWindows(SpringMatrix(grid.spring_offsets.span(), grid.neighbours.span()).diagonals).count(),
-              0u);
-    EXPECT_EQ(GridWindows(SpringMatrix(mesh.spring_offsets.span(), mesh.neighbours.span()).diagonals).bytes(),
-              0u);
+    const Diagonals some(grid.spring_offsets.span(), grid.neighbours.span());
+    const Diagonals none(mesh.spring_offsets.span(), mesh.neighbours.span());
+    EXPECT_GT(GridWindows(some, 7).count(), 0u);
+    EXPECT_EQ(GridWindows(none, 7).bytes(), 0u);
 }
 
 // However many threads there are: a window a tile, and tiles of four reaches.
@@ -89,7 +89,7 @@ TEST(GridWindows, TakeNoMoreThanFortyBytesARowOfALargeGrid) {
         const CookedCloth grid = must(cook(sheet(side, side)));
         const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
         EXPECT_EQ(diagonals.count, 6u);
-        EXPECT_LT(GridWindows(diagonals).bytes(), std::size_t{40} * grid.particle_count);
+        EXPECT_LT(GridWindows(diagonals, 7).bytes(), std::size_t{40} * grid.particle_count);
     }
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cloth/normals.h"
 #include "cloth/survey.h"
 #include "fixtures.h"
 #include "meshes.h"
@@ -15,9 +14,7 @@ namespace {
 
 void update_normals(Cloth& cloth) {
     Parallel serial(1);
-    compute_area_normals(serial, cloth.triangle_groups, cloth.state.positions.span(),
-                         cloth.triangle_rows.span());
-    compute_normals(serial, cloth.triangle_groups, cloth.triangle_rows.span(), cloth.state.normals.span());
+    cloth.surface.compute_normals(serial, cloth.state.positions.span(), cloth.state.normals.span());
 }
 
 TEST(Normals, OfASphereAreRadial) {

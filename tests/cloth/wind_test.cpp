@@ -7,7 +7,6 @@
 #include <random>
 
 #include "cloth/forces/gusts.h"
-#include "cloth/normals.h"
 #include "fixtures.h"
 #include "plate_force.h"
 
@@ -88,10 +87,12 @@ TEST(AirForces, AddUpAndScaleWithRelativeVelocity) {
     Parallel serial(1);
     AlignedBuffer<Vec4> forces(cloth.model.particle_count);
     const auto blow = [&](const Wind& wind) {
-        compute_area_normals(serial, cloth.triangle_groups, cloth.state.positions.span(),
-                             cloth.triangle_rows.span());
-        compute_air_forces(serial, cloth.triangle_groups, cloth.state.velocities.span(), wind, {},
-                           cloth.triangle_rows.span(), forces.span());
+        cloth.surface.compute_air_forces(serial,
+                                         {.wind = wind,
+                                          .positions = cloth.state.positions.span(),
+                                          .velocities = cloth.state.velocities.span(),
+                                          .air_velocities = {}},
+                                         forces.span());
     };
     blow(plain);
     Vector3 total = Vector3::Zero();
