@@ -72,7 +72,8 @@ class GridLoop {
     /// row(j) gives the vectors in the lanes from row j on.
     template <class Row>
     HWY_INLINE void come_to(std::uint32_t i, const Row& row) {
-        for (const std::uint32_t end = i + part_lanes + reach_ + GridWindows::early; end_ < end; end_ += part_lanes) {
+        for (const std::uint32_t end = i + part_lanes + reach_ + GridWindows::early; end_ < end;
+             end_ += part_lanes) {
             std::uint32_t at = place_ + (end_ - i);
             if (at >= size_) at -= size_;
             const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};

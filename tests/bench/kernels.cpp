@@ -17,34 +17,43 @@ namespace {
 
 /// What the formulas count in, all per particle.
 struct Counts {
-    double half_edges, indices, triangles, contacts;
+    bool is_grid;   ///< each spring is kept and worked out once, at its first end
+    double blocks;  ///< that the matrix keeps
+    double indices, triangles, contacts;
 
-    explicit Counts(const Cloth& cloth, const Stencil& stencil) {
+    Counts(const Cloth& cloth, const ImplicitSystem& system) {
+        const Stencil& stencil = system.stencil();
         const auto n = static_cast<double>(cloth.model.particle_count);
-        half_edges = static_cast<double>(cloth.model.neighbours.size()) / n;
+        const double half_edges = static_cast<double>(cloth.model.neighbours.size()) / n;
+        is_grid = system.entries() < stencil.neighbours.size();
+        blocks = is_grid ? half_edges / 2 : half_edges;
         triangles = static_cast<double>(cloth.model.triangles.size()) / n;
         contacts = 2 * static_cast<double>(cloth.self_counts.pairs) / n;
         double gathered = 0;
         for (std::uint32_t s = 0; s < stencil.slots(); ++s) gathered += stencil.runs[s] == Stencil::no_run;
-        indices = half_edges * gathered / std::max(1u, stencil.slots());
+        indices = is_grid ? 0 : half_edges * gathered / std::max(1u, stencil.slots());
     }
 };
 
-// Rows of x y z w are 16 bytes; a half-edge's block a, d_x, d_y, d_z is 8 in half precision, its index 4
-// where neighbours are not runs, its rest length 4; D^-1 is 24.
-Traffic linearise_traffic(
-    const Counts& c) {  // x v air in, b out; per half-edge some 65: n, tension, a, d, b, D
-    return {.bytes = 4 * 16 + 4 + 24 + c.half_edges * (8 + 4) + 4 * c.indices,
-            .flops = 60 + 65 * c.half_edges};
+// Rows of x y z w are 16 bytes; a block a, d_x, d_y, d_z is 8 in half precision, its index 4 where neighbours
+// are not runs, its rest length 4; D^-1 is 24. In a grid the second end of a spring adds up what the first
+// found.
+Traffic linearise_traffic(const Counts& c) {  // x v air in, b out; per block some 65: n, tension, a, d, b, D
+    return {.bytes = 4 * 16 + 4 + 24 + c.blocks * (8 + 4) + 4 * c.indices,
+            .flops = 60 + (c.is_grid ? 65 + 16 : 65) * c.blocks};
 }
 Traffic residual_traffic(const Counts& c) {  // x v air in, residual out
-    return {.bytes = 4 * 16 + 4 * c.half_edges + 4 * c.indices, .flops = 20 + 35 * c.half_edges};
+    return {.bytes = 4 * 16 + 4 * c.blocks + 4 * c.indices,
+            .flops = 20 + (c.is_grid ? 35 + 3 : 35) * c.blocks};
 }
-Traffic multiply_traffic(const Counts& c) {  // a (x_i - x_j) + d (d . (x_i - x_j)): 3 + 5 + 9 + 3
-    return {.bytes = 2 * 16 + 4 + 8 * c.half_edges + 4 * c.indices, .flops = 12 + 20 * c.half_edges};
+double product_flops(const Counts& c) {  // a (x_i - x_j) + d (d . (x_i - x_j)): 3 + 5 + 9 + 3
+    return (c.is_grid ? 20 + 3 : 20) * c.blocks;
+}
+Traffic multiply_traffic(const Counts& c) {
+    return {.bytes = 2 * 16 + 4 + 8 * c.blocks + 4 * c.indices, .flops = 12 + product_flops(c)};
 }
 Traffic relax_traffic(const Counts& c) {  // b x in, next in and out
-    return {.bytes = 4 * 16 + 4 + 24 + 8 * c.half_edges + 4 * c.indices, .flops = 36 + 20 * c.half_edges};
+    return {.bytes = 4 * 16 + 4 + 24 + 8 * c.blocks + 4 * c.indices, .flops = 36 + product_flops(c)};
 }
 Traffic precondition_traffic() {
     return {.bytes = 2 * 16 + 24, .flops = 18};
@@ -71,19 +80,17 @@ struct CoarseCounts {
         }
     }
 };
-Traffic build_traffic(const Counts& c,
-                      const CoarseCounts& coarse) {  // half of the blocks are unpacked, then summed
-    return {.bytes = 0.5 * c.half_edges * (8 + 2 * 16) + coarse.lists + coarse.matrices,
-            .flops = 18 * coarse.terms};
+Traffic build_traffic(double springs, const CoarseCounts& coarse) {  // each is unpacked, then summed
+    return {.bytes = springs * (8 + 2 * 16) + coarse.lists + coarse.matrices, .flops = 18 * coarse.terms};
 }
-Traffic cycle_traffic(const Counts& c,
-                      const CoarseCounts& coarse) {  // P and P^T: 3 weights and 3 indices a node
-    return {.bytes = relax_traffic(c).bytes + 2 * 16 + 2 * 24 + coarse.read_by_cycle,
+// Precondition; b - W x; restrict and prolong, by 3 weights and 3 indices a node; relax; the coarse levels.
+Traffic cycle_traffic(const Counts& c, const CoarseCounts& coarse) {
+    return {.bytes = precondition_traffic().bytes + multiply_traffic(c).bytes + 16 + (16 + 24) +
+                     (2 * 16 + 24) + relax_traffic(c).bytes + coarse.read_by_cycle,
             .flops = precondition_traffic().flops + multiply_traffic(c).flops + relax_traffic(c).flops +
                      2 * 18 + coarse.flops_of_cycle};
 }
-Traffic xpbd_traffic(const Counts& c) {  // 9 values a spring; start in, moved in and out
-    const double springs = 0.5 * c.half_edges;
+Traffic xpbd_traffic(double springs) {  // 9 values each; start in, moved in and out
     return {.bytes = springs * 36 + 3 * 16, .flops = 45 * springs};
 }
 Traffic grid_traffic() {  // x; (bucket, particle) out and in; x again; particle, x, y, z out; starts, two per
@@ -153,7 +160,8 @@ std::vector<KernelName> Kernels::names() {
 Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
     Work& w = *work_;
     Parallel& parallel = scene.simulation().parallel;
-    const Counts c(scene.cloth(), w.system->stencil());
+    const Counts c(scene.cloth(), *w.system);
+    const double springs = c.is_grid ? c.blocks : c.blocks / 2;
     const CoarseCounts coarse(*w.multigrid, scene.particles());
     const auto add = [&](const char* name, const Traffic& traffic, auto run) {
         kernels_.push_back({name, traffic, [run, &parallel] { return seconds_of(parallel.width(), run); }});
@@ -179,11 +187,11 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
         });
     add("precondition", precondition_traffic(),
         [&w, &parallel, b] { w.system->precondition(parallel, b, 0.8f, w.y.span()); });
-    add("coarse operators", build_traffic(c, coarse),
+    add("coarse operators", build_traffic(springs, coarse),
         [&w, &parallel] { w.multigrid->build(parallel, *w.system); });
     add("V-cycle", cycle_traffic(c, coarse),
         [&w, &parallel, b] { w.multigrid->cycle(parallel, *w.system, b, w.y.span()); });
-    add("xpbd sweep", xpbd_traffic(c), [&w] { w.sweep_springs(); });
+    add("xpbd sweep", xpbd_traffic(springs), [&w] { w.sweep_springs(); });
     add("grid build", grid_traffic(), [&w, &parallel] {
         Cloth& cloth = w.scene.cloth();
         w.grid.build_rows(parallel, cloth.state.positions.span(), {cloth.extent.lower, cloth.extent.upper},
@@ -200,9 +208,11 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
                                 throw std::runtime_error(std::string("the step has no stage ") + name);
                             }});
     };
-    // Per triangle its corners' indices, 12, and a result of 16 out and in; per corner the list's 4.
-    add_stage("wind",
-              {.bytes = 3 * 16 + c.triangles * (12 + 2 * 16 + 3 * 4), .flops = (80 + 9) * c.triangles});
+    // In a grid x, v and how cells are cut in, forces out; the mean wind blows. Else per triangle its
+    // corners' indices, 12, and a result of 16 out and in; per corner the list's 4.
+    const double lists = c.triangles * (12 + 2 * 16 + 3 * 4);
+    add_stage("wind", {.bytes = 3 * 16 + (c.is_grid ? 1 : lists),
+                       .flops = (c.is_grid ? 100 + 9 : 80 + 9) * c.triangles});
     add_stage("advance", {.bytes = 6 * 16, .flops = 20});
     add_stage("colliders", {.bytes = 2 * 16, .flops = 25});
     // A survey and the grid, then 64 candidates in four runs of a group: 8 flops each; contacts out.
@@ -210,8 +220,7 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
               {.bytes = 2 * 16 + grid_traffic().bytes + 16 + 1 + 4 * c.contacts, .flops = 15 + 12 + 64 * 8});
     add_stage("self response", {.bytes = 1 + c.contacts * (4 + 2 * 32 + 2 * 32), .flops = 60 * c.contacts});
     add_stage("guard", {.bytes = 2 * 16, .flops = 15}, false);
-    add_stage("normals",
-              {.bytes = 2 * 16 + c.triangles * (12 + 2 * 16 + 3 * 4), .flops = (20 + 9) * c.triangles + 10},
+    add_stage("normals", {.bytes = 2 * 16 + (c.is_grid ? 1 : lists), .flops = (20 + 9) * c.triangles + 10},
               false);
 }
 
