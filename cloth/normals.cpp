@@ -45,7 +45,13 @@ void normals_of(const TriangleGroups& groups, const BlockRange& range, const Vec
 void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4* positions, Vec4* normals,
                      GridWindow& window) {
     GridLoop<1, 3> loop(window, cells.corners, range);
-    for (std::uint32_t i = loop.first(); i < range.end; i += part_lanes, loop.go_on()) {
+    Lanes3 own = {hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    const auto finish = [&](std::uint32_t i) HWY_ATTR {
+        for (std::uint32_t d = 0; d < 3; ++d) own = own + loop.given_last(d).xyz(0);
+        store_rows(unit_normals(own), hn::Zero(Tag()), normals + i);
+    };
+    std::uint32_t i = loop.first();
+    for (; i < range.end; i += part_lanes, loop.go_on()) {
         loop.come_to(i, [&](std::uint32_t j)
                             HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(positions + j))}; });
         const CellLanes cell(cells, i);
@@ -55,11 +61,10 @@ void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4
         loop.give(0, x.near_right, y.near_right, z.near_right);
         loop.give(1, x.far_left, y.far_left, z.far_left);
         loop.give(2, x.far_right, y.far_right, z.far_right);
-        if (i < range.begin) continue;
-        Lanes3 sum = {x.first, y.first, z.first};
-        for (std::uint32_t d = 0; d < 3; ++d) sum = sum + loop.given(d).xyz(0);
-        store_rows(unit_normals(sum), hn::Zero(Tag()), normals + i);
+        if (i > range.begin) finish(i - part_lanes);
+        own = {x.first, y.first, z.first};
     }
+    finish(i - part_lanes);
 }
 
 }  // namespace

@@ -78,7 +78,18 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
     const Lanes third = set(1.0f / 3.0f);
     const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
     GridLoop<2, 4> loop(window, cells.corners, range);
-    for (std::uint32_t i = loop.first(); i < range.end; i += part_lanes, loop.go_on()) {
+    Lanes4 own = {hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    const auto finish = [&](std::uint32_t i) HWY_ATTR {
+        Lanes3 force = xyz(own);
+        for (std::uint32_t d = 0; d < 3; ++d) {
+            const auto given = loop.given_last(d);
+            force = force + given.xyz(0);
+            own.w = hn::Add(own.w, given[3]);
+        }
+        store_rows(force, own.w, forces + i);
+    };
+    std::uint32_t i = loop.first();
+    for (; i < range.end; i += part_lanes, loop.go_on()) {
         loop.come_to(i, [&](std::uint32_t j) HWY_ATTR {
             const Lanes3 streams = air_velocities.empty() ? mean_wind : xyz(load_rows(&air_velocities[j]));
             return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
@@ -95,16 +106,10 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
         loop.give(0, x.near_right, y.near_right, z.near_right, slope.near_right);
         loop.give(1, x.far_left, y.far_left, z.far_left, slope.far_left);
         loop.give(2, x.far_right, y.far_right, z.far_right, slope.far_right);
-        if (i < range.begin) continue;
-        Lanes3 force = {x.first, y.first, z.first};
-        Lanes slopes = slope.first;
-        for (std::uint32_t d = 0; d < 3; ++d) {
-            const auto given = loop.given(d);
-            force = force + given.xyz(0);
-            slopes = hn::Add(slopes, given[3]);
-        }
-        store_rows(force, slopes, forces + i);
+        if (i > range.begin) finish(i - part_lanes);
+        own = {x.first, y.first, z.first, slope.first};
     }
+    finish(i - part_lanes);
 }
 
 void sums_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* triangle_rows,

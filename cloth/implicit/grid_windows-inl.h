@@ -100,11 +100,10 @@ class GridLoop {
         to = first + size;
         ((hn::StoreU(values, Tag(), to), to += next), ...);
     }
-    HWY_INLINE Given given(std::uint32_t d) const {
-        const std::uint32_t place = rings_[d].place, size = rings_[d].size, difference = rings_[d].difference;
-        return {rings_[d].values + (place < difference ? place + size : place) - difference,
-                size + group_lanes};
-    }
+    HWY_INLINE Given given(std::uint32_t d) const { return given_before(d, 0); }
+    /// To the part before. Where rows take long to finish, they are finished one part later: a neighbour next
+    /// door gave it a moment ago, and what overlaps a store can be loaded only when all before it is done.
+    HWY_INLINE Given given_last(std::uint32_t d) const { return given_before(d, part_lanes); }
 
     HWY_INLINE void go_on() {
         place_ = next(place_, size_);
@@ -118,6 +117,11 @@ class GridLoop {
         std::uint32_t place, size, difference;
     };
 
+    HWY_INLINE Given given_before(std::uint32_t d, std::uint32_t rows) const {
+        const std::uint32_t place = rings_[d].place, size = rings_[d].size;
+        const std::uint32_t back = rings_[d].difference + rows;
+        return {rings_[d].values + (place < back ? place + size : place) - back, size + group_lanes};
+    }
     static HWY_INLINE std::uint32_t next(std::uint32_t place, std::uint32_t size) {
         return place + part_lanes == size ? 0 : place + part_lanes;
     }
@@ -139,7 +143,7 @@ class GridLoop {
     GridWindow& window_;
     std::uint32_t count_, reach_, size_, all_, range_end_, first_, end_, place_;
     float* ahead_;
-    std::array<Ring, Diagonals::most> rings_;
+    std::array<Ring, Diagonals::most> rings_{};
 };
 
 }  // namespace weft::HWY_NAMESPACE

@@ -47,7 +47,7 @@ class GridWindows {
     /// Rows in the ring of those ahead, and in a diagonal's. Behind a ring lie its first 16 rows again.
     static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + early + Stencil::lanes; }
     static constexpr std::uint32_t ring_of(std::uint32_t difference) {
-        return Stencil::whole_groups(difference) + Stencil::lanes;
+        return Stencil::whole_groups(difference) + 2 * Stencil::lanes;
     }
 
     [[nodiscard]] bool empty() const noexcept { return values_.size() == 0; }
