@@ -67,9 +67,8 @@ class RowsOfGrid {
     GridLoop<1, 3> loop_;
 };
 
-HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, RowsOfGrid& x,
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& /*matrix*/, std::uint32_t i, RowsOfGrid& x,
                                  const Lanes3& x_i) {
-    (void)matrix;
     return x.sum_of_springs(i, x_i);
 }
 

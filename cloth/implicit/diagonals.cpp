@@ -16,7 +16,9 @@ Diagonals::Diagonals(std::span<const std::uint32_t> offsets, std::span<const std
         }
     }
     const std::size_t pairs = neighbours.size() / 2;
-    if (found.size() > most || 2 * pairs < found.size() * nodes) return;
+    if (found.empty() || found.size() > most || 2 * pairs < found.size() * nodes) return;
+    constexpr std::uint32_t large = 4096, fewest_reaches = 16;
+    if (nodes > large && nodes / fewest_reaches < found.back()) return;
     count = static_cast<std::uint32_t>(found.size());
     std::ranges::copy(found, differences.begin());
 }

@@ -16,7 +16,9 @@ struct Diagonals {
     static constexpr std::uint32_t most = 8;
 
     Diagonals() = default;
-    /// From compressed rows, as a Stencil. Empty where differences are many, or most nodes lack most of them.
+    /// From compressed rows, as a Stencil. Empty where differences are many, or most nodes lack most of them,
+    /// or a large grid is so few rows that tiles of several of them (see GridWindows) are too few for
+    /// threads.
     Diagonals(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
 
     std::uint32_t nodes = 0;

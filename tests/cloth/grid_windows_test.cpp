@@ -83,6 +83,16 @@ TEST(GridWindows, AreForGridsAlone) {
     EXPECT_EQ(GridWindows(none, 7).bytes(), 0u);
 }
 
+TEST(GridWindows, AreEnoughForThreadsOrNone) {
+    for (const auto& [rows, columns] : {Size{32, 400}, Size{400, 32}, Size{65, 65}}) {
+        const CookedCloth grid = must(cook(sheet(rows, columns)));
+        const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
+        EXPECT_GE(GridWindows(diagonals, 7).count(), 4u) << rows << " x " << columns;
+    }
+    const CookedCloth wide = must(cook(sheet(8, 1600)));
+    EXPECT_TRUE(Diagonals(wide.spring_offsets.span(), wide.neighbours.span()).empty());
+}
+
 // However many threads there are: a window a tile, and tiles of four reaches.
 TEST(GridWindows, TakeNoMoreThanFiftyBytesARowOfALargeGrid) {
     for (const std::uint32_t side : {64u, 128u, 256u}) {
