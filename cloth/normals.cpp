@@ -1,6 +1,5 @@
 #include "cloth/normals.h"
 
-#include <algorithm>
 #include <array>
 
 #undef HWY_TARGET_INCLUDE

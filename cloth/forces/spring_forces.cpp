@@ -38,9 +38,9 @@ HWY_INLINE Ends ends_apart(const Lanes3& separation) {
     return {separation, squared, length, hn::Div(set(1), length)};
 }
 
-/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers:
-/// those from i on, and from the stencil's entry, or so much later. By value, so that the loops keep theirs
-/// in registers.
+/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. Of the
+/// entries from one on, which are those of the lanes from particle `i` on. By value, so that the loops keep
+/// theirs in registers.
 template <class Mask>
 HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask apart,
                                                const SpringState& state, std::uint32_t entry,
