@@ -19,12 +19,6 @@ HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-template <class Mask>
-HWY_INLINE Lanes3 choose(Mask mask, const Lanes3& yes, const Lanes3& no) {
-    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-            hn::IfThenElse(mask, yes.z, no.z)};
-}
-
 /// The two triangles of the cells whose first corners are the lanes from particle i on: one at the first
 /// corner and the far left, one at the far right and the near right; the cut says which third corner each
 /// has.
@@ -44,10 +38,10 @@ class CellLanes {
         return {loop.own(vector), loop.later(vector, 0), loop.later(vector, 1), loop.later(vector, 2)};
     }
     HWY_INLINE Lanes3 third_of_left(const Corners& at) const {
-        return choose(rises(), at.far_right, at.near_right);
+        return either(rises(), at.far_right, at.near_right);
     }
     HWY_INLINE Lanes3 third_of_right(const Corners& at) const {
-        return choose(rises(), at.first, at.far_left);
+        return either(rises(), at.first, at.far_left);
     }
 
     struct Triangles {

@@ -11,12 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-template <class Mask>
-HWY_INLINE Lanes3 either(Mask mask, const Lanes3& yes, const Lanes3& no) {
-    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-            hn::IfThenElse(mask, yes.z, no.z)};
-}
-
 // Curtiss and Hirschfelder 1952: x_base = (4 x_n - x_n-1) / 3 = x_n + (x_n - x_n-1) / 3, and v likewise. A
 // pinned particle's bases are such that x_base + gamma v is x_n + h v.
 void make_bases(const HistoryRows& rows, const BlockRange& range, float h, const Vec4* positions,

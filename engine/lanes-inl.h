@@ -57,6 +57,12 @@ HWY_INLINE Lanes3 keep_where(Mask mask, const Lanes3& v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
+template <class Mask>
+HWY_INLINE Lanes3 either(Mask mask, const Lanes3& yes, const Lanes3& no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+            hn::IfThenElse(mask, yes.z, no.z)};
+}
+
 HWY_INLINE Lanes set(float value) {
     return hn::Set(Tag(), value);
 }

@@ -36,17 +36,17 @@ class GridLoop {
     HWY_INLINE GridLoop(GridWindow& window, const Diagonals& diagonals, const BlockRange& range)
         : window_(window),
           count_(diagonals.count),
-          reach_(diagonals.reach()),
-          size_(GridWindows::ring_ahead(reach_)),
+          to_read_(diagonals.reach() + GridWindows::early),
+          size_(GridWindows::ring_ahead(diagonals.reach())),
           all_(diagonals.groups() * group_lanes),
           range_end_(range.end),
           first_(range.begin),
-          end_(window.end),
+          end_(range.begin + to_read_),
           place_(window.ahead),
           ahead_(window.values) {
         const bool begins = window.at != range.begin;
         if (begins) {
-            first_ = end_ = range.begin - std::min(range.begin, reach_);
+            first_ = end_ = range.begin - std::min(range.begin, diagonals.reach());
             place_ = 0;
         }
         float* values = ahead_ + 3 * vectors * (size_ + group_lanes);
@@ -61,7 +61,6 @@ class GridLoop {
     GridLoop(const GridLoop&) = delete;
     ~GridLoop() {
         window_.at = range_end_;
-        window_.end = end_;
         window_.ahead = place_;
         for (std::uint32_t d = 0; d < count_; ++d) window_.exchanged[d] = rings_[d].place;
     }
@@ -72,8 +71,7 @@ class GridLoop {
     /// row(j) gives the vectors in the lanes from row j on.
     template <class Row>
     HWY_INLINE void come_to(std::uint32_t i, const Row& row) {
-        for (const std::uint32_t end = i + part_lanes + reach_ + GridWindows::early; end_ < end;
-             end_ += part_lanes) {
+        for (const std::uint32_t end = i + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
             std::uint32_t at = place_ + (end_ - i);
             if (at >= size_) at -= size_;
             const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};
@@ -141,7 +139,7 @@ class GridLoop {
     }
 
     GridWindow& window_;
-    std::uint32_t count_, reach_, size_, all_, range_end_, first_, end_, place_;
+    std::uint32_t count_, to_read_, size_, all_, range_end_, first_, end_, place_;
     float* ahead_;
     std::array<Ring, Diagonals::most> rings_{};
 };

@@ -26,7 +26,6 @@ struct GridWindow {
 
     float* values = nullptr;
     std::uint32_t at = nowhere;  ///< the row at which the loop must go on, or it begins anew
-    std::uint32_t end = 0;       ///< rows up to this one are in the ring of those ahead
     // Where row `at` is in the rings.
     std::uint32_t ahead = 0;
     std::array<std::uint32_t, Diagonals::most> exchanged{};
@@ -64,7 +63,7 @@ class GridWindows {
     [[nodiscard]] std::uint32_t tiles(std::uint32_t rows, int width) const;
 
   private:
-    std::uint32_t reach_ = 0, floats_ = 0;
+    std::uint32_t floats_ = 0;  // of a window
     AlignedBuffer<float> values_;
 };
 
