@@ -44,7 +44,7 @@ void Cloth::apply(const ClothSettings& changed) {
     // Memory first: if there is none, nothing has changed yet.
     if (!solver || needs_another_solver(settings, changed)) solver = make_solver(model, changed);
     if (changed.tethers.enabled && !tethers) tethers.emplace(model);
-    if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.particle_count);
+    if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.positions.span());
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
     if (second_order && !history) history.emplace(model.particle_count);
     set_colliders(has_colliders_);

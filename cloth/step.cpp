@@ -184,13 +184,10 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
     const float distance = cloth.self_collision_distance();
     {
         const auto timer = timed(Stage::self_search);
-        cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
-        if (!cloth.extent.sound) return;  // guard() will see it too, and restore the cloth
         const RestFilter filter{.rest_positions = cloth.model.positions.span(),
                                 .offsets = cloth.model.spring_offsets.span(),
                                 .neighbours = cloth.model.neighbours.span()};
-        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
-                                  {cloth.extent.lower, cloth.extent.upper}, filter, distance,
+        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(), filter, distance,
                                   cloth.settings.self_collision.search);
     }
     const auto timer = timed(Stage::self_response);

@@ -115,7 +115,7 @@ HWY_INLINE void store_runs(const Cells& cells, const Lanes3& p, std::uint32_t k,
 /// `runs` runs of `run_length` buckets each.
 template <std::uint32_t runs, std::uint32_t run_length>
 HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const BlockRange& block,
-                        BlockHits& hits) {
+                        const SlotFlags& wanted, BlockHits& hits) {
     const Slots slots = slots_of(grid, distance_squared);
     const Cells cells = grid.cells();
     alignas(64) BlockOfRuns<runs> firsts;
@@ -126,6 +126,7 @@ HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const Bloc
     std::uint32_t suspect_count = 0;
     hits.count = hits.left_over_count = 0;
     for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
+        if (!wanted[slot - block.begin]) continue;
         std::uint32_t begins[runs], longest = 0, last = 0;
         for (std::uint32_t r = 0; r < runs; ++r) {
             const std::uint32_t first = firsts[r][slot - block.begin];
@@ -162,9 +163,9 @@ HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const Bloc
 }
 
 void hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& block,
-          BlockHits& hits) {
-    shape == CellShape::row ? hits_in<4, HashGrid::run_length>(grid, distance_squared, block, hits)
-                            : hits_in<1, 1>(grid, distance_squared, block, hits);
+          const SlotFlags& wanted, BlockHits& hits) {
+    shape == CellShape::row ? hits_in<4, HashGrid::run_length>(grid, distance_squared, block, wanted, hits)
+                            : hits_in<1, 1>(grid, distance_squared, block, wanted, hits);
 }
 
 HWY_INLINE bool are_joined(const RestFilter& filter, std::uint32_t i, std::uint32_t j) {
@@ -215,8 +216,8 @@ HWY_EXPORT(hits);
 HWY_EXPORT(without_rest_pairs);
 
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& block,
-               BlockHits& found) {
-    HWY_DYNAMIC_DISPATCH(hits)(grid, shape, distance_squared, block, found);
+               const SlotFlags& wanted, BlockHits& found) {
+    HWY_DYNAMIC_DISPATCH(hits)(grid, shape, distance_squared, block, wanted, found);
 }
 
 void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& found) {

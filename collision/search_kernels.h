@@ -25,10 +25,12 @@ struct BlockHits {
     BlockOfIndices left_over;  // slots that were not looked at
 };
 
-/// Finds the hits of the particles in a block of slots. What two of a slot's ranges share is found twice.
-/// `shape`: as the grid was built.
+using SlotFlags = std::array<bool, block_size>;
+
+/// Finds the hits of those particles in a block of slots that are wanted. What two of a slot's ranges share is
+/// found twice. `shape`: as the grid was built.
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& slots,
-               BlockHits& hits);
+               const SlotFlags& wanted, BlockHits& hits);
 
 /// Takes out the pairs that are meant to be close.
 void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& hits);

@@ -41,32 +41,6 @@ class PairTest {
     const RestFilter& filter;
 };
 
-/// The contacts of one particle, ascending and without duplicates.
-class ContactList {
-  public:
-    ContactList(std::uint32_t* contacts, std::uint8_t& count) : contacts_(contacts), count_(count) {}
-
-    /// False if there was no room.
-    bool add(std::uint32_t contact) {
-        if (count_ > SelfContacts::capacity) return false;
-        std::uint32_t place = count_;
-        while (place > 0 && contacts_[place - 1] > contact) --place;
-        if (place > 0 && contacts_[place - 1] == contact) return true;
-        if (count_ == SelfContacts::capacity) {
-            count_ = SelfContacts::capacity + 1;
-            return false;
-        }
-        for (std::uint32_t k = count_; k > place; --k) contacts_[k] = contacts_[k - 1];
-        contacts_[place] = contact;
-        ++count_;
-        return true;
-    }
-
-  private:
-    std::uint32_t* contacts_;
-    std::uint8_t& count_;
-};
-
 /// Shows `visit` the slots of a range, until it says false; returns what it said last. From a slot in the
 /// range it goes outward: particles crowded at one point then fill their lists with one another, not all with
 /// the same few.
@@ -86,15 +60,16 @@ bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     return true;
 }
 
-/// It ends when the list is full, so that even n particles at one point cost no more than n times its
-/// capacity.
+/// Shows `add` the contacts of a slot's particle. It ends when add says false, the list being full, so that
+/// even n particles at one point cost no more than n times its capacity.
+template <class Add>
 void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
-                  ContactList list) {
+                  const Add& add) {
     const std::uint32_t particle = test.grid.particles()[slot];
     const auto add_if_close = [&](std::uint32_t other) {
         if (!test.is_close(slot, other)) return true;
         const std::uint32_t contact = test.grid.particles()[other];
-        return test.is_left_alone(particle, contact) || list.add(contact);
+        return test.is_left_alone(particle, contact) || add(contact);
     };
     for (const SlotRange& range : ranges) {
         if (!visit_from(slot, range, add_if_close)) return;
@@ -103,49 +78,93 @@ void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const Slot
 
 }  // namespace
 
-SelfContacts::SelfContacts(std::uint32_t particle_count)
-    : grid_(particle_count),
-      contacts_(particle_count * capacity),
-      counts_(particle_count),
-      displacements_(particle_count),
-      velocity_changes_(particle_count),
-      block_counts_(block_count(particle_count)) {}
+SelfContacts::SelfContacts(std::span<const Vec4> rest_positions)
+    : patches_(rest_positions),
+      grid_(static_cast<std::uint32_t>(rest_positions.size())),
+      contacts_(rest_positions.size() * capacity),
+      counts_(rest_positions.size()),
+      displacements_(rest_positions.size()),
+      velocity_changes_(rest_positions.size()),
+      block_counts_(block_count(static_cast<std::uint32_t>(rest_positions.size()))),
+      left_out_(block_counts_.size()) {}
 
-void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
-                        const RestFilter& filter, float distance, SelfCollisionSearch search) {
-    parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
-        std::fill(&counts_[block.begin], &counts_[block.end], std::uint8_t{0});
-    });
+void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter,
+                        float distance, SelfCollisionSearch search) {
+    patches_.place(parallel, positions);
     if (search == SelfCollisionSearch::exact) {
-        grid_.build_rows(parallel, positions, bounds, distance);
+        if (search_patches(parallel, filter, distance)) return;
+        grid_.build_rows(parallel, positions, patches_.bounds(), distance);
         search_grid(parallel, CellShape::row, filter, distance);
         return;
     }
+    std::ranges::fill(counts_.span(), std::uint8_t{0});
     for (const float shift : {0.0f, 0.5f}) {  // Kang, section IV: each particle against its own bucket
-        grid_.build_cubes(parallel, positions, bounds, distance, shift);
+        grid_.build_cubes(parallel, positions, patches_.bounds(), distance, shift);
         search_grid(parallel, CellShape::cube, filter, distance);
     }
 }
 
+/// False if particles are left unsearched: those of patches that are too crowded.
+bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, float distance) {
+    const PatchesView patches = patches_.view();
+    parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
+        BlockHits hits;
+        const std::uint32_t left_out = find_hits_in_patches(patches, distance, block.block, hits);
+        for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
+            const bool searched = (left_out >> (slot - block.begin) / patch_size & 1) == 0;
+            counts_[patches.particles[slot]] = searched ? 0 : unsearched;
+        }
+        left_out_[block.block] = left_out;
+        drop_rest_pairs(filter, distance * distance, hits);
+        add(hits);
+    });
+    return std::ranges::all_of(left_out_.span(), [](std::uint32_t left_out) { return left_out == 0; });
+}
 void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter,
                                float distance) {
     const PairTest test(grid_, filter, distance);
-    const auto list_of = [&](std::uint32_t particle) {
-        return ContactList(&contacts_[particle * capacity], counts_[particle]);
-    };
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
+        SlotFlags wanted;
+        for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
+            std::uint8_t& count = counts_[grid_.particles()[slot]];
+            wanted[slot - block.begin] = shape == CellShape::cube || count == unsearched;
+            if (count == unsearched) count = 0;
+        }
         BlockHits hits;
-        find_hits(grid_, shape, test.distance_squared, block, hits);
+        find_hits(grid_, shape, test.distance_squared, block, wanted, hits);
         drop_rest_pairs(filter, test.distance_squared, hits);
-        for (std::uint32_t k = 0; k < hits.count; ++k) list_of(hits.particles[k]).add(hits.others[k]);
+        add(hits);
         for (const std::uint32_t slot : std::span(hits.left_over).first(hits.left_over_count)) {
             const float x = grid_.x()[slot], y = grid_.y()[slot], z = grid_.z()[slot];
             const HashGrid::Near near =
                 shape == CellShape::row ? grid_.near(x, y, z) : grid_.near_in_bucket(x, y, z);
+            const std::uint32_t particle = grid_.particles()[slot];
             add_contacts(test, slot, std::span(near.ranges).first(near.count),
-                         list_of(grid_.particles()[slot]));
+                         [&](std::uint32_t contact) { return add(particle, contact); });
         }
     });
+}
+
+/// To the particle's list, which ascends and has no duplicates; false if there was no room.
+bool SelfContacts::add(std::uint32_t particle, std::uint32_t contact) {
+    std::uint8_t& count = counts_[particle];
+    if (count == overflowed) return false;
+    std::uint32_t* const list = &contacts_[particle * capacity];
+    std::uint32_t place = count;
+    while (place > 0 && list[place - 1] > contact) --place;
+    if (place > 0 && list[place - 1] == contact) return true;
+    if (count == capacity) {
+        count = overflowed;
+        return false;
+    }
+    for (std::uint32_t k = count; k > place; --k) list[k] = list[k - 1];
+    list[place] = contact;
+    ++count;
+    return true;
+}
+
+void SelfContacts::add(const BlockHits& hits) {
+    for (std::uint32_t k = 0; k < hits.count; ++k) add(hits.particles[k], hits.others[k]);
 }
 
 std::span<const std::uint32_t> SelfContacts::contacts(std::uint32_t particle) const noexcept {
@@ -153,8 +172,8 @@ std::span<const std::uint32_t> SelfContacts::contacts(std::uint32_t particle) co
 }
 
 std::size_t SelfContacts::bytes() const noexcept {
-    return grid_.bytes() + contacts_.bytes() + counts_.bytes() + displacements_.bytes() +
-           velocity_changes_.bytes() + block_counts_.bytes();
+    return patches_.bytes() + grid_.bytes() + contacts_.bytes() + counts_.bytes() + displacements_.bytes() +
+           velocity_changes_.bytes() + block_counts_.bytes() + left_out_.bytes();
 }
 
 }  // namespace weft

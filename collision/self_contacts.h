@@ -6,7 +6,9 @@
 #include <span>
 
 #include "collision/hash_grid.h"
+#include "collision/patches.h"
 #include "collision/rest_filter.h"
+#include "collision/search_kernels.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "weft/self_collision.h"
@@ -25,11 +27,12 @@ class SelfContacts {
   public:
     static constexpr std::uint32_t capacity = 16;  ///< contacts kept per particle
 
-    explicit SelfContacts(std::uint32_t particle_count);
+    /// Precondition: positions at rest, which say what mostly lies together, are finite.
+    explicit SelfContacts(std::span<const Vec4> rest_positions);
 
     /// Finds all pairs closer than `distance`. Each is in both particles' lists, in a fixed order.
-    void find(Parallel& parallel, std::span<const Vec4> positions, const Bounds& bounds,
-              const RestFilter& filter, float distance, SelfCollisionSearch search);
+    void find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter, float distance,
+              SelfCollisionSearch search);
 
     /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching,
     /// Coulomb friction. positions.w is the inverse mass. What a pair's particles get is opposite and along
@@ -46,18 +49,25 @@ class SelfContacts {
   private:
     // In counts_: the list is full, and there were more.
     static constexpr std::uint8_t overflowed = capacity + 1;
+    // In counts_, within find(): the particle is still to be searched for.
+    static constexpr std::uint8_t unsearched = 255;
 
+    [[nodiscard]] bool search_patches(Parallel& parallel, const RestFilter& filter, float distance);
     void search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter, float distance);
+    bool add(std::uint32_t particle, std::uint32_t contact);
+    void add(const BlockHits& hits);
     template <class Visit>
     void for_each_touching(const BlockRange& block, const Visit& visit) const;
     [[nodiscard]] bool is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept;
 
+    Patches patches_;
     HashGrid grid_;
     AlignedBuffer<std::uint32_t> contacts_;  // `capacity` per particle, ascending
     AlignedBuffer<std::uint8_t> counts_;     // contacts of each particle, or `overflowed`
     AlignedBuffer<Vec4> displacements_,
         velocity_changes_;  // of particles with contacts; others are not written
     AlignedBuffer<SelfContactCounts> block_counts_;
+    AlignedBuffer<std::uint32_t> left_out_;  // of each block, the patches that are left to the grid
 };
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -37,18 +38,27 @@ Lists brute_force(const std::vector<Vec4>& positions, const RestFilter& filter, 
     return lists;
 }
 
-Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float distance,
-            SelfCollisionSearch search, int threads = 1) {
-    const auto n = static_cast<std::uint32_t>(positions.size());
+Lists found_from(const std::vector<Vec4>& rest_positions, const std::vector<Vec4>& positions,
+                 const RestFilter& filter, float distance, SelfCollisionSearch search, int threads = 1) {
     Parallel parallel(threads);
-    SelfContacts contacts(n);
-    contacts.find(parallel, positions, bounds_of(positions), filter, distance, search);
+    SelfContacts contacts(rest_positions);
+    contacts.find(parallel, positions, filter, distance, search);
     Lists lists;
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
         const auto list = contacts.contacts(i);
         lists.emplace_back(list.begin(), list.end());
     }
     return lists;
+}
+
+/// From the filter's rest positions, or, without any, those given as far as they are finite.
+Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float distance,
+            SelfCollisionSearch search, int threads = 1) {
+    std::vector<Vec4> rest(filter.rest_positions.begin(), filter.rest_positions.end());
+    if (rest.empty()) rest = positions;
+    for (Vec4& p : rest)
+        if (!std::isfinite(p.x + p.y + p.z)) p = {};
+    return found_from(rest, positions, filter, distance, search, threads);
 }
 
 std::size_t entries(const Lists& lists) {
@@ -220,8 +230,40 @@ TEST(SelfContacts, RestFilterLeavesSpringNeighboursAndRestNeighboursAlone) {
     EXPECT_EQ(lists, (Lists{{2, 3}, {3}, {0, 3}, {0, 1, 2}}));
 }
 
+std::vector<Vec4> shuffled(std::vector<Vec4> positions) {
+    std::shuffle(positions.begin(), positions.end(), std::mt19937(3));
+    return positions;
+}
+
+TEST(SelfContacts, ExactWhateverLayTogetherAtRest) {
+    const Sheet sheet = crumpled_sheet(64);
+    const float distance = 0.75f / 64;
+    const Lists expected = brute_force(sheet.positions, {}, distance);
+    ASSERT_GT(entries(expected), 1000u);
+    const auto found_now = [&](const std::vector<Vec4>& rest) {
+        return found_from(rest, sheet.positions, {}, distance, SelfCollisionSearch::exact);
+    };
+    EXPECT_EQ(found_now(sheet.rest), expected);
+    EXPECT_EQ(found_now(shuffled(sheet.rest)), expected) << "patches spread over all of the cloth";
+    EXPECT_EQ(found_now(std::vector<Vec4>(sheet.rest.size())), expected) << "all at one point";
+}
+
+TEST(SelfContacts, ExactWhereACrowdLiesInACalmSheet) {
+    // Of some patches particles have more contacts than fit a list's search, of most none.
+    std::vector<Vec4> positions = crumpled_sheet(64).rest;
+    for (std::uint32_t i = 0; i < 40; ++i) positions[1000 + 7 * i] = {0.3f, 0.1f + 1e-4f * static_cast<float>(i), 0, 1};
+    const float distance = 0.75f / 64;
+    const Lists all = brute_force(positions, {}, distance);
+    const Lists kept = found_from(crumpled_sheet(64).rest, positions, {}, distance, SelfCollisionSearch::exact);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(kept[i].size(), std::min<std::size_t>(all[i].size(), SelfContacts::capacity)) << i;
+        EXPECT_TRUE(std::includes(all[i].begin(), all[i].end(), kept[i].begin(), kept[i].end())) << i;
+    }
+}
+
 TEST(SelfContacts, BytesGrowWithTheNumberOfParticles) {
-    const std::size_t small = SelfContacts(1024).bytes(), large = SelfContacts(4096).bytes();
+    const std::size_t small = SelfContacts(random_cloud(1024, 1, 1)).bytes(),
+                      large = SelfContacts(random_cloud(4096, 1, 1)).bytes();
     EXPECT_GE(small, 1024 * SelfContacts::capacity * sizeof(std::uint32_t));
     EXPECT_NEAR(static_cast<double>(large), 4.0 * static_cast<double>(small),
                 0.01 * static_cast<double>(large));

@@ -17,11 +17,9 @@ struct Particles {
 };
 
 SelfContactCounts avoid(Particles& particles, float distance, float friction, int threads = 1) {
-    const auto n = static_cast<std::uint32_t>(particles.positions.size());
     Parallel parallel(threads);
-    SelfContacts contacts(n);
-    contacts.find(parallel, particles.positions, bounds_of(particles.positions), {}, distance,
-                  SelfCollisionSearch::exact);
+    SelfContacts contacts(particles.positions);
+    contacts.find(parallel, particles.positions, {}, distance, SelfCollisionSearch::exact);
     return contacts.respond(parallel, distance, friction, h, particles.positions, particles.velocities);
 }
 

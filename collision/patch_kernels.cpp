@@ -1,0 +1,270 @@
+#include "collision/patch_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/patch_kernels.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "collision/cells-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+constexpr std::uint32_t parts = patch_size / part_lanes;
+
+/// A box in every lane, or one of many.
+struct BoxLanes {
+    Lanes3 lower, upper;
+};
+
+HWY_INLINE Lanes3 minimum(const Lanes3& a, const Lanes3& b) {
+    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
+}
+HWY_INLINE Lanes3 maximum(const Lanes3& a, const Lanes3& b) {
+    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
+}
+HWY_INLINE BoxLanes hull(const BoxLanes& a, const BoxLanes& b) {
+    return {minimum(a.lower, b.lower), maximum(a.upper, b.upper)};
+}
+
+HWY_INLINE Bounds hull_of_lanes(const BoxLanes& box) {
+    const Tag d;
+    const auto least = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
+    const auto most = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
+    return {{least(box.lower.x), least(box.lower.y), least(box.lower.z)},
+            {most(box.upper.x), most(box.upper.y), most(box.upper.z)}};
+}
+
+HWY_INLINE Lanes3 load_part(const Patch& patch, std::uint32_t first) {
+    return {load_lanes(patch.x + first), load_lanes(patch.y + first), load_lanes(patch.z + first)};
+}
+HWY_INLINE BoxLanes load_boxes(const Boxes& boxes, std::uint32_t first) {
+    return {{load_lanes(boxes.lower_x + first), load_lanes(boxes.lower_y + first),
+             load_lanes(boxes.lower_z + first)},
+            {load_lanes(boxes.upper_x + first), load_lanes(boxes.upper_y + first),
+             load_lanes(boxes.upper_z + first)}};
+}
+HWY_INLINE Lanes3 set_point(const Vec3& p) {
+    return {set(p.x), set(p.y), set(p.z)};
+}
+
+/// What is not finite, and what is not the cloth's, goes to infinity: far from all and, as the difference of
+/// two such is not a number, from one another.
+HWY_INLINE BoxLanes place_part(const Vec4* positions, const std::uint32_t* particles, std::uint32_t count,
+                               Patch& patch, std::uint32_t first) {
+    const Tag d;
+    const Lanes infinity = set(std::numeric_limits<float>::infinity());
+    const Lanes3 p = gather_rows(positions, particles);
+    const Lanes zero = set(0);  // times what is not finite: not a number
+    const auto finite = hn::Eq(hn::MulAdd(p.z, zero, hn::MulAdd(p.y, zero, hn::Mul(p.x, zero))), zero);
+    const auto here = hn::And(finite, hn::FirstN(d, count));
+    const Lanes3 lower = either(here, p, {infinity, infinity, infinity});
+    hn::Store(lower.x, d, patch.x + first);
+    hn::Store(lower.y, d, patch.y + first);
+    hn::Store(lower.z, d, patch.z + first);
+    const Lanes nowhere = hn::Neg(infinity);
+    return {lower, either(here, p, {nowhere, nowhere, nowhere})};
+}
+
+HWY_INLINE Bounds place_patch(const Vec4* positions, const std::uint32_t* particles, std::uint32_t count,
+                              Patch& patch) {
+    BoxLanes box = place_part(positions, particles, count, patch, 0);
+    for (std::uint32_t first = part_lanes; first < patch_size; first += part_lanes) {
+        const std::uint32_t rest = count - std::min(count, first);
+        box = hull(box, place_part(positions, particles + first, rest, patch, first));
+    }
+    return hull_of_lanes(box);
+}
+
+Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
+             Patch* patches, Boxes& boxes) {
+    for (std::uint32_t p = 0; p < patches_per_block; ++p) {
+        const std::uint32_t first = p * patch_size;
+        const std::uint32_t here = std::min(count - std::min(count, first), patch_size);
+        const Bounds box = place_patch(positions.data(), particles + first, here, patches[p]);
+        boxes.lower_x[p] = box.lower.x;
+        boxes.lower_y[p] = box.lower.y;
+        boxes.lower_z[p] = box.lower.z;
+        boxes.upper_x[p] = box.upper.x;
+        boxes.upper_y[p] = box.upper.y;
+        boxes.upper_z[p] = box.upper.z;
+    }
+    BoxLanes all = load_boxes(boxes, 0);
+    for (std::uint32_t first = part_lanes; first < 16; first += part_lanes)
+        all = hull(all, load_boxes(boxes, first));
+    return hull_of_lanes(all);
+}
+
+/// How far two boxes are apart, along the axis where they are farthest apart. As rounding keeps order, no two
+/// points in them are closer than that along that axis, as computed.
+HWY_INLINE Lanes gap(const BoxLanes& a, const BoxLanes& b) {
+    const Lanes3 apart = maximum(a.lower - b.upper, b.lower - a.upper);
+    return hn::Max(apart.x, hn::Max(apart.y, apart.z));
+}
+
+/// Indices that passed a test, as far as there is room.
+template <std::uint32_t capacity>
+struct Passed {
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, capacity + 16> index;
+
+    [[nodiscard]] bool is_full() const { return count > capacity; }
+};
+
+/// Appends first + k for the lanes k of the mask.
+template <class Mask, class List>
+HWY_INLINE void append(Mask mask, std::uint32_t first, List& list) {
+    const IndexTag d;
+    const auto indices = hn::RebindMask(d, mask);
+    hn::StoreU(hn::Compress(hn::Iota(d, first), indices), d, &list.index[list.count]);
+    list.count += static_cast<std::uint32_t>(hn::CountTrue(d, indices));
+}
+
+/// 16 k + the lanes of those of `boxes` that are within the distance of `box`, for k = 0, 1, ..
+template <class List>
+HWY_INLINE void append_near(const BoxLanes& box, const Boxes& boxes, std::uint32_t first_index,
+                            float distance, List& list) {
+    for (std::uint32_t first = 0; first < 16; first += part_lanes)
+        append(hn::Le(gap(box, load_boxes(boxes, first)), set(distance)), first_index + first, list);
+}
+
+HWY_INLINE BoxLanes box_of(const Boxes& boxes, std::uint32_t k) {
+    return {set_point({boxes.lower_x[k], boxes.lower_y[k], boxes.lower_z[k]}),
+            set_point({boxes.upper_x[k], boxes.upper_y[k], boxes.upper_z[k]})};
+}
+
+using NearBlocks = Passed<1024>;
+using NearPatches = Passed<256>;
+using NearSlots = Passed<768>;
+
+/// A patch that looks for its hits.
+struct Seeker {
+    std::uint32_t patch;
+    BoxLanes box;
+    float distance;
+};
+
+/// The slots of all patches that are within the distance of the seeker's box, those of its own among them.
+/// False if there are too many.
+HWY_INLINE bool find_near_slots(const PatchesView& view, const Seeker& seeker, const NearBlocks& near_blocks,
+                                NearSlots& slots) {
+    NearPatches near;
+    for (std::uint32_t k = 0; k < near_blocks.count; ++k) {
+        const std::uint32_t block = near_blocks.index[k];
+        append_near(seeker.box, view.boxes[block], block * patches_per_block, seeker.distance, near);
+        if (HWY_UNLIKELY(near.is_full())) return false;
+    }
+    for (std::uint32_t k = 0; k < near.count; ++k) {
+        const std::uint32_t patch = near.index[k];
+        for (std::uint32_t first = 0; first < patch_size; first += part_lanes) {
+            const Lanes3 p = load_part(view.patches[patch], first);
+            append(hn::Le(gap(seeker.box, {p, p}), set(seeker.distance)), patch * patch_size + first, slots);
+        }
+        if (HWY_UNLIKELY(slots.is_full())) return false;
+    }
+    return true;
+}
+
+/// Exactly as it would be computed one by one: no operation is fused, and swapping the two changes signs
+/// only.
+HWY_INLINE Lanes squared_length(const Lanes3& v) {
+    return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
+}
+
+/// Bit k: particle k of the patch is closer than the distance to the slot.
+HWY_INLINE std::uint32_t close_bits(const PatchesView& view, const Lanes3 (&patch)[parts],
+                                    float distance_squared, std::uint32_t slot) {
+    const Tag d;
+    const Patch& of_slot = view.patches[slot / patch_size];
+    const std::uint32_t lane = slot % patch_size;
+    const Lanes3 q = set_point({of_slot.x[lane], of_slot.y[lane], of_slot.z[lane]});
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < parts; ++k) {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, hn::Lt(squared_length(patch[k] - q), set(distance_squared)), bytes);
+        const std::uint32_t part = bytes[0] | (part_lanes == 16 ? std::uint32_t{bytes[1]} << 8 : 0u);
+        bits |= part << (k * part_lanes);
+    }
+    return bits;
+}
+
+/// Adds the hits of one patch; false, and nothing added, if it is left out.
+HWY_INLINE bool add_hits_of_patch(const PatchesView& view, const Seeker& seeker,
+                                  const NearBlocks& near_blocks, BlockHits& hits) {
+    NearSlots slots;
+    if (HWY_UNLIKELY(!find_near_slots(view, seeker, near_blocks, slots))) return false;
+
+    Lanes3 patch[parts];
+    for (std::uint32_t k = 0; k < parts; ++k) patch[k] = load_part(view.patches[seeker.patch], k * part_lanes);
+    std::array<std::uint16_t, NearSlots().index.size()> bits_of;
+    std::uint32_t with_company = 0;
+    for (std::uint32_t k = 0; k < slots.count; ++k) {  // without a branch on the outcome: few have company
+        const std::uint32_t slot = slots.index[k];
+        const std::uint32_t itself = (slot / patch_size == seeker.patch ? 1u : 0u) << (slot % patch_size);
+        const std::uint32_t bits =
+            close_bits(view, patch, seeker.distance * seeker.distance, slot) & ~itself;
+        slots.index[with_company] = slot;
+        bits_of[with_company] = static_cast<std::uint16_t>(bits);
+        with_company += bits != 0 ? 1 : 0;
+    }
+
+    const std::uint32_t* const particles = view.particles + seeker.patch * patch_size;
+    std::array<std::uint32_t, patch_size> counts{};
+    std::uint32_t count = hits.count;
+    for (std::uint32_t k = 0; k < with_company; ++k) {
+        const std::uint32_t other = view.particles[slots.index[k]];
+        for (std::uint32_t bits = bits_of[k]; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+            if (HWY_UNLIKELY(++counts[lane] > BlockHits::per_slot)) return false;
+            hits.particles[count] = particles[lane];
+            hits.others[count++] = other;
+        }
+    }
+    hits.count = count;
+    return true;
+}
+
+std::uint32_t find(const PatchesView& view, float distance, std::uint32_t block, BlockHits& hits) {
+    const BoxLanes block_box = box_of(view.block_boxes[block / 16], block % 16);
+    hits.count = hits.left_over_count = 0;
+    NearBlocks near_blocks;
+    for (std::uint32_t k = 0; k < view.block_boxes.size(); ++k) {
+        append_near(block_box, view.block_boxes[k], 16 * k, distance, near_blocks);
+        if (HWY_UNLIKELY(near_blocks.is_full())) return (1u << patches_per_block) - 1;
+    }
+    std::uint32_t left_out = 0;
+    for (std::uint32_t p = 0; p < patches_per_block; ++p) {
+        const Seeker seeker{block * patches_per_block + p, box_of(view.boxes[block], p), distance};
+        if (HWY_UNLIKELY(!add_hits_of_patch(view, seeker, near_blocks, hits))) left_out |= 1u << p;
+    }
+    return left_out;
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace weft {
+
+HWY_EXPORT(place);
+HWY_EXPORT(find);
+
+Bounds place_block(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
+                   Patch* patches, Boxes& boxes) {
+    return HWY_DYNAMIC_DISPATCH(place)(positions, particles, count, patches, boxes);
+}
+
+std::uint32_t find_hits_in_patches(const PatchesView& patches, float distance, std::uint32_t block,
+                                   BlockHits& hits) {
+    return HWY_DYNAMIC_DISPATCH(find)(patches, distance, block, hits);
+}
+
+}  // namespace weft
+#endif

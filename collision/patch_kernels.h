@@ -1,0 +1,46 @@
+#pragma once
+// Where patches are, and which of their particles are close: many at a time, compiled once for each kind of
+// machine. See patches.h.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/search_kernels.h"
+#include "engine/parallel_blocks.h"
+#include "weft/types.h"
+
+namespace weft {
+
+inline constexpr std::uint32_t patch_size = 16, patches_per_block = block_size / patch_size;
+static_assert(patches_per_block == 16, "a block's boxes are one Boxes");
+
+/// Positions of a patch's particles [m]. Spare ones, and those with a coordinate that is not finite, are at
+/// infinity.
+struct alignas(64) Patch {
+    float x[patch_size], y[patch_size], z[patch_size];
+};
+
+/// Sixteen axis-aligned boxes [m]. One without particles has lower = inf and upper = -inf.
+struct alignas(64) Boxes {
+    float lower_x[16], lower_y[16], lower_z[16];
+    float upper_x[16], upper_y[16], upper_z[16];
+};
+
+struct PatchesView {
+    std::span<const Patch> patches;
+    std::span<const Boxes> boxes;        ///< [block]: of its patches
+    std::span<const Boxes> block_boxes;  ///< [block / 16]
+    const std::uint32_t* particles;      ///< by slot
+};
+
+/// Fills a block's patches and boxes; `particles` are those of its slots, sixteen for every patch, the first
+/// `count` of which are the cloth's. Returns the block's own box.
+Bounds place_block(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
+                   Patch* patches, Boxes& boxes);
+
+/// Finds the hits of all particles of a block. Returns the patches that were left out, one bit each: those
+/// with a particle that has more than BlockHits::per_slot, or with too many candidates to look at here.
+std::uint32_t find_hits_in_patches(const PatchesView& patches, float distance, std::uint32_t block,
+                                   BlockHits& hits);
+
+}  // namespace weft

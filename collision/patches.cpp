@@ -1,0 +1,111 @@
+#include "collision/patches.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr Bounds nowhere{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+Bounds hull(const Bounds& a, const Bounds& b) {
+    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
+            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
+}
+
+void set_box(Boxes& boxes, std::uint32_t k, const Bounds& box) {
+    boxes.lower_x[k] = box.lower.x;
+    boxes.lower_y[k] = box.lower.y;
+    boxes.lower_z[k] = box.lower.z;
+    boxes.upper_x[k] = box.upper.x;
+    boxes.upper_y[k] = box.upper.y;
+    boxes.upper_z[k] = box.upper.z;
+}
+
+Bounds box_at(const Boxes& boxes, std::uint32_t k) {
+    return {{boxes.lower_x[k], boxes.lower_y[k], boxes.lower_z[k]},
+            {boxes.upper_x[k], boxes.upper_y[k], boxes.upper_z[k]}};
+}
+
+Boxes no_boxes() {
+    Boxes boxes;
+    for (std::uint32_t k = 0; k < 16; ++k) set_box(boxes, k, nowhere);
+    return boxes;
+}
+
+/// The coordinate along which the particles are spread widest.
+float Vec4::* widest(std::span<const std::uint32_t> particles, std::span<const Vec4> positions) {
+    Bounds box = nowhere;
+    for (const std::uint32_t i : particles) {
+        const Vec3 p{positions[i].x, positions[i].y, positions[i].z};
+        box = hull(box, {p, p});
+    }
+    const std::array<float, 3> sides = {box.upper.x - box.lower.x, box.upper.y - box.lower.y,
+                                        box.upper.z - box.lower.z};
+    constexpr std::array<float Vec4::*, 3> coordinates = {&Vec4::x, &Vec4::y, &Vec4::z};
+    return coordinates[static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin())];
+}
+
+/// Puts particles in order of patches: halves them across their widest side until sixteen are left (Bentley
+/// 1975). The lower half is whole blocks while there are as many, then whole patches, so that blocks and
+/// patches are all as compact.
+void cut(std::span<std::uint32_t> particles, std::span<const Vec4> positions) {
+    if (particles.size() <= patch_size) {
+        std::ranges::sort(particles);
+        return;
+    }
+    const std::size_t whole = particles.size() > block_size ? block_size : patch_size;
+    const std::size_t half = (particles.size() / 2 + whole - 1) / whole * whole;
+    float Vec4::* const coordinate = widest(particles, positions);
+    std::ranges::nth_element(particles, particles.begin() + static_cast<std::ptrdiff_t>(half),
+                             [&](std::uint32_t i, std::uint32_t j) {
+                                 const float a = positions[i].*coordinate, b = positions[j].*coordinate;
+                                 return a < b || (a == b && i < j);
+                             });
+    cut(particles.first(half), positions);
+    cut(particles.subspan(half), positions);
+}
+
+}  // namespace
+
+Patches::Patches(std::span<const Vec4> rest_positions)
+    : particle_count_(static_cast<std::uint32_t>(rest_positions.size())),
+      particles_(block_count(particle_count_) * block_size),
+      patches_(block_count(particle_count_) * patches_per_block),
+      boxes_(block_count(particle_count_), no_boxes()),
+      block_boxes_((boxes_.size() + 15) / 16, no_boxes()) {
+    const std::span<std::uint32_t> particles = particles_.span().first(particle_count_);
+    std::iota(particles.begin(), particles.end(), 0u);
+    cut(particles, rest_positions);
+}
+
+void Patches::place(Parallel& parallel, std::span<const Vec4> positions) {
+    parallel.ranges(particle_count_, [&](const BlockRange& range) {
+        const Bounds box =
+            place_block(positions, &particles_[range.begin], range.end - range.begin,
+                        &patches_[range.block * patches_per_block], boxes_[range.block]);
+        set_box(block_boxes_[range.block / 16], range.block % 16, box);
+    });
+}
+
+PatchesView Patches::view() const noexcept {
+    return {patches_, boxes_, block_boxes_, particles_.data()};
+}
+
+Bounds Patches::bounds() const noexcept {
+    Bounds all = nowhere;
+    for (const Boxes& boxes : block_boxes_)
+        for (std::uint32_t k = 0; k < 16; ++k) all = hull(all, box_at(boxes, k));
+    return all;
+}
+
+std::size_t Patches::bytes() const noexcept {
+    return particles_.bytes() + patches_.size() * sizeof(Patch) +
+           (boxes_.size() + block_boxes_.size()) * sizeof(Boxes);
+}
+
+}  // namespace weft
