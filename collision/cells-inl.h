@@ -1,4 +1,5 @@
-// Cells and buckets of many points at once: `Cells`, lane by lane. Included as engine/lanes-inl.h is.
+// What the searches share: lanes of indices, distances, and `Cells`, lane by lane. Included as
+// engine/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_CELLS_INL_H
@@ -15,6 +16,12 @@ namespace weft::HWY_NAMESPACE {
 
 using IndexTag = hn::Repartition<std::uint32_t, Tag>;
 using Indices = hn::Vec<IndexTag>;
+
+/// Exactly as it would be computed one by one: no operation is fused, and swapping two points changes signs
+/// of their difference only.
+HWY_INLINE Lanes squared_length(const Lanes3& v) {
+    return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
+}
 
 HWY_INLINE Indices set_index(std::uint32_t value) {
     return hn::Set(IndexTag(), value);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -29,7 +30,7 @@ HWY_INLINE Lanes3 minimum(const Lanes3& a, const Lanes3& b) {
 HWY_INLINE Lanes3 maximum(const Lanes3& a, const Lanes3& b) {
     return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
 }
-HWY_INLINE BoxLanes hull(const BoxLanes& a, const BoxLanes& b) {
+HWY_INLINE BoxLanes join(const BoxLanes& a, const BoxLanes& b) {
     return {minimum(a.lower, b.lower), maximum(a.upper, b.upper)};
 }
 
@@ -77,9 +78,16 @@ HWY_INLINE Bounds place_patch(const Vec4* positions, const std::uint32_t* partic
     BoxLanes box = place_part(positions, particles, count, patch, 0);
     for (std::uint32_t first = part_lanes; first < patch_size; first += part_lanes) {
         const std::uint32_t rest = count - std::min(count, first);
-        box = hull(box, place_part(positions, particles + first, rest, patch, first));
+        box = join(box, place_part(positions, particles + first, rest, patch, first));
     }
     return hull_of_lanes(box);
+}
+
+Bounds around(const Boxes& boxes) {
+    BoxLanes all = load_boxes(boxes, 0);
+    for (std::uint32_t first = part_lanes; first < 16; first += part_lanes)
+        all = join(all, load_boxes(boxes, first));
+    return hull_of_lanes(all);
 }
 
 Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
@@ -95,10 +103,7 @@ Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, st
         boxes.upper_y[p] = box.upper.y;
         boxes.upper_z[p] = box.upper.z;
     }
-    BoxLanes all = load_boxes(boxes, 0);
-    for (std::uint32_t first = part_lanes; first < 16; first += part_lanes)
-        all = hull(all, load_boxes(boxes, first));
-    return hull_of_lanes(all);
+    return around(boxes);
 }
 
 /// How far two boxes are apart, along the axis where they are farthest apart. As rounding keeps order, no two
@@ -141,7 +146,24 @@ HWY_INLINE BoxLanes box_of(const Boxes& boxes, std::uint32_t k) {
 
 using NearBlocks = Passed<1024>;
 using NearPatches = Passed<256>;
-using NearSlots = Passed<768>;
+using NearParticles = Passed<768>;
+constexpr std::uint32_t patch_stride = sizeof(Patch) / sizeof(float);
+
+/// False if there are too many.
+HWY_INLINE bool find_near_blocks(const PatchesView& view, const BoxLanes& box, float distance,
+                                 NearBlocks& blocks) {
+    NearBlocks regions;  // of sixteen blocks
+    for (std::uint32_t k = 0; k < view.region_boxes.size(); ++k) {
+        append_near(box, view.region_boxes[k], 16 * k, distance, regions);
+        if (HWY_UNLIKELY(regions.is_full())) return false;
+    }
+    for (std::uint32_t k = 0; k < regions.count; ++k) {
+        const std::uint32_t region = regions.index[k];
+        append_near(box, view.block_boxes[region], 16 * region, distance, blocks);
+        if (HWY_UNLIKELY(blocks.is_full())) return false;
+    }
+    return true;
+}
 
 /// A patch that looks for its hits.
 struct Seeker {
@@ -150,76 +172,98 @@ struct Seeker {
     float distance;
 };
 
-/// The slots of all patches that are within the distance of the seeker's box, those of its own among them.
-/// False if there are too many.
-HWY_INLINE bool find_near_slots(const PatchesView& view, const Seeker& seeker, const NearBlocks& near_blocks,
-                                NearSlots& slots) {
+/// The particles within the distance of the seeker's box, those of its own patch among them. Each by where
+/// its x lies among the values of all patches. False if there are too many.
+HWY_INLINE bool find_near(const PatchesView& view, const Seeker& seeker, const NearBlocks& near_blocks,
+                          NearParticles& particles) {
     NearPatches near;
     for (std::uint32_t k = 0; k < near_blocks.count; ++k) {
         const std::uint32_t block = near_blocks.index[k];
-        append_near(seeker.box, view.boxes[block], block * patches_per_block, seeker.distance, near);
+        append_near(seeker.box, view.patch_boxes[block], block * patches_per_block, seeker.distance, near);
         if (HWY_UNLIKELY(near.is_full())) return false;
     }
     for (std::uint32_t k = 0; k < near.count; ++k) {
         const std::uint32_t patch = near.index[k];
         for (std::uint32_t first = 0; first < patch_size; first += part_lanes) {
             const Lanes3 p = load_part(view.patches[patch], first);
-            append(hn::Le(gap(seeker.box, {p, p}), set(seeker.distance)), patch * patch_size + first, slots);
+            append(hn::Le(gap(seeker.box, {p, p}), set(seeker.distance)), patch * patch_stride + first,
+                   particles);
         }
-        if (HWY_UNLIKELY(slots.is_full())) return false;
+        if (HWY_UNLIKELY(particles.is_full())) return false;
     }
     return true;
 }
 
-/// Exactly as it would be computed one by one: no operation is fused, and swapping the two changes signs
-/// only.
-HWY_INLINE Lanes squared_length(const Lanes3& v) {
-    return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
+/// Bit k of `bits`: particle k of the patch is closer than the distance to the point.
+HWY_INLINE void store_close(const Lanes3 (&patch)[parts], const Lanes3& point, float distance_squared,
+                            std::uint16_t& bits) {
+    const Tag d;
+    std::uint8_t bytes[parts][8];
+    for (std::uint32_t k = 0; k < parts; ++k)
+        hn::StoreMaskBits(d, hn::Lt(squared_length(patch[k] - point), set(distance_squared)), bytes[k]);
+    if constexpr (parts == 1) {
+        std::memcpy(&bits, bytes, sizeof bits);
+    } else {
+        std::uint32_t all = 0;
+        for (std::uint32_t k = 0; k < parts; ++k) all |= std::uint32_t{bytes[k][0]} << (k * part_lanes);
+        bits = static_cast<std::uint16_t>(all);
+    }
 }
 
-/// Bit k: particle k of the patch is closer than the distance to the slot.
-HWY_INLINE std::uint32_t close_bits(const PatchesView& view, const Lanes3 (&patch)[parts],
-                                    float distance_squared, std::uint32_t slot) {
-    const Tag d;
-    const Patch& of_slot = view.patches[slot / patch_size];
-    const std::uint32_t lane = slot % patch_size;
-    const Lanes3 q = set_point({of_slot.x[lane], of_slot.y[lane], of_slot.z[lane]});
-    std::uint32_t bits = 0;
-    for (std::uint32_t k = 0; k < parts; ++k) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Lt(squared_length(patch[k] - q), set(distance_squared)), bytes);
-        const std::uint32_t part = bytes[0] | (part_lanes == 16 ? std::uint32_t{bytes[1]} << 8 : 0u);
-        bits |= part << (k * part_lanes);
+/// Particles near a patch, and which of the patch they are close to.
+struct Company {
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, NearParticles().index.size()> particle, bits;
+};
+
+/// Of the near ones, those that are close to any. Few are: so without a branch on the outcome.
+HWY_INLINE void find_company(const PatchesView& view, const Seeker& seeker, const NearParticles& near,
+                             Company& company) {
+    Lanes3 patch[parts];
+    for (std::uint32_t k = 0; k < parts; ++k)
+        patch[k] = load_part(view.patches[seeker.patch], k * part_lanes);
+    const float* const values = view.patches.data()->x;
+    alignas(64) std::array<std::uint16_t, NearParticles().index.size()> bits_of;
+    for (std::uint32_t k = 0; k < near.count; ++k) {
+        const float* const at = values + near.index[k];
+        const Lanes3 point = {set(at[0]), set(at[patch_size]), set(at[2 * patch_size])};
+        store_close(patch, point, seeker.distance * seeker.distance, bits_of[k]);
     }
-    return bits;
+
+    const IndexTag d;
+    const hn::Rebind<std::uint16_t, IndexTag> halves;
+    for (std::uint32_t k = 0; k < near.count; k += part_lanes) {
+        const Indices particle = hn::LoadU(d, &near.index[k]);
+        const Indices lane = hn::Sub(particle, set_index(seeker.patch * patch_stride));
+        const auto is_own = hn::Lt(lane, set_index(patch_size));
+        const Indices itself =
+            hn::IfThenElseZero(is_own, hn::Shl(set_index(1), hn::And(lane, set_index(patch_size - 1))));
+        const Indices bits = hn::AndNot(itself, hn::PromoteTo(d, hn::LoadU(halves, &bits_of[k])));
+        const auto close = hn::And(hn::Ne(bits, set_index(0)), hn::FirstN(d, near.count - k));
+        hn::StoreU(hn::Compress(particle, close), d, &company.particle[company.count]);
+        hn::StoreU(hn::Compress(bits, close), d, &company.bits[company.count]);
+        company.count += static_cast<std::uint32_t>(hn::CountTrue(d, close));
+    }
+}
+
+std::uint32_t slot_of(std::uint32_t particle) {
+    return particle / patch_stride * patch_size + particle % patch_stride;
 }
 
 /// Adds the hits of one patch; false, and nothing added, if it is left out.
 HWY_INLINE bool add_hits_of_patch(const PatchesView& view, const Seeker& seeker,
                                   const NearBlocks& near_blocks, BlockHits& hits) {
-    NearSlots slots;
-    if (HWY_UNLIKELY(!find_near_slots(view, seeker, near_blocks, slots))) return false;
-
-    Lanes3 patch[parts];
-    for (std::uint32_t k = 0; k < parts; ++k) patch[k] = load_part(view.patches[seeker.patch], k * part_lanes);
-    std::array<std::uint16_t, NearSlots().index.size()> bits_of;
-    std::uint32_t with_company = 0;
-    for (std::uint32_t k = 0; k < slots.count; ++k) {  // without a branch on the outcome: few have company
-        const std::uint32_t slot = slots.index[k];
-        const std::uint32_t itself = (slot / patch_size == seeker.patch ? 1u : 0u) << (slot % patch_size);
-        const std::uint32_t bits =
-            close_bits(view, patch, seeker.distance * seeker.distance, slot) & ~itself;
-        slots.index[with_company] = slot;
-        bits_of[with_company] = static_cast<std::uint16_t>(bits);
-        with_company += bits != 0 ? 1 : 0;
-    }
+    NearParticles near;
+    if (HWY_UNLIKELY(!find_near(view, seeker, near_blocks, near))) return false;
+    Company company;
+    find_company(view, seeker, near, company);
 
     const std::uint32_t* const particles = view.particles + seeker.patch * patch_size;
     std::array<std::uint32_t, patch_size> counts{};
     std::uint32_t count = hits.count;
-    for (std::uint32_t k = 0; k < with_company; ++k) {
-        const std::uint32_t other = view.particles[slots.index[k]];
-        for (std::uint32_t bits = bits_of[k]; bits != 0; bits &= bits - 1) {
+    for (std::uint32_t k = 0; k < company.count; ++k) {
+        const std::uint32_t other = view.particles[slot_of(company.particle[k])];
+        for (std::uint32_t bits = company.bits[k]; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
             if (HWY_UNLIKELY(++counts[lane] > BlockHits::per_slot)) return false;
             hits.particles[count] = particles[lane];
@@ -234,13 +278,11 @@ std::uint32_t find(const PatchesView& view, float distance, std::uint32_t block,
     const BoxLanes block_box = box_of(view.block_boxes[block / 16], block % 16);
     hits.count = hits.left_over_count = 0;
     NearBlocks near_blocks;
-    for (std::uint32_t k = 0; k < view.block_boxes.size(); ++k) {
-        append_near(block_box, view.block_boxes[k], 16 * k, distance, near_blocks);
-        if (HWY_UNLIKELY(near_blocks.is_full())) return (1u << patches_per_block) - 1;
-    }
+    if (HWY_UNLIKELY(!find_near_blocks(view, block_box, distance, near_blocks)))
+        return (1u << patches_per_block) - 1;
     std::uint32_t left_out = 0;
     for (std::uint32_t p = 0; p < patches_per_block; ++p) {
-        const Seeker seeker{block * patches_per_block + p, box_of(view.boxes[block], p), distance};
+        const Seeker seeker{block * patches_per_block + p, box_of(view.patch_boxes[block], p), distance};
         if (HWY_UNLIKELY(!add_hits_of_patch(view, seeker, near_blocks, hits))) left_out |= 1u << p;
     }
     return left_out;
@@ -254,11 +296,16 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(place);
+HWY_EXPORT(around);
 HWY_EXPORT(find);
 
 Bounds place_block(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
                    Patch* patches, Boxes& boxes) {
     return HWY_DYNAMIC_DISPATCH(place)(positions, particles, count, patches, boxes);
+}
+
+Bounds hull(const Boxes& boxes) {
+    return HWY_DYNAMIC_DISPATCH(around)(boxes);
 }
 
 std::uint32_t find_hits_in_patches(const PatchesView& patches, float distance, std::uint32_t block,

@@ -28,15 +28,19 @@ struct alignas(64) Boxes {
 
 struct PatchesView {
     std::span<const Patch> patches;
-    std::span<const Boxes> boxes;        ///< [block]: of its patches
-    std::span<const Boxes> block_boxes;  ///< [block / 16]
-    const std::uint32_t* particles;      ///< by slot
+    // Of each block's patches, of each sixteen blocks, and of each sixteen of these: box k is in the k /
+    // 16th.
+    std::span<const Boxes> patch_boxes, block_boxes, region_boxes;
+    const std::uint32_t* particles;  ///< by slot
 };
 
 /// Fills a block's patches and boxes; `particles` are those of its slots, sixteen for every patch, the first
 /// `count` of which are the cloth's. Returns the block's own box.
 Bounds place_block(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
                    Patch* patches, Boxes& boxes);
+
+/// The box around all sixteen.
+Bounds hull(const Boxes& boxes);
 
 /// Finds the hits of all particles of a block. Returns the patches that were left out, one bit each: those
 /// with a particle that has more than BlockHits::per_slot, or with too many candidates to look at here.

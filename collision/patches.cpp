@@ -12,7 +12,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Bounds nowhere{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
-Bounds hull(const Bounds& a, const Bounds& b) {
+Bounds join(const Bounds& a, const Bounds& b) {
     return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
             {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
 }
@@ -26,11 +26,6 @@ void set_box(Boxes& boxes, std::uint32_t k, const Bounds& box) {
     boxes.upper_z[k] = box.upper.z;
 }
 
-Bounds box_at(const Boxes& boxes, std::uint32_t k) {
-    return {{boxes.lower_x[k], boxes.lower_y[k], boxes.lower_z[k]},
-            {boxes.upper_x[k], boxes.upper_y[k], boxes.upper_z[k]}};
-}
-
 Boxes no_boxes() {
     Boxes boxes;
     for (std::uint32_t k = 0; k < 16; ++k) set_box(boxes, k, nowhere);
@@ -38,11 +33,11 @@ Boxes no_boxes() {
 }
 
 /// The coordinate along which the particles are spread widest.
-float Vec4::* widest(std::span<const std::uint32_t> particles, std::span<const Vec4> positions) {
+float Vec4::*widest(std::span<const std::uint32_t> particles, std::span<const Vec4> positions) {
     Bounds box = nowhere;
     for (const std::uint32_t i : particles) {
         const Vec3 p{positions[i].x, positions[i].y, positions[i].z};
-        box = hull(box, {p, p});
+        box = join(box, {p, p});
     }
     const std::array<float, 3> sides = {box.upper.x - box.lower.x, box.upper.y - box.lower.y,
                                         box.upper.z - box.lower.z};
@@ -60,7 +55,7 @@ void cut(std::span<std::uint32_t> particles, std::span<const Vec4> positions) {
     }
     const std::size_t whole = particles.size() > block_size ? block_size : patch_size;
     const std::size_t half = (particles.size() / 2 + whole - 1) / whole * whole;
-    float Vec4::* const coordinate = widest(particles, positions);
+    float Vec4::*const coordinate = widest(particles, positions);
     std::ranges::nth_element(particles, particles.begin() + static_cast<std::ptrdiff_t>(half),
                              [&](std::uint32_t i, std::uint32_t j) {
                                  const float a = positions[i].*coordinate, b = positions[j].*coordinate;
@@ -76,8 +71,9 @@ Patches::Patches(std::span<const Vec4> rest_positions)
     : particle_count_(static_cast<std::uint32_t>(rest_positions.size())),
       particles_(block_count(particle_count_) * block_size),
       patches_(block_count(particle_count_) * patches_per_block),
-      boxes_(block_count(particle_count_), no_boxes()),
-      block_boxes_((boxes_.size() + 15) / 16, no_boxes()) {
+      patch_boxes_(block_count(particle_count_), no_boxes()),
+      block_boxes_((patch_boxes_.size() + 15) / 16, no_boxes()),
+      region_boxes_((block_boxes_.size() + 15) / 16, no_boxes()) {
     const std::span<std::uint32_t> particles = particles_.span().first(particle_count_);
     std::iota(particles.begin(), particles.end(), 0u);
     cut(particles, rest_positions);
@@ -85,27 +81,27 @@ Patches::Patches(std::span<const Vec4> rest_positions)
 
 void Patches::place(Parallel& parallel, std::span<const Vec4> positions) {
     parallel.ranges(particle_count_, [&](const BlockRange& range) {
-        const Bounds box =
-            place_block(positions, &particles_[range.begin], range.end - range.begin,
-                        &patches_[range.block * patches_per_block], boxes_[range.block]);
+        const Bounds box = place_block(positions, &particles_[range.begin], range.end - range.begin,
+                                       &patches_[range.block * patches_per_block], patch_boxes_[range.block]);
         set_box(block_boxes_[range.block / 16], range.block % 16, box);
     });
+    for (std::uint32_t k = 0; k < block_boxes_.size(); ++k)
+        set_box(region_boxes_[k / 16], k % 16, hull(block_boxes_[k]));
 }
 
 PatchesView Patches::view() const noexcept {
-    return {patches_, boxes_, block_boxes_, particles_.data()};
+    return {patches_, patch_boxes_, block_boxes_, region_boxes_, particles_.data()};
 }
 
 Bounds Patches::bounds() const noexcept {
     Bounds all = nowhere;
-    for (const Boxes& boxes : block_boxes_)
-        for (std::uint32_t k = 0; k < 16; ++k) all = hull(all, box_at(boxes, k));
+    for (const Boxes& boxes : region_boxes_) all = join(all, hull(boxes));
     return all;
 }
 
 std::size_t Patches::bytes() const noexcept {
     return particles_.bytes() + patches_.size() * sizeof(Patch) +
-           (boxes_.size() + block_boxes_.size()) * sizeof(Boxes);
+           (patch_boxes_.size() + block_boxes_.size() + region_boxes_.size()) * sizeof(Boxes);
 }
 
 }  // namespace weft

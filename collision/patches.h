@@ -33,8 +33,7 @@ class Patches {
     std::uint32_t particle_count_;
     AlignedBuffer<std::uint32_t> particles_;  // by slot
     std::vector<Patch> patches_;
-    std::vector<Boxes> boxes_;        // of a block's patches
-    std::vector<Boxes> block_boxes_;  // of sixteen blocks each
+    std::vector<Boxes> patch_boxes_, block_boxes_, region_boxes_;  // see PatchesView
 };
 
 }  // namespace weft

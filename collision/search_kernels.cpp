@@ -23,12 +23,6 @@ HWY_INLINE Slots slots_of(const HashGrid& grid, float distance_squared) {
     return {grid.x(), grid.y(), grid.z(), grid.starts(), distance_squared};
 }
 
-/// Exactly as it would be computed one by one: no operation is fused, and swapping the two changes signs
-/// only.
-HWY_INLINE Lanes squared_length(const Lanes3& v) {
-    return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
-}
-
 /// Most ranges hold few slots: a register of 16 lanes takes 8 of one and 8 of the next.
 constexpr std::uint32_t range_lanes = std::min(part_lanes, 8u);
 

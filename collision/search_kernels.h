@@ -27,8 +27,8 @@ struct BlockHits {
 
 using SlotFlags = std::array<bool, block_size>;
 
-/// Finds the hits of those particles in a block of slots that are wanted. What two of a slot's ranges share is
-/// found twice. `shape`: as the grid was built.
+/// Finds the hits of those particles in a block of slots that are wanted. What two of a slot's ranges share
+/// is found twice. `shape`: as the grid was built.
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& slots,
                const SlotFlags& wanted, BlockHits& hits);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "collision/search_kernels.h"
 #include "engine/vector.h"
@@ -90,6 +91,7 @@ SelfContacts::SelfContacts(std::span<const Vec4> rest_positions)
 
 void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter,
                         float distance, SelfCollisionSearch search) {
+    std::ranges::fill(counts_.span(), std::uint8_t{0});
     patches_.place(parallel, positions);
     if (search == SelfCollisionSearch::exact) {
         if (search_patches(parallel, filter, distance)) return;
@@ -97,7 +99,6 @@ void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, con
         search_grid(parallel, CellShape::row, filter, distance);
         return;
     }
-    std::ranges::fill(counts_.span(), std::uint8_t{0});
     for (const float shift : {0.0f, 0.5f}) {  // Kang, section IV: each particle against its own bucket
         grid_.build_cubes(parallel, positions, patches_.bounds(), distance, shift);
         search_grid(parallel, CellShape::cube, filter, distance);
@@ -110,9 +111,11 @@ bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, 
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
         BlockHits hits;
         const std::uint32_t left_out = find_hits_in_patches(patches, distance, block.block, hits);
-        for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
-            const bool searched = (left_out >> (slot - block.begin) / patch_size & 1) == 0;
-            counts_[patches.particles[slot]] = searched ? 0 : unsearched;
+        for (std::uint32_t bits = left_out; bits != 0; bits &= bits - 1) {
+            const std::uint32_t first =
+                block.begin + patch_size * static_cast<std::uint32_t>(std::countr_zero(bits));
+            for (std::uint32_t slot = first; slot < std::min(first + patch_size, block.end); ++slot)
+                counts_[patches.particles[slot]] = unsearched;
         }
         left_out_[block.block] = left_out;
         drop_rest_pairs(filter, distance * distance, hits);

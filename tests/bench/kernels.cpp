@@ -8,7 +8,7 @@
 
 #include "cloth/implicit/multigrid.h"
 #include "cloth/positional/xpbd_kernel.h"
-#include "collision/hash_grid.h"
+#include "collision/patches.h"
 #include "tests/bench/stopwatch.h"
 
 namespace weft::bench {
@@ -93,9 +93,8 @@ Traffic cycle_traffic(const Counts& c, const CoarseCounts& coarse) {
 Traffic xpbd_traffic(double springs) {  // 9 values each; start in, moved in and out
     return {.bytes = springs * 36 + 3 * 16, .flops = 45 * springs};
 }
-Traffic grid_traffic() {  // x; (bucket, particle) out and in; x again; particle, x, y, z out; starts, two per
-                          // particle
-    return {.bytes = 16 + 16 + 16 + 16 + 8, .flops = 12};
+Traffic place_traffic() {  // x and who is where in; x, y, z and six sides of 1 / 16 + 1 / 256 of a box out
+    return {.bytes = 16 + 4 + 12 + 24.0 / 15, .flops = 6};
 }
 
 }  // namespace
@@ -107,7 +106,7 @@ struct Kernels::Work {
           system(make_system(s.cloth().model, s.cloth().settings)),
           x(s.particles()),
           y(s.particles()),
-          grid(s.particles()),
+          patches(s.cloth().model.positions.span()),
           colours(colour_springs(s.cloth().model)),
           springs(colours.springs()),
           start(s.particles() + SpringColours::stand_ins),
@@ -140,7 +139,7 @@ struct Kernels::Work {
     std::unique_ptr<ImplicitSystem> system;
     std::unique_ptr<Multigrid> multigrid;
     AlignedBuffer<Vec4> x, y;
-    HashGrid grid;
+    Patches patches;
     SpringColours colours;
     XpbdSprings springs;
     AlignedBuffer<Vec4> start, moved;
@@ -149,7 +148,7 @@ struct Kernels::Work {
 std::vector<KernelName> Kernels::names() {
     std::vector<KernelName> names;
     for (const char* name : {"linearise", "residual", "multiply", "relax", "relax by threes", "precondition",
-                             "coarse operators", "V-cycle", "xpbd sweep", "grid build"})
+                             "coarse operators", "V-cycle", "xpbd sweep", "place patches"})
         names.push_back({name, false});
     for (const char* name :
          {"wind", "advance", "colliders", "self search", "self response", "guard", "normals"})
@@ -192,11 +191,8 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
     add("V-cycle", cycle_traffic(c, coarse),
         [&w, &parallel, b] { w.multigrid->cycle(parallel, *w.system, b, w.y.span()); });
     add("xpbd sweep", xpbd_traffic(springs), [&w] { w.sweep_springs(); });
-    add("grid build", grid_traffic(), [&w, &parallel] {
-        Cloth& cloth = w.scene.cloth();
-        w.grid.build_rows(parallel, cloth.state.positions.span(), {cloth.extent.lower, cloth.extent.upper},
-                          cloth.self_collision_distance());
-    });
+    add("place patches", place_traffic(),
+        [&w, &parallel] { w.patches.place(parallel, w.scene.cloth().state.positions.span()); });
 
     const auto add_stage = [&](const char* name, const Traffic& traffic, bool each_substep = true) {
         const int times = each_substep ? scene.simulation().settings.substeps : 1;
@@ -215,9 +211,10 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
                        .flops = (c.is_grid ? 100 + 9 : 80 + 9) * c.triangles});
     add_stage("advance", {.bytes = 6 * 16, .flops = 20});
     add_stage("colliders", {.bytes = 2 * 16, .flops = 25});
-    // A survey and the grid, then 64 candidates in four runs of a group: 8 flops each; contacts out.
-    add_stage("self search",
-              {.bytes = 2 * 16 + grid_traffic().bytes + 16 + 1 + 4 * c.contacts, .flops = 15 + 12 + 64 * 8});
+    // Patches are placed, then read with their boxes; contacts out. In a draped sheet five blocks' boxes,
+    // four patches and 25 particles are near a patch: 11 flops a box, 8 a pair.
+    add_stage("self search", {.bytes = place_traffic().bytes + 12 + 24.0 / 15 + 1 + 4 * c.contacts,
+                              .flops = place_traffic().flops + (5 + 4) * 11 + 25 * 8});
     add_stage("self response", {.bytes = 1 + c.contacts * (4 + 2 * 32 + 2 * 32), .flops = 60 * c.contacts});
     add_stage("guard", {.bytes = 2 * 16, .flops = 15}, false);
     add_stage("normals", {.bytes = 2 * 16 + (c.is_grid ? 1 : lists), .flops = (20 + 9) * c.triangles + 10},

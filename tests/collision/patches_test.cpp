@@ -25,7 +25,7 @@ TEST(Patches, AreSquaresOfAGridWhoseSidesAllowIt) {
     Parallel parallel(1);
     patches.place(parallel, sheet.rest);
     const float side = 3.0f / 64;
-    for (const Boxes& boxes : patches.view().boxes)
+    for (const Boxes& boxes : patches.view().patch_boxes)
         for (std::uint32_t k = 0; k < patches_per_block; ++k)
             EXPECT_NEAR(squared_diagonal(boxes, k), 2 * side * side, 1e-6f);
 }
@@ -36,7 +36,7 @@ TEST(Patches, AreCompactInAGridWhoseSidesDoNot) {
     Parallel parallel(1);
     patches.place(parallel, sheet.rest);
     for (std::uint32_t p = 0; p < 53 * 53 / patch_size; ++p)
-        EXPECT_LT(squared_diagonal(patches.view().boxes[p / 16], p % 16), 8 * 8.0f / (53 * 53)) << p;
+        EXPECT_LT(squared_diagonal(patches.view().patch_boxes[p / 16], p % 16), 8 * 8.0f / (53 * 53)) << p;
 }
 
 TEST(Patches, EveryParticleIsInOneSlotAndItsBoxesHoldIt) {
@@ -54,8 +54,9 @@ TEST(Patches, EveryParticleIsInOneSlotAndItsBoxesHoldIt) {
         EXPECT_EQ(patch.y[slot % patch_size], p.y);
         EXPECT_EQ(patch.z[slot % patch_size], p.z);
         const std::uint32_t of_patch = slot / patch_size % 16, block = slot / block_size;
-        for (const auto& [boxes, k] : {std::pair(view.boxes[block], of_patch),
-                                       std::pair(view.block_boxes[block / 16], block % 16)}) {
+        for (const auto& [boxes, k] : {std::pair(view.patch_boxes[block], of_patch),
+                                       std::pair(view.block_boxes[block / 16], block % 16),
+                                       std::pair(view.region_boxes[block / 256], block / 16 % 16)}) {
             EXPECT_TRUE(boxes.lower_x[k] <= p.x && p.x <= boxes.upper_x[k]);
             EXPECT_TRUE(boxes.lower_y[k] <= p.y && p.y <= boxes.upper_y[k]);
             EXPECT_TRUE(boxes.lower_z[k] <= p.z && p.z <= boxes.upper_z[k]);
