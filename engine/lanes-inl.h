@@ -92,15 +92,18 @@ HWY_INLINE void store_rows(const Lanes3& v, Lanes w, Vec4* rows) {
     hn::StoreInterleaved4(v.x, v.y, v.z, w, Tag(), &rows->x);
 }
 
-/// Rows nodes[0], nodes[4], nodes[8], .. side by side.
-template <class D>
-HWY_INLINE hn::Vec<D> every_fourth_row(D d, const Vec4* rows, const std::uint32_t* nodes) {
+using RowTag = hn::FixedTag<float, 4>;
+using RowLanes = hn::Vec<RowTag>;
+
+/// row(first), row(first + 4), row(first + 8), .. side by side.
+template <class D, class RowAt>
+HWY_INLINE hn::Vec<D> every_fourth_row(D d, std::uint32_t first, const RowAt& row) {
     if constexpr (hn::MaxLanes(D()) == 4) {
-        return hn::Load(d, &rows[*nodes].x);
+        return row(first);
     } else {
         const hn::Half<D> half;
-        return hn::Combine(d, every_fourth_row(half, rows, nodes + hn::MaxLanes(half)),
-                           every_fourth_row(half, rows, nodes));
+        return hn::Combine(d, every_fourth_row(half, first + hn::MaxLanes(half), row),
+                           every_fourth_row(half, first, row));
     }
 }
 
@@ -110,11 +113,16 @@ struct Rows {
     Lanes r0, r1, r2, r3;
 };
 
+/// row(0), row(1), ..
+template <class RowAt>
+HWY_INLINE Rows rows_from(const RowAt& row) {
+    const Tag d;
+    return {every_fourth_row(d, 0, row), every_fourth_row(d, 1, row), every_fourth_row(d, 2, row),
+            every_fourth_row(d, 3, row)};
+}
 /// Rows nodes[0], nodes[1], ..
 HWY_INLINE Rows fetch(const Vec4* rows, const std::uint32_t* nodes) {
-    const Tag d;
-    return {every_fourth_row(d, rows, nodes), every_fourth_row(d, rows, nodes + 1),
-            every_fourth_row(d, rows, nodes + 2), every_fourth_row(d, rows, nodes + 3)};
+    return rows_from([=](std::uint32_t k) HWY_ATTR { return hn::Load(RowTag(), &rows[nodes[k]].x); });
 }
 
 /// Row i's x, y, z and w to lane i: transposed in registers, four by four.

@@ -14,6 +14,7 @@
 #include "cloth/implicit/lanes-inl.h"
 #include "cloth/implicit/row_loops-inl.h"
 #include "cloth/implicit/symmetric3-inl.h"
+#include "cloth/implicit/transfers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -23,11 +24,48 @@ HWY_INLINE Lanes3 times(const SpringBlockLanes& block, const Lanes3& v) {
     return mul_add(dot(block.d, v), block.d, block.a * v);
 }
 
+/// D_i^-1 v for the lanes from particle `i` on.
+HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
+    return load_symmetric(&matrix.inverse_diagonal[lane_index(i, 0, 6)]) * v;
+}
+
+// Vectors, as a loop over a grid comes to their rows.
+
+struct InMemory {
+    const Vec4* rows;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return xyz(load_rows(rows + i)); }
+};
+
+/// step D^-1 b.
+struct FirstStep {
+    const SpringMatrix& matrix;
+    const Vec4* b;
+    float step;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const {
+        return set(step) * preconditioned(matrix, i, xyz(load_rows(b + i)));
+    }
+};
+
+/// step D^-1 b + P e.
+struct CorrectedFirstStep {
+    FirstStep first;
+    const Correction& correction;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const {
+        const Rows rows = rows_from(
+            [&](std::uint32_t k) HWY_ATTR { return corrected(correction, i + k, hn::Zero(RowTag())); });
+        return first(i) + lanes_of(rows);
+    }
+};
+
 /// A vector's rows in a grid, to be multiplied by the matrix in ascending order.
+template <class Vector>
 class RowsOfGrid {
   public:
-    RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vec4* rows, GridWindow& window)
-        : matrix_(matrix), rows_(rows), loop_(window, matrix.diagonals, range) {
+    RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vector& vector, GridWindow& window)
+        : matrix_(matrix), vector_(vector), loop_(window, matrix.diagonals, range) {
         for (std::uint32_t i = loop_.first(); i < range.begin; i += part_lanes) {
             come_to(i);
             sum_to_later(i, own(i));
@@ -35,8 +73,7 @@ class RowsOfGrid {
         }
     }
     HWY_INLINE void come_to(std::uint32_t i) {
-        loop_.come_to(
-            i, [this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(rows_ + j))}; });
+        loop_.come_to(i, [this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{vector_(j)}; });
     }
     HWY_INLINE Lanes3 own(std::uint32_t /*i*/) const { return loop_.own(0); }
 
@@ -63,11 +100,12 @@ class RowsOfGrid {
     }
 
     const SpringMatrix& matrix_;
-    const Vec4* rows_;
+    const Vector vector_;
     GridLoop<1, 3> loop_;
 };
 
-HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& /*matrix*/, std::uint32_t i, RowsOfGrid& x,
+template <class Vector>
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& /*matrix*/, std::uint32_t i, RowsOfGrid<Vector>& x,
                                  const Lanes3& x_i) {
     return x.sum_of_springs(i, x_i);
 }
@@ -96,11 +134,6 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, Rows&
     return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), mul_add(squared_unit, sum, own));
 }
 
-/// D_i^-1 v for the lanes from particle `i` on.
-HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
-    return load_symmetric(&matrix.inverse_diagonal[lane_index(i, 0, 6)]) * v;
-}
-
 namespace {
 
 /// loop(rows of x).
@@ -111,7 +144,7 @@ HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, c
         RowsInMemory rows{matrix.stencil, x};
         return loop(rows);
     }
-    RowsOfGrid rows(matrix, range, x, *window);
+    RowsOfGrid rows(matrix, range, InMemory{x}, *window);
     return loop(rows);
 }
 
@@ -131,6 +164,18 @@ void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, c
            const Relaxation& relaxation, Vec4* next, GridWindow* window) {
     with_rows(matrix, range, x, window,
               [&](auto& rows) HWY_ATTR { relax_rows(matrix, range, b, rows, relaxation, next); });
+}
+
+void subtract_first_step(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                         Vec4* remainder, GridWindow& window) {
+    RowsOfGrid rows(matrix, range, FirstStep{matrix, b, step}, window);
+    subtract_product_rows(matrix, range, b, rows, remainder);
+}
+
+void relax_corrected(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                     const Correction& correction, Vec4* next, GridWindow& window) {
+    RowsOfGrid rows(matrix, range, CorrectedFirstStep{{matrix, b, step}, correction}, window);
+    relax_rows(matrix, range, b, rows, {.step = step}, next);
 }
 
 void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
@@ -158,6 +203,8 @@ namespace weft {
 HWY_EXPORT(multiply);
 HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
+HWY_EXPORT(subtract_first_step);
+HWY_EXPORT(relax_corrected);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
 
@@ -194,6 +241,16 @@ void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range,
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                  Relaxation relaxation, Vec4* next, GridWindow* window) {
     HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next, window);
+}
+
+void subtract_first_step_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                               Vec4* remainder, GridWindow& window) {
+    HWY_DYNAMIC_DISPATCH(subtract_first_step)(matrix, range, b, step, remainder, window);
+}
+
+void relax_corrected_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                           const Correction& correction, Vec4* next, GridWindow& window) {
+    HWY_DYNAMIC_DISPATCH(relax_corrected)(matrix, range, b, step, correction, next, window);
 }
 
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,

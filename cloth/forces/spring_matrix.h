@@ -60,6 +60,12 @@ void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range,
                             Vec4* remainder, GridWindow* window);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                  Relaxation relaxation, Vec4* next, GridWindow* window);
+/// In a grid: remainder = b - W x, x = step D^-1 b, whose rows are made where they are read.
+void subtract_first_step_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                               Vec4* remainder, GridWindow& window);
+/// In a grid: a step from x + P e.
+void relax_corrected_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                           const Correction& correction, Vec4* next, GridWindow& window);
 void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                         Vec4* x);
 /// As ImplicitSystem::spring_blocks, for the slots [range.begin, range.end) of the list.

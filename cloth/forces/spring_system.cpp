@@ -85,6 +85,24 @@ void SpringSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4
     relax_block(matrix_, range, b, x, relaxation, next, window);
 }
 
+void SpringSystem::subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
+                                       std::span<Vec4> x, std::span<Vec4> remainder) {
+    if (windows_.empty()) return ImplicitSystem::subtract_first_step(parallel, b, step, x, remainder);
+    blocks_in_tiles(parallel, model_.particle_count, windows_,
+                    [&](const BlockRange& range, GridWindow* window) {
+                        subtract_first_step_block(matrix_, range, b.data(), step, remainder.data(), *window);
+                    });
+}
+
+void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                                   const Correction& correction, std::span<Vec4> next) {
+    if (windows_.empty()) return ImplicitSystem::relax_corrected(parallel, b, step, x, correction, next);
+    blocks_in_tiles(
+        parallel, model_.particle_count, windows_, [&](const BlockRange& range, GridWindow* window) {
+            relax_corrected_block(matrix_, range, b.data(), step, correction, next.data(), *window);
+        });
+}
+
 // Bend springs lie along structural ones, twice as long: at less than a twentieth of their stiffness they add
 // less than a fifth to what those hold in the plane. Across it, coarse motions are too long to feel them.
 bool SpringSystem::is_minor(std::uint32_t i, std::uint32_t j) const {

@@ -19,6 +19,10 @@ class SpringSystem final : public ImplicitSystem {
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                   std::span<Vec4> residual) override;
+    void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                             std::span<Vec4> remainder) override;
+    void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                         const Correction& correction, std::span<Vec4> next) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     [[nodiscard]] std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const override;

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "cloth/implicit/stencil.h"
+
 namespace weft {
 
 namespace {
@@ -155,8 +157,9 @@ Coarsening coarsen(const SpringGraph& graph, float ratio) {
     p.kept.shrink_to_fit();
     p.fine = graph.nodes();
     p.coarse = static_cast<std::uint32_t>(p.kept.size());
-    p.nodes = AlignedBuffer<std::uint32_t>(std::size_t{Interpolation::width} * p.fine);
-    p.weights = AlignedBuffer<float>(std::size_t{Interpolation::width} * p.fine);
+    const std::size_t entries = std::size_t{Interpolation::width} * Stencil::whole_groups(p.fine);
+    p.nodes = AlignedBuffer<std::uint32_t>(entries);
+    p.weights = AlignedBuffer<float>(entries);
 
     std::vector<bool> is_kept(graph.nodes(), false);
     std::vector<std::uint32_t> coarse_of(graph.nodes(), 0);

@@ -30,7 +30,7 @@ struct Interpolation {
     static constexpr std::uint32_t width = 3;
 
     std::uint32_t fine = 0, coarse = 0;
-    AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k]
+    AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes
     AlignedBuffer<float> weights;
     std::vector<std::uint32_t> kept;  ///< the fine node that each coarse one is, ascending
 

@@ -18,13 +18,6 @@ Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, s
     return std::accumulate(partials.begin(), partials.end(), Products{});
 }
 
-void ImplicitSystem::subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                                      std::span<Vec4> remainder) {
-    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
-        subtract_product_rows(range, b.data(), x.data(), remainder.data(), window);
-    });
-}
-
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                            Relaxation relaxation, std::span<Vec4> next) {
     blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
@@ -46,6 +39,20 @@ void ImplicitSystem::precondition(Parallel& parallel, std::span<const Vec4> b, f
                                   std::span<Vec4> x) const {
     parallel.ranges(stencil().nodes,
                     [&](const BlockRange& range) { precondition_rows(range, b.data(), step, x.data()); });
+}
+
+void ImplicitSystem::subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
+                                         std::span<Vec4> x, std::span<Vec4> remainder) {
+    precondition(parallel, b, step, x);
+    blocks_in_tiles(parallel, stencil().nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
+        subtract_product_rows(range, b.data(), x.data(), remainder.data(), window);
+    });
+}
+
+void ImplicitSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step,
+                                     std::span<Vec4> x, const Correction& correction, std::span<Vec4> next) {
+    prolong_from(parallel, correction, x);
+    relax(parallel, b, x, {.step = step}, next);
 }
 
 std::uint32_t ImplicitSystem::entry_between(std::uint32_t i, std::uint32_t j) const {

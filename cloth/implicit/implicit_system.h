@@ -10,6 +10,7 @@
 #include "cloth/implicit/grid_windows.h"
 #include "cloth/implicit/stencil.h"
 #include "cloth/implicit/step_equation.h"
+#include "cloth/implicit/transfers.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
@@ -62,9 +63,6 @@ class ImplicitSystem {
     double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
         return multiply(parallel, x, x, product).x_wx;
     }
-    /// remainder = b - W x.
-    void subtract_product(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
-                          std::span<Vec4> remainder);
     /// One step of relaxation on W x = b.
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
                std::span<Vec4> next);
@@ -74,6 +72,12 @@ class ImplicitSystem {
                std::span<Vec4> x, std::span<Vec4> next);
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
+    /// remainder = b - W x for the same x, which may be left out.
+    virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
+                                     std::span<Vec4> x, std::span<Vec4> remainder);
+    /// One step of relaxation from x + P e. Precondition: b, step and x are those of subtract_first_step.
+    virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                                 const Correction& correction, std::span<Vec4> next);
 
     /// Who has a block off the diagonal.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;

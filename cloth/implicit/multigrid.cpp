@@ -189,15 +189,17 @@ void Multigrid::factorise_coarsest() {
 
 void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r,
                       std::span<Vec4> z) {
-    system.precondition(parallel, r, finest_step, smooth_.span());
-    if (!coarse_.empty()) {
-        system.subtract_product(parallel, r, smooth_.span(), remainder_.span());
-        restrict_to(parallel, coarse_.front().interpolation(), remainder_.span(), coarse_.front().b());
-        solve_level(parallel, 0);
-        prolong_from(parallel, coarse_.front().interpolation(), weights_.span(), coarse_.front().x(),
-                     smooth_.span());
+    if (coarse_.empty()) {
+        system.precondition(parallel, r, finest_step, smooth_.span());
+        system.relax(parallel, r, smooth_.span(), {.step = finest_step}, z);
+        return;
     }
-    system.relax(parallel, r, smooth_.span(), {.step = finest_step}, z);
+    CoarseLevel& first = coarse_.front();
+    system.subtract_first_step(parallel, r, finest_step, smooth_.span(), remainder_.span());
+    restrict_to(parallel, first.interpolation(), remainder_.span(), first.b());
+    solve_level(parallel, 0);
+    system.relax_corrected(parallel, r, finest_step, smooth_.span(),
+                           {first.interpolation(), weights_.span(), first.x()}, z);
 }
 
 void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
@@ -211,7 +213,7 @@ void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
     const Interpolation& p = coarse_[k + 1].interpolation();
     restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
     solve_level(parallel, k + 1);
-    prolong_from(parallel, p, p.weights.span(), coarse_[k + 1].x(), level.x());
+    prolong_from(parallel, {p, p.weights.span(), coarse_[k + 1].x()}, level.x());
     level.relax(parallel, once ? Relaxation{.step = first_coarse_step} : coarse_smoothing.first);
     if (!once) level.relax(parallel, coarse_smoothing.second);
 }

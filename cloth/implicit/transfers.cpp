@@ -5,18 +5,11 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/implicit/transfers-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using RowTag = hn::FixedTag<float, 4>;
-using RowLanes = hn::Vec<RowTag>;
-
-/// weight times a row, added to a sum.
-HWY_INLINE RowLanes add_weighted(float weight, const Vec4& row, RowLanes sum) {
-    return hn::MulAdd(hn::Set(RowTag(), weight), hn::Load(RowTag(), &row.x), sum);
-}
 
 // Four sums side by side, else each term would wait for the one before it.
 void restrict_rows(const Interpolation& p, const BlockRange& range, const Vec4* fine, Vec4* coarse) {
@@ -38,19 +31,10 @@ void restrict_rows(const Interpolation& p, const BlockRange& range, const Vec4* 
     }
 }
 
-void prolong_rows(const Interpolation& p, const BlockRange& range, const float* weights, const Vec4* coarse,
-                  Vec4* fine) {
-    static_assert(Interpolation::width == 3);
+void prolong_rows(const Correction& correction, const BlockRange& range, Vec4* fine) {
     const RowTag d;
-    const std::uint32_t* const nodes = p.nodes.data();
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        const std::uint32_t e = Interpolation::width * i;
-        RowLanes sum = hn::Load(d, &fine[i].x);
-        sum = add_weighted(weights[e], coarse[nodes[e]], sum);
-        sum = add_weighted(weights[e + 1], coarse[nodes[e + 1]], sum);
-        sum = add_weighted(weights[e + 2], coarse[nodes[e + 2]], sum);
-        hn::Store(sum, d, &fine[i].x);
-    }
+    for (std::uint32_t i = range.begin; i < range.end; ++i)
+        hn::Store(corrected(correction, i, hn::Load(d, &fine[i].x)), d, &fine[i].x);
 }
 
 }  // namespace
@@ -70,10 +54,9 @@ void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec
     });
 }
 
-void prolong_from(Parallel& parallel, const Interpolation& p, std::span<const float> weights,
-                  std::span<const Vec4> coarse, std::span<Vec4> fine) {
-    parallel.ranges(p.fine, [&](const BlockRange& range) {
-        HWY_DYNAMIC_DISPATCH(prolong_rows)(p, range, weights.data(), coarse.data(), fine.data());
+void prolong_from(Parallel& parallel, const Correction& correction, std::span<Vec4> fine) {
+    parallel.ranges(correction.p.fine, [&](const BlockRange& range) {
+        HWY_DYNAMIC_DISPATCH(prolong_rows)(correction, range, fine.data());
     });
 }
 

@@ -18,11 +18,17 @@ void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
     parallel.ranges(nodes, body, size);
 }
 
+/// P e of a coarse vector e, with weights in place of P's own.
+struct Correction {
+    const Interpolation& p;
+    std::span<const float> weights;
+    std::span<const Vec4> coarse;
+};
+
 /// coarse = P^T fine.
 void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec4> fine,
                  std::span<Vec4> coarse);
-/// fine += P coarse, with these weights in place of P's own.
-void prolong_from(Parallel& parallel, const Interpolation& p, std::span<const float> weights,
-                  std::span<const Vec4> coarse, std::span<Vec4> fine);
+/// fine += P e.
+void prolong_from(Parallel& parallel, const Correction& correction, std::span<Vec4> fine);
 
 }  // namespace weft

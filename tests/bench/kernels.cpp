@@ -83,11 +83,15 @@ struct CoarseCounts {
 Traffic build_traffic(double springs, const CoarseCounts& coarse) {  // each is unpacked, then summed
     return {.bytes = springs * (8 + 2 * 16) + coarse.lists + coarse.matrices, .flops = 18 * coarse.terms};
 }
-// Precondition; b - W x; restrict and prolong, by 3 weights and 3 indices a node; relax; the coarse levels.
+// b - W x, x = step D^-1 b; restrict and prolong, by 3 weights and 3 indices a node; relax; the coarse
+// levels. x is made where it is read in a grid, else it is written, read, and written and read anew when
+// corrected.
 Traffic cycle_traffic(const Counts& c, const CoarseCounts& coarse) {
-    return {.bytes = precondition_traffic().bytes + multiply_traffic(c).bytes + 16 + (16 + 24) +
-                     (2 * 16 + 24) + relax_traffic(c).bytes + coarse.read_by_cycle,
-            .flops = precondition_traffic().flops + multiply_traffic(c).flops + relax_traffic(c).flops +
+    const Traffic first = precondition_traffic();
+    const double iterates = c.is_grid ? 24.0 - 16 : first.bytes + 16 + 2 * 16;
+    return {.bytes = multiply_traffic(c).bytes + (16 + 24) + 24 + relax_traffic(c).bytes + iterates +
+                     coarse.read_by_cycle,
+            .flops = (c.is_grid ? 2 : 1) * first.flops + multiply_traffic(c).flops + relax_traffic(c).flops +
                      2 * 18 + coarse.flops_of_cycle};
 }
 Traffic xpbd_traffic(double springs) {  // 9 values each; start in, moved in and out

@@ -17,7 +17,7 @@ namespace weft::test {
 namespace {
 
 struct Results {
-    std::vector<Vec4> b, product, remainder, relaxed, residual;
+    std::vector<Vec4> b, product, remainder, corrected, relaxed, residual;
     Products products;
 };
 
@@ -34,8 +34,14 @@ Results everything(const SpringScene& scene, Parallel& parallel) {
     results.b = values(system.right_side());
     results.products = system.multiply(parallel, b, x, out.span());
     results.product = values(out);
-    system.subtract_product(parallel, b, x, out.span());
+    const Interpolation p = random_interpolation(scene, 9);
+    const AlignedBuffer<Vec4> coarse = random_rows(9, 1, 5);
+    AlignedBuffer<Vec4> first(scene.size());
+    system.subtract_first_step(parallel, b, 0.75f, first.span(), out.span());
     results.remainder = values(out);
+    system.relax_corrected(parallel, b, 0.75f, first.span(), {p, p.weights.span(), coarse.span()},
+                           out.span());
+    results.corrected = values(out);
     system.relax(parallel, b, x, {.step = 0.75f}, out.span());
     results.relaxed = values(out);
     system.residual(parallel, scene.equation(), x, out.span());
@@ -65,6 +71,7 @@ TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
                 EXPECT_TRUE(same_bytes(results.b, expected.b)) << threads;
                 EXPECT_TRUE(same_bytes(results.product, expected.product)) << threads;
                 EXPECT_TRUE(same_bytes(results.remainder, expected.remainder)) << threads;
+                EXPECT_TRUE(same_bytes(results.corrected, expected.corrected)) << threads;
                 EXPECT_TRUE(same_bytes(results.relaxed, expected.relaxed)) << threads;
                 EXPECT_TRUE(same_bytes(results.residual, expected.residual)) << threads;
                 EXPECT_EQ(results.products.b_x, expected.products.b_x) << threads;

@@ -67,6 +67,24 @@ inline void make_coincident(SpringScene& scene) {
     }
 }
 
+/// Rows that sum to 1, of nodes anywhere; those of pinned particles are 0.
+inline Interpolation random_interpolation(const SpringScene& scene, std::uint32_t coarse) {
+    Interpolation p;
+    p.fine = scene.size();
+    p.coarse = coarse;
+    const std::size_t entries = std::size_t{Interpolation::width} * Stencil::whole_groups(p.fine);
+    p.nodes = AlignedBuffer<std::uint32_t>(entries);
+    p.weights = AlignedBuffer<float>(entries);
+    std::mt19937 random(11);
+    for (std::uint32_t e = 0; e < Interpolation::width * p.fine; ++e) {
+        p.nodes[e] = static_cast<std::uint32_t>(random()) % coarse;
+        const float weights[] = {0.5f, 0.3f, 0.2f};
+        const bool is_pinned = scene.positions[e / Interpolation::width].w == 0;
+        p.weights[e] = is_pinned ? 0 : weights[e % Interpolation::width];
+    }
+    return p;
+}
+
 /// spring_terms and the equation, particle by particle, summed in double precision.
 struct SpringReference {
     explicit SpringReference(const SpringScene& scene)
