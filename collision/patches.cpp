@@ -4,11 +4,13 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace weft {
 
 namespace {
 
+constexpr std::size_t region_size = std::size_t{16} * block_size;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Bounds nowhere{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
@@ -46,14 +48,16 @@ float Vec4::*widest(std::span<const std::uint32_t> particles, std::span<const Ve
 }
 
 /// Puts particles in order of patches: halves them across their widest side until sixteen are left (Bentley
-/// 1975). The lower half is whole blocks while there are as many, then whole patches, so that blocks and
-/// patches are all as compact.
+/// 1975). The lower half is whole regions of sixteen blocks while there are as many, then whole blocks, then
+/// whole patches, so that all of them are compact.
 void cut(std::span<std::uint32_t> particles, std::span<const Vec4> positions) {
     if (particles.size() <= patch_size) {
         std::ranges::sort(particles);
         return;
     }
-    const std::size_t whole = particles.size() > block_size ? block_size : patch_size;
+    const std::size_t whole = particles.size() > region_size  ? region_size
+                              : particles.size() > block_size ? block_size
+                                                              : patch_size;
     const std::size_t half = (particles.size() / 2 + whole - 1) / whole * whole;
     float Vec4::*const coordinate = widest(particles, positions);
     std::ranges::nth_element(particles, particles.begin() + static_cast<std::ptrdiff_t>(half),
@@ -63,6 +67,26 @@ void cut(std::span<std::uint32_t> particles, std::span<const Vec4> positions) {
                              });
     cut(particles.first(half), positions);
     cut(particles.subspan(half), positions);
+}
+
+/// Puts whole pieces of so many in order of their first particles. What is left over stays last.
+void sort_pieces(std::span<std::uint32_t> particles, std::size_t size) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> pieces;  // first particle, where the piece begins
+    for (std::size_t at = 0; at + size <= particles.size(); at += size)
+        pieces.emplace_back(std::ranges::min(particles.subspan(at, size)), at);
+    std::ranges::sort(pieces);
+    const std::vector<std::uint32_t> before(particles.begin(), particles.end());
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(pieces[k].second), size,
+                    particles.begin() + static_cast<std::ptrdiff_t>(k * size));
+}
+
+/// As far as blocks and regions stay what they are, the order of memory: a thread then meets particles that
+/// it moved.
+void follow_memory(std::span<std::uint32_t> particles) {
+    sort_pieces(particles, region_size);
+    for (std::size_t at = 0; at < particles.size(); at += region_size)
+        sort_pieces(particles.subspan(at, std::min(region_size, particles.size() - at)), block_size);
 }
 
 }  // namespace
@@ -77,6 +101,7 @@ Patches::Patches(std::span<const Vec4> rest_positions)
     const std::span<std::uint32_t> particles = particles_.span().first(particle_count_);
     std::iota(particles.begin(), particles.end(), 0u);
     cut(particles, rest_positions);
+    follow_memory(particles);
 }
 
 void Patches::place(Parallel& parallel, std::span<const Vec4> positions) {
