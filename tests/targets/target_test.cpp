@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "tests/collision/crumpled_sheet.h"
 #include "tests/guarantees/method_cases.h"
 #include "tests/targets/targets.h"
 
@@ -90,6 +91,30 @@ TEST_P(Targets, TakeTheStepOfPlainCode) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Targets, testing::ValuesIn(method_cases()),
                          [](const auto& info) { return info.param.name; });
+
+std::vector<std::vector<std::uint32_t>> self_contacts(const Sheet& sheet, float distance) {
+    Parallel serial(1);
+    SelfContacts contacts(sheet.rest);
+    contacts.find(serial, sheet.positions, {}, distance, SelfCollisionSearch::exact);
+    std::vector<std::vector<std::uint32_t>> lists;
+    for (std::uint32_t i = 0; i < sheet.positions.size(); ++i)
+        lists.emplace_back(contacts.contacts(i).begin(), contacts.contacts(i).end());
+    return lists;
+}
+
+TEST(SelfContactTargets, FindTheContactsThatPlainCodeFinds) {
+    constexpr std::uint32_t n = 47;  // so that the last patch is not full
+    const Sheet sheet = crumpled_sheet(n);
+    for (const float distance : {0.75f / n, 2.5f / n}) {  // the second is crowded
+        use_target(reference_target());
+        const auto expected = self_contacts(sheet, distance);
+        for (const std::int64_t target : vector_targets()) {
+            use_target(target);
+            EXPECT_EQ(self_contacts(sheet, distance), expected) << hwy::TargetName(target);
+        }
+    }
+    use_target(vector_targets().front());
+}
 
 }  // namespace
 }  // namespace weft::test
