@@ -95,13 +95,7 @@ Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, st
     for (std::uint32_t p = 0; p < patches_per_block; ++p) {
         const std::uint32_t first = p * patch_size;
         const std::uint32_t here = std::min(count - std::min(count, first), patch_size);
-        const Bounds box = place_patch(positions.data(), particles + first, here, patches[p]);
-        boxes.lower_x[p] = box.lower.x;
-        boxes.lower_y[p] = box.lower.y;
-        boxes.lower_z[p] = box.lower.z;
-        boxes.upper_x[p] = box.upper.x;
-        boxes.upper_y[p] = box.upper.y;
-        boxes.upper_z[p] = box.upper.z;
+        set_box(boxes, p, place_patch(positions.data(), particles + first, here, patches[p]));
     }
     return around(boxes);
 }

@@ -26,10 +26,18 @@ struct alignas(64) Boxes {
     float upper_x[16], upper_y[16], upper_z[16];
 };
 
+inline void set_box(Boxes& boxes, std::uint32_t k, const Bounds& box) {
+    boxes.lower_x[k] = box.lower.x;
+    boxes.lower_y[k] = box.lower.y;
+    boxes.lower_z[k] = box.lower.z;
+    boxes.upper_x[k] = box.upper.x;
+    boxes.upper_y[k] = box.upper.y;
+    boxes.upper_z[k] = box.upper.z;
+}
+
 struct PatchesView {
     std::span<const Patch> patches;
-    // Of each block's patches, of each sixteen blocks, and of each sixteen of these: box k is in the k /
-    // 16th.
+    /// Of patches, of blocks, and of regions of sixteen blocks: box k is in Boxes k / 16.
     std::span<const Boxes> patch_boxes, block_boxes, region_boxes;
     const std::uint32_t* particles;  ///< by slot
 };

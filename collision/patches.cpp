@@ -19,15 +19,6 @@ Bounds join(const Bounds& a, const Bounds& b) {
             {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
 }
 
-void set_box(Boxes& boxes, std::uint32_t k, const Bounds& box) {
-    boxes.lower_x[k] = box.lower.x;
-    boxes.lower_y[k] = box.lower.y;
-    boxes.lower_z[k] = box.lower.z;
-    boxes.upper_x[k] = box.upper.x;
-    boxes.upper_y[k] = box.upper.y;
-    boxes.upper_z[k] = box.upper.z;
-}
-
 Boxes no_boxes() {
     Boxes boxes;
     for (std::uint32_t k = 0; k < 16; ++k) set_box(boxes, k, nowhere);

@@ -123,6 +123,8 @@ bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, 
     });
     return std::ranges::all_of(left_out_.span(), [](std::uint32_t left_out) { return left_out == 0; });
 }
+
+/// Of rows for the particles left unsearched, of cubes for all.
 void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter,
                                float distance) {
     const PairTest test(grid_, filter, distance);

@@ -1,6 +1,6 @@
 #pragma once
-// Self-collision avoidance on a hashed grid (Kang, section IV): find the pairs that are too close, push them
-// apart.
+// Self-collision avoidance (Kang, section IV): find the pairs that are too close, by patches and a hashed
+// grid, and push them apart.
 
 #include <cstdint>
 #include <span>

@@ -72,10 +72,11 @@ class ImplicitSystem {
                std::span<Vec4> x, std::span<Vec4> next);
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
-    /// remainder = b - W x for the same x, which may be left out.
+    /// remainder = b - W x for the same x, which is stored only if relax_corrected needs it.
     virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
                                      std::span<Vec4> x, std::span<Vec4> remainder);
-    /// One step of relaxation from x + P e. Precondition: b, step and x are those of subtract_first_step.
+    /// One step of relaxation from x + P e; x may change. Precondition: b, step and x are as
+    /// subtract_first_step had and left them.
     virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                                  const Correction& correction, std::span<Vec4> next);
 
