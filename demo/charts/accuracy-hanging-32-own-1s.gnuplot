@@ -4,105 +4,105 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0377545:35.3981]
-set yrange [1.05958:1889.04]
+set xrange [0.0155029:30.5173]
+set yrange [1.05531:1888.61]
 set title 'Sheet hung by two corners, 32 × 32 particles: distance from the method''s own converged step after 1 s' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'RMS distance of particles [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 8
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 05b8bef; κ = 569; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Explicit Euler substeps=72; Jacobi (Kang): even iterations=2' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit d3fa699+; κ = 569; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Explicit Euler substeps=72; Jacobi (Kang): even iterations=2' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $curve0 << END
-0.053935 1180.65 "iterations=1"
-0.065594 1078.82 "iterations=3"
-0.068582 945.35 "iterations=7"
-0.148075 768.482 "iterations=15"
-0.255229 667.657 "iterations=31"
-0.476511 554.511 "iterations=63"
-0.748145 447.554 "iterations=127"
-1.61137 341.574 "iterations=255"
+0.022147 1180.38 "iterations=1"
+0.028901 1078.75 "iterations=3"
+0.042752 945.132 "iterations=7"
+0.071287 768.353 "iterations=15"
+0.127765 667.449 "iterations=31"
+0.241328 554.35 "iterations=63"
+0.461341 447.404 "iterations=127"
+0.936175 341.414 "iterations=255"
 END
 $curve1 << END
-0.087925 790.366 "iterations=8"
-0.140337 618.674 "iterations=16"
-0.437609 435.826 "iterations=64"
+0.046689 768.998 "iterations=8"
+0.075001 619.426 "iterations=16"
+0.241184 419.215 "iterations=64"
 END
 $curve2 << END
-0.058508 821.686 "iterations=1"
-0.09767 581.772 "iterations=7"
-0.279268 423.664 "iterations=31"
-0.814601 286.436 "iterations=127"
+0.036462 824.252 "iterations=1"
+0.057635 581.975 "iterations=7"
+0.14062 422.078 "iterations=31"
+0.474715 286.159 "iterations=127"
 END
 $curve3 << END
-0.054425 800.115 "iterations=4"
-0.074594 628.348 "iterations=8"
-0.114809 374.461 "iterations=16"
-0.200673 110.903 "iterations=32"
-0.357176 34.4168 "iterations=64"
-0.705384 99.0015 "iterations=128"
+0.034989 803.478 "iterations=4"
+0.049635 626.006 "iterations=8"
+0.077241 356.554 "iterations=16"
+0.134705 84.7388 "iterations=32"
+0.249527 43.3796 "iterations=64"
+0.493812 98.7579 "iterations=128"
 END
 $curve4 << END
-0.061933 870.72 "iterations=4"
-0.094926 638.481 "iterations=8"
-0.160985 341.449 "iterations=16"
-0.293493 149.538 "iterations=32"
-0.627766 100.695 "iterations=64"
-1.1669 103.545 "iterations=128"
+0.042921 870.154 "iterations=4"
+0.070987 641.343 "iterations=8"
+0.128018 335.046 "iterations=16"
+0.242139 156.239 "iterations=32"
+0.471533 100.956 "iterations=64"
+0.934494 103.109 "iterations=128"
 END
 $curve5 << END
-0.113393 152.759 "iterations=1"
-0.191 34.0259 "iterations=2"
-0.211127 17.1071 "iterations=3"
-0.2575 7.6217 "iterations=4"
-0.319452 4.78607 "iterations=6"
-0.417734 4.482 "iterations=8"
-0.626524 4.30834 "iterations=12"
-0.737629 4.88254 "iterations=16"
+0.079828 152.372 "iterations=1"
+0.108225 35.0966 "iterations=2"
+0.140357 13.3339 "iterations=3"
+0.167163 10.2911 "iterations=4"
+0.222973 18.5462 "iterations=6"
+0.27449 6.77151 "iterations=8"
+0.398857 7.94641 "iterations=12"
+0.504583 4.25164 "iterations=16"
 END
 $curve6 << END
-0.088546 152.622 "iterations=1"
-0.115549 31.9859 "iterations=2"
-0.176874 29.011 "iterations=4"
-0.310996 29.6688 "iterations=8"
+0.066324 152.233 "iterations=1"
+0.087207 33.524 "iterations=2"
+0.131943 28.9695 "iterations=4"
+0.219243 29.6537 "iterations=8"
 END
 $curve7 << END
-0.139997 21.0472 "passes=2 iterations=1"
-0.169782 25.5697 "passes=2 iterations=2"
-0.189202 13.8856 "passes=3 iterations=1"
-0.218908 4.59078 "passes=3 iterations=2"
-0.264266 5.75013 "passes=2 iterations=4"
-0.304475 4.44212 "passes=4 iterations=1"
-0.318402 2.21339 "passes=4 iterations=2"
-0.326172 3.98385 "passes=3 iterations=4"
-0.387042 1.96145 "passes=4 iterations=4"
-0.411197 6.01961 "passes=2 iterations=6"
-0.414034 3.57887 "passes=3 iterations=6"
-0.523151 2.55667 "passes=6 iterations=1"
-0.526885 1.51369 "passes=8 iterations=2"
-0.55128 2.06399 "passes=6 iterations=2"
-0.676632 2.42188 "passes=8 iterations=1"
+0.097394 19.8128 "passes=2 iterations=1"
+0.118705 23.8087 "passes=2 iterations=2"
+0.126108 13.7145 "passes=3 iterations=1"
+0.149123 4.53657 "passes=3 iterations=2"
+0.160958 4.39101 "passes=4 iterations=1"
+0.162635 5.60072 "passes=2 iterations=4"
+0.178854 2.17518 "passes=4 iterations=2"
+0.191597 3.99393 "passes=3 iterations=4"
+0.205648 6.86834 "passes=2 iterations=6"
+0.218668 2.56223 "passes=6 iterations=1"
+0.22426 1.9515 "passes=4 iterations=4"
+0.236619 3.35259 "passes=3 iterations=6"
+0.24122 2.09695 "passes=6 iterations=2"
+0.280414 2.40119 "passes=8 iterations=1"
+0.301969 1.50758 "passes=8 iterations=2"
 END
 $curve8 << END
-0.11896 59.3914 "passes=1 iterations=2"
-0.171215 62.7462 "passes=2 iterations=2"
-0.235335 25.0097 "passes=3 iterations=2"
-0.30994 18.5443 "passes=4 iterations=2"
-0.382104 13.1764 "passes=4 iterations=4"
-0.491445 9.71709 "passes=6 iterations=4"
+0.09063 61.99 "passes=1 iterations=2"
+0.12168 64.1681 "passes=2 iterations=2"
+0.152 25.6147 "passes=3 iterations=2"
+0.183338 18.338 "passes=4 iterations=2"
+0.22531 13.3506 "passes=4 iterations=4"
+0.2877 9.19035 "passes=6 iterations=4"
 END
 $curve9 << END
-22.1238 103.484 "one factorisation a step"
+0.270343 45.6773 "passes=1 iterations=2"
+0.377006 24.1886 "passes=2 iterations=2"
+0.487787 12.6449 "passes=3 iterations=2"
+0.604996 11.8205 "passes=4 iterations=2"
+0.827837 8.55414 "passes=6 iterations=2"
 END
 $curve10 << END
-0.302026 45.7519 "passes=1 iterations=2"
-0.50447 24.7529 "passes=2 iterations=2"
-0.563861 11.9326 "passes=3 iterations=2"
-0.66444 11.9743 "passes=4 iterations=2"
-0.955679 8.58078 "passes=6 iterations=2"
+19.0733 103.066 "one factorisation a step"
 END
 $default << END
-0.218908 4.59078 "passes=3 iterations=2"
+0.149123 4.53657 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-hanging-32-own-1s.svg'
@@ -115,8 +115,8 @@ plot $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 
   $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
   $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
   $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
 set terminal pngcairo size 1200,760 font 'DejaVu Sans,10' background rgb 'white'
 set output 'accuracy-hanging-32-own-1s.png'
@@ -129,6 +129,6 @@ plot $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 
   $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
   $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
   $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
