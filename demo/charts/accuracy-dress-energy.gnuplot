@@ -4,155 +4,153 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0952371:465.25]
-set yrange [0.00240436:4.8175]
+set xrange [0.0926023:421.325]
+set yrange [0.000801528:7.52734]
 set title 'Dress hung by its neck, 4589 particles: energy left above the converged step' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'energy gap over that of the inertial start'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 5
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 05b8bef; κ = 1504; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 8572a2e; κ = 1504; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.136053 3.01094 "substeps=1"
-0.166129 0.519799 "iterations=1"
-0.212167 0.463576 "iterations=3"
-0.248013 0.449498 "iterations=4"
-0.256567 0.329927 "iterations=4"
-0.371682 0.0545598 "iterations=1"
-0.572012 0.0353057 "iterations=2"
-0.652454 0.0184891 "passes=2 iterations=1"
-0.750901 0.0144573 "passes=2 iterations=2"
-0.843474 0.0118548 "passes=3 iterations=1"
-1.0094 0.0100141 "passes=3 iterations=2"
-1.02497 0.00940349 "passes=4 iterations=1"
-1.19997 0.00793036 "passes=4 iterations=2"
-1.53967 0.00691702 "passes=4 iterations=4"
-1.92689 0.00428639 "passes=8 iterations=1"
-2.03068 0.0034348 "passes=8 iterations=2"
+0.132289 4.70459 "substeps=1"
+0.141893 0.557619 "iterations=1"
+0.196896 0.494883 "iterations=3"
+0.233799 0.402293 "iterations=4"
+0.289249 0.031685 "iterations=1"
+0.404086 0.0142608 "iterations=2"
+0.468543 0.00882376 "passes=2 iterations=1"
+0.586362 0.00556073 "passes=2 iterations=2"
+0.673047 0.00506006 "passes=3 iterations=1"
+0.753214 0.00340734 "passes=3 iterations=2"
+0.929617 0.00264358 "passes=4 iterations=2"
+1.12813 0.00158471 "passes=4 iterations=4"
+1.23127 0.00154818 "passes=3 iterations=6"
+1.59499 0.00114504 "passes=8 iterations=2"
 END
 $curve0 << END
-0.166129 0.519799 "iterations=1"
-0.212167 0.463576 "iterations=3"
-0.320798 0.396658 "iterations=7"
-0.53437 0.325908 "iterations=15"
-0.983308 0.251253 "iterations=31"
-1.79544 0.181164 "iterations=63"
-3.48995 0.136976 "iterations=127"
-6.86341 0.116049 "iterations=255"
+0.141893 0.557619 "iterations=1"
+0.196896 0.494883 "iterations=3"
+0.28152 0.417679 "iterations=7"
+0.500183 0.344542 "iterations=15"
+0.940942 0.277093 "iterations=31"
+1.72538 0.216419 "iterations=63"
+3.43085 0.167691 "iterations=127"
+6.39036 0.136375 "iterations=255"
 END
 $curve1 << END
-0.180147 0.970365 "iterations=2"
-0.350964 0.520722 "iterations=8"
-0.540259 0.365049 "iterations=16"
-1.75964 0.180094 "iterations=64"
+0.161659 0.888803 "iterations=2"
+0.318181 0.525346 "iterations=8"
+0.475929 0.381859 "iterations=16"
+1.75185 0.215578 "iterations=64"
 END
 $curve2 << END
-0.170932 0.643593 "iterations=1"
-0.306354 0.521569 "iterations=7"
-0.968358 0.377132 "iterations=31"
-3.82844 0.262999 "iterations=127"
+0.149006 0.825789 "iterations=1"
+0.308884 0.685773 "iterations=7"
+0.839488 0.544992 "iterations=31"
+3.34705 0.435818 "iterations=127"
 END
 $curve3 << END
-0.66159 0.0655648 "iterations=7 substeps=2"
-1.19202 0.0170178 "iterations=7 substeps=4"
-2.52254 0.0107297 "iterations=7 substeps=8"
-4.99381 0.00841547 "iterations=7 substeps=16"
+0.517098 0.074351 "iterations=7 substeps=2"
+1.09758 0.0150054 "iterations=7 substeps=4"
+2.21648 0.00600685 "iterations=7 substeps=8"
+4.32204 0.00298505 "iterations=7 substeps=16"
 END
 $curve4 << END
-0.256567 0.329927 "iterations=4"
-0.385347 0.233183 "iterations=8"
-0.607529 0.135035 "iterations=16"
-1.08275 0.110351 "iterations=32"
-1.88507 0.101988 "iterations=64"
-3.36818 0.0837603 "iterations=128"
+0.233799 0.402293 "iterations=4"
+0.331154 0.311938 "iterations=8"
+0.523045 0.180235 "iterations=16"
+0.937693 0.124465 "iterations=32"
+1.72742 0.103574 "iterations=64"
+3.4434 0.0927194 "iterations=128"
 END
 $curve5 << END
-0.248013 0.449498 "iterations=4"
-0.43118 0.262794 "iterations=8"
-0.850887 0.128676 "iterations=16"
-1.60204 0.104243 "iterations=32"
-2.90066 0.0869258 "iterations=64"
-5.80386 0.0823777 "iterations=128"
+0.295388 0.489933 "iterations=4"
+0.472611 0.269829 "iterations=8"
+0.840285 0.153835 "iterations=16"
+1.40242 0.116043 "iterations=32"
+2.72744 0.0918856 "iterations=64"
+5.33405 0.0877702 "iterations=128"
 END
 $curve6 << END
-0.495998 0.0545598 "iterations=1"
-0.727257 0.0296365 "iterations=2"
-0.964614 0.0256182 "iterations=3"
-1.18579 0.0217346 "iterations=4"
-1.47775 0.0137258 "iterations=6"
-2.12416 0.011932 "iterations=8"
-2.79474 0.00840614 "iterations=12"
-3.48685 0.00630207 "iterations=16"
+0.393447 0.0316851 "iterations=1"
+0.584592 0.0187789 "iterations=2"
+0.924006 0.016446 "iterations=3"
+1.17069 0.0139468 "iterations=4"
+1.67323 0.0079268 "iterations=6"
+2.10628 0.00678618 "iterations=8"
+2.63534 0.00573888 "iterations=12"
+3.4395 0.00381225 "iterations=16"
 END
 $curve7 << END
-0.371682 0.0545598 "iterations=1"
-0.572012 0.0353057 "iterations=2"
-0.827046 0.030541 "iterations=4"
-1.42937 0.0294447 "iterations=8"
+0.289249 0.031685 "iterations=1"
+0.404086 0.0142608 "iterations=2"
+0.619482 0.0100061 "iterations=4"
+1.09147 0.00879837 "iterations=8"
 END
 $curve8 << END
-0.652454 0.0184891 "passes=2 iterations=1"
-0.750901 0.0144573 "passes=2 iterations=2"
-0.843474 0.0118548 "passes=3 iterations=1"
-1.0094 0.0100141 "passes=3 iterations=2"
-1.02497 0.00940349 "passes=4 iterations=1"
-1.1812 0.0121105 "passes=2 iterations=4"
-1.19997 0.00793036 "passes=4 iterations=2"
-1.3097 0.00858184 "passes=3 iterations=4"
-1.32314 0.00886917 "passes=6 iterations=1"
-1.37404 0.0114298 "passes=2 iterations=6"
-1.52683 0.0125483 "passes=6 iterations=2"
-1.53967 0.00691702 "passes=4 iterations=4"
-1.58278 0.00805334 "passes=3 iterations=6"
-1.92689 0.00428639 "passes=8 iterations=1"
-2.03068 0.0034348 "passes=8 iterations=2"
+0.468543 0.00882376 "passes=2 iterations=1"
+0.586362 0.00556073 "passes=2 iterations=2"
+0.673047 0.00506006 "passes=3 iterations=1"
+0.753214 0.00340734 "passes=3 iterations=2"
+0.82644 0.0035189 "passes=2 iterations=4"
+0.898871 0.00386755 "passes=4 iterations=1"
+0.929617 0.00264358 "passes=4 iterations=2"
+1.06301 0.0027373 "passes=2 iterations=6"
+1.12813 0.00158471 "passes=4 iterations=4"
+1.20038 0.00208987 "passes=3 iterations=4"
+1.23127 0.00154818 "passes=3 iterations=6"
+1.34811 0.00266856 "passes=6 iterations=1"
+1.48793 0.00161678 "passes=6 iterations=2"
+1.59499 0.00114504 "passes=8 iterations=2"
+1.70153 0.002041 "passes=8 iterations=1"
 END
 $curve9 << END
-0.741369 0.0209358 "passes=1 substeps=2"
-1.39002 0.0101967 "passes=1 substeps=4"
-2.7793 0.0068648 "passes=1 substeps=8"
-5.58172 0.00476916 "passes=1 substeps=16"
+0.653642 0.0114114 "passes=1 substeps=2"
+1.25719 0.00461204 "passes=1 substeps=4"
+2.36402 0.00230815 "passes=1 substeps=8"
+4.54829 0.00166204 "passes=1 substeps=16"
 END
 $curve10 << END
-0.136053 3.01094 "substeps=1"
-0.255947 2.87355 "substeps=2"
-0.50531 2.47528 "substeps=4"
-1.05831 1.60127 "substeps=8"
-1.93954 0.699074 "substeps=16"
-3.93763 0.205731 "substeps=32"
-7.78242 0.0517731 "substeps=64"
+0.132289 4.70459 "substeps=1"
+0.249947 4.46804 "substeps=2"
+0.479451 3.88605 "substeps=4"
+0.984399 2.59503 "substeps=8"
+1.89276 1.15672 "substeps=16"
+3.76356 0.351562 "substeps=32"
+7.58765 0.0861218 "substeps=64"
 END
 $curve11 << END
-0.658992 2.50929 "iterations=4"
-1.44161 2.11787 "iterations=16"
-5.56128 1.32406 "iterations=64"
+0.413114 3.98844 "iterations=4"
+1.43704 3.41835 "iterations=16"
+5.54176 2.15516 "iterations=64"
 END
 $curve12 << END
-0.286328 2.45922 "iterations=1"
-0.938956 1.81553 "iterations=4"
-3.71457 1.44438 "iterations=16"
-14.8642 0.796165 "iterations=64"
+0.223833 3.96445 "iterations=1"
+0.724123 3.0005 "iterations=4"
+2.6884 2.43031 "iterations=16"
+10.6584 1.30885 "iterations=64"
 END
 $curve13 << END
-1.13165 1.53702 "iterations=1 substeps=4"
-4.21802 0.422662 "iterations=1 substeps=16"
-17.4435 0.0254173 "iterations=1 substeps=64"
+0.868868 2.53926 "iterations=1 substeps=4"
+3.46175 0.691301 "iterations=1 substeps=16"
+13.1281 0.0381163 "iterations=1 substeps=64"
 END
 $curve14 << END
-14.0433 0.00510543 "substeps=207"
-21.5454 0.00510784 "substeps=318"
-43.4874 0.00511048 "substeps=635"
+11.2515 0.00184529 "substeps=207"
+17.2608 0.00184665 "substeps=318"
+34.8296 0.00184456 "substeps=635"
 END
 $curve15 << END
-17.6157 0.00514511 "substeps=207"
-59.494 0.00503542 "substeps=635"
+15.3887 0.00189404 "substeps=207"
+47.0981 0.00185973 "substeps=635"
 END
 $curve16 << END
-290.781 0.0814297 "one factorisation a step"
+263.328 0.0867385 "one factorisation a step"
 END
 $default << END
-1.0094 0.0100141 "passes=3 iterations=2"
+0.753214 0.00340734 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-dress-energy.svg'

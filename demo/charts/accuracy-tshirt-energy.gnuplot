@@ -4,156 +4,156 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0793037:351.134]
-set yrange [0.000721441:4.02733]
+set xrange [0.0696619:325.386]
+set yrange [0.00084413:3.94202]
 set title 'T-shirt hung by its neck, 3546 particles: energy left above the converged step' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'energy gap over that of the inertial start'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 5
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 05b8bef; κ = 2923; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 8572a2e; κ = 2923; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.113291 2.51708 "substeps=1"
-0.125949 0.314565 "iterations=1"
-0.152594 0.180198 "iterations=2"
-0.191915 0.139285 "iterations=4"
-0.233537 0.136161 "iterations=4"
-0.270642 0.111767 "iterations=8"
-0.321035 0.0231719 "iterations=1"
-0.491038 0.00633104 "passes=2 iterations=1"
-0.601608 0.00463236 "passes=2 iterations=2"
-0.726541 0.00350032 "passes=3 iterations=1"
-0.745062 0.00264844 "passes=3 iterations=2"
-0.89962 0.00261395 "passes=4 iterations=1"
-1.06195 0.00192548 "passes=4 iterations=2"
-1.11333 0.00189477 "passes=3 iterations=4"
-1.35027 0.00136593 "passes=4 iterations=4"
-1.43671 0.00127425 "passes=6 iterations=2"
-1.709 0.00103063 "passes=8 iterations=2"
+0.099517 0.289947 "iterations=1"
+0.131646 0.235674 "iterations=3"
+0.162764 0.134973 "iterations=4"
+0.231139 0.0964491 "iterations=8"
+0.240208 0.0261645 "iterations=1"
+0.337695 0.0146807 "iterations=2"
+0.372661 0.00694618 "passes=2 iterations=1"
+0.4608 0.00512616 "passes=2 iterations=2"
+0.568409 0.00385055 "passes=3 iterations=1"
+0.633699 0.0029361 "passes=3 iterations=2"
+0.653788 0.00288927 "passes=4 iterations=1"
+0.772774 0.00214961 "passes=4 iterations=2"
+0.919225 0.00212236 "passes=6 iterations=1"
+0.937539 0.00171747 "passes=4 iterations=4"
+1.01695 0.00156426 "passes=6 iterations=2"
+1.27878 0.00127594 "passes=8 iterations=2"
+3.61683 0.0012059 "passes=1 substeps=16"
 END
 $curve0 << END
-0.125949 0.314565 "iterations=1"
-0.174391 0.263431 "iterations=3"
-0.252714 0.203547 "iterations=7"
-0.415928 0.148721 "iterations=15"
-0.729599 0.112865 "iterations=31"
-1.40783 0.0953047 "iterations=63"
-2.75852 0.0844375 "iterations=127"
-5.41597 0.0735123 "iterations=255"
+0.099517 0.289947 "iterations=1"
+0.131646 0.235674 "iterations=3"
+0.192963 0.179164 "iterations=7"
+0.315368 0.128925 "iterations=15"
+0.57305 0.0955261 "iterations=31"
+1.0819 0.0792649 "iterations=63"
+2.14953 0.071031 "iterations=127"
+4.32132 0.0642337 "iterations=255"
 END
 $curve1 << END
-0.152594 0.180198 "iterations=2"
-0.270642 0.111767 "iterations=8"
-0.430389 0.100846 "iterations=16"
-1.19549 0.0935701 "iterations=64"
+0.120451 0.332918 "iterations=2"
+0.244874 0.169958 "iterations=8"
+0.404155 0.116365 "iterations=16"
+1.37938 0.0782549 "iterations=64"
 END
 $curve2 << END
-0.14421 0.430898 "iterations=1"
-0.277542 0.319515 "iterations=7"
-0.708593 0.227923 "iterations=31"
-2.71029 0.197027 "iterations=127"
+0.121586 0.359677 "iterations=1"
+0.229849 0.248971 "iterations=7"
+0.694891 0.163892 "iterations=31"
+2.66768 0.135952 "iterations=127"
 END
 $curve3 << END
-0.474937 0.0613378 "iterations=7 substeps=2"
-0.894672 0.00666047 "iterations=7 substeps=4"
-1.88946 0.00301036 "iterations=7 substeps=8"
-3.74455 0.00182602 "iterations=7 substeps=16"
+0.419836 0.0257644 "iterations=7 substeps=2"
+0.712933 0.0060787 "iterations=7 substeps=4"
+1.44323 0.00309116 "iterations=7 substeps=8"
+2.91087 0.00199291 "iterations=7 substeps=16"
 END
 $curve4 << END
-0.191915 0.139285 "iterations=4"
-0.274643 0.118525 "iterations=8"
-0.438625 0.0770625 "iterations=16"
-0.660742 0.0601063 "iterations=32"
-1.44798 0.0423012 "iterations=64"
-2.58303 0.0254688 "iterations=128"
+0.162764 0.134973 "iterations=4"
+0.231139 0.0964491 "iterations=8"
+0.362826 0.0718895 "iterations=16"
+0.593136 0.0627817 "iterations=32"
+1.15857 0.0417143 "iterations=64"
+2.17511 0.0267163 "iterations=128"
 END
 $curve5 << END
-0.233537 0.136161 "iterations=4"
-0.381897 0.10274 "iterations=8"
-0.721393 0.0842974 "iterations=16"
-1.29758 0.0561619 "iterations=32"
-2.50704 0.0337657 "iterations=64"
-4.65851 0.024808 "iterations=128"
+0.214024 0.1467 "iterations=4"
+0.349654 0.0909658 "iterations=8"
+0.67456 0.0705705 "iterations=16"
+1.17483 0.0551933 "iterations=32"
+2.23526 0.0342255 "iterations=64"
+4.48917 0.0252937 "iterations=128"
 END
 $curve6 << END
-0.412286 0.0231719 "iterations=1"
-0.597027 0.0109803 "iterations=2"
-0.855724 0.00943409 "iterations=3"
-0.970914 0.00749905 "iterations=4"
-1.40921 0.00633945 "iterations=6"
-1.89388 0.00498524 "iterations=8"
-2.34817 0.0026819 "iterations=12"
-3.2817 0.00161644 "iterations=16"
+0.36816 0.0261645 "iterations=1"
+0.537998 0.00973846 "iterations=2"
+0.622791 0.00663747 "iterations=3"
+0.756335 0.00505841 "iterations=4"
+1.0848 0.00400637 "iterations=6"
+1.34351 0.00314275 "iterations=8"
+1.89072 0.00206319 "iterations=12"
+2.35122 0.00155597 "iterations=16"
 END
 $curve7 << END
-0.321035 0.0231719 "iterations=1"
-0.497153 0.012585 "iterations=2"
-0.695462 0.0103297 "iterations=4"
-1.09536 0.00978545 "iterations=8"
+0.240208 0.0261645 "iterations=1"
+0.337695 0.0146807 "iterations=2"
+0.540274 0.0130833 "iterations=4"
+0.910309 0.0125257 "iterations=8"
 END
 $curve8 << END
-0.491038 0.00633104 "passes=2 iterations=1"
-0.601608 0.00463236 "passes=2 iterations=2"
-0.726541 0.00350032 "passes=3 iterations=1"
-0.745062 0.00264844 "passes=3 iterations=2"
-0.89962 0.00261395 "passes=4 iterations=1"
-0.924697 0.00347528 "passes=2 iterations=4"
-1.06195 0.00192548 "passes=4 iterations=2"
-1.11333 0.00189477 "passes=3 iterations=4"
-1.2172 0.00310725 "passes=2 iterations=6"
-1.35027 0.00136593 "passes=4 iterations=4"
-1.35485 0.00186943 "passes=6 iterations=1"
-1.4084 0.00156037 "passes=3 iterations=6"
-1.43671 0.00127425 "passes=6 iterations=2"
-1.55434 0.00145905 "passes=8 iterations=1"
-1.709 0.00103063 "passes=8 iterations=2"
+0.372661 0.00694618 "passes=2 iterations=1"
+0.4608 0.00512616 "passes=2 iterations=2"
+0.568409 0.00385055 "passes=3 iterations=1"
+0.633699 0.0029361 "passes=3 iterations=2"
+0.652357 0.0040651 "passes=2 iterations=4"
+0.653788 0.00288927 "passes=4 iterations=1"
+0.772774 0.00214961 "passes=4 iterations=2"
+0.809736 0.00227358 "passes=3 iterations=4"
+0.870503 0.00378485 "passes=2 iterations=6"
+0.919225 0.00212236 "passes=6 iterations=1"
+0.937539 0.00171747 "passes=4 iterations=4"
+0.999524 0.00202058 "passes=3 iterations=6"
+1.01695 0.00156426 "passes=6 iterations=2"
+1.19873 0.00172485 "passes=8 iterations=1"
+1.27878 0.00127594 "passes=8 iterations=2"
 END
 $curve9 << END
-0.607535 0.00816451 "passes=1 substeps=2"
-1.16467 0.0033061 "passes=1 substeps=4"
-2.32605 0.00172099 "passes=1 substeps=8"
-4.70879 0.00111872 "passes=1 substeps=16"
+0.487283 0.00835673 "passes=1 substeps=2"
+0.936772 0.00350197 "passes=1 substeps=4"
+1.8407 0.00192863 "passes=1 substeps=8"
+3.61683 0.0012059 "passes=1 substeps=16"
 END
 $curve10 << END
-0.113291 2.51708 "substeps=1"
-0.203121 2.42101 "substeps=2"
-0.392712 2.22762 "substeps=4"
-0.753485 1.57012 "substeps=8"
-1.51645 0.835779 "substeps=16"
-2.9834 0.303153 "substeps=32"
-6.32109 0.0826515 "substeps=64"
+0.109498 2.46376 "substeps=1"
+0.199938 2.39332 "substeps=2"
+0.380656 2.21425 "substeps=4"
+0.738656 1.58646 "substeps=8"
+1.4838 0.847868 "substeps=16"
+2.9472 0.308088 "substeps=32"
+5.80353 0.083973 "substeps=64"
 END
 $curve11 << END
-0.34145 2.17868 "iterations=4"
-1.53219 1.94379 "iterations=16"
-4.21857 1.39337 "iterations=64"
+0.299804 2.17875 "iterations=4"
+1.1193 1.95816 "iterations=16"
+4.20886 1.3961 "iterations=64"
 END
 $curve12 << END
-0.222708 1.91493 "iterations=1"
-0.704866 1.44745 "iterations=4"
-2.71466 1.14809 "iterations=16"
-11.4883 0.745793 "iterations=64"
+0.211075 1.70604 "iterations=1"
+0.691692 1.36892 "iterations=4"
+2.67056 1.10497 "iterations=16"
+10.4648 0.737566 "iterations=64"
 END
 $curve13 << END
-0.817958 1.2214 "iterations=1 substeps=4"
-3.62119 0.446008 "iterations=1 substeps=16"
-13.4996 0.0458958 "iterations=1 substeps=64"
+0.788231 1.17883 "iterations=1 substeps=4"
+3.14498 0.447178 "iterations=1 substeps=16"
+12.5449 0.0475171 "iterations=1 substeps=64"
 END
 $curve14 << END
-29.9501 0.00106065 "substeps=641"
-43.7698 0.00105969 "substeps=985"
-87.6725 0.00105758 "substeps=1970"
+28.6688 0.001223 "substeps=640"
+44.5741 0.00122233 "substeps=985"
+87.6151 0.0012202 "substeps=1969"
 END
 $curve15 << END
-40.6327 0.00106271 "substeps=641"
-125.118 0.00105861 "substeps=1970"
+39.576 0.00123367 "substeps=640"
+121.614 0.00122383 "substeps=1969"
 END
 $curve16 << END
-219.459 0.0229325 "one factorisation a step"
+203.366 0.0246133 "one factorisation a step"
 END
 $default << END
-0.745062 0.00264844 "passes=3 iterations=2"
+0.633699 0.0029361 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-tshirt-energy.svg'

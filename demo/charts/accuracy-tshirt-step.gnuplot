@@ -4,8 +4,8 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0793037:351.134]
-set yrange [0.278721:4.65754]
+set xrange [0.0696619:325.386]
+set yrange [0.30014:4.62336]
 set ytics (0.5, 1, 2)
 set title 'T-shirt hung by its neck, 3546 particles: distance from the converged step' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
@@ -13,151 +13,152 @@ set ylabel 'RMS distance of particles after one step [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 5
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 05b8bef; κ = 2923; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 8572a2e; κ = 2923; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.113291 2.91096 "substeps=1"
-0.125949 0.842677 "iterations=1"
-0.152594 0.817087 "iterations=2"
-0.191915 0.786715 "iterations=4"
-0.270642 0.784866 "iterations=8"
-0.274643 0.776733 "iterations=8"
-0.321035 0.730524 "iterations=1"
-0.491038 0.680666 "passes=2 iterations=1"
-0.601608 0.639475 "passes=2 iterations=2"
-0.745062 0.590583 "passes=3 iterations=2"
-0.924697 0.548071 "passes=2 iterations=4"
-1.06195 0.543751 "passes=4 iterations=2"
-1.11333 0.484975 "passes=3 iterations=4"
-1.2172 0.465607 "passes=2 iterations=6"
-1.35027 0.43915 "passes=4 iterations=4"
-1.4084 0.39986 "passes=3 iterations=6"
-29.9501 0.399042 "substeps=641"
-40.6327 0.398901 "substeps=641"
-43.7698 0.398848 "substeps=985"
-87.6725 0.398173 "substeps=1970"
+0.099517 0.843592 "iterations=1"
+0.120451 0.837856 "iterations=2"
+0.131646 0.829243 "iterations=3"
+0.162764 0.799041 "iterations=4"
+0.231139 0.782561 "iterations=8"
+0.240208 0.705398 "iterations=1"
+0.337695 0.67391 "iterations=2"
+0.372661 0.65901 "passes=2 iterations=1"
+0.4608 0.618135 "passes=2 iterations=2"
+0.633699 0.575612 "passes=3 iterations=2"
+0.652357 0.54963 "passes=2 iterations=4"
+0.772774 0.535257 "passes=4 iterations=2"
+0.809736 0.503498 "passes=3 iterations=4"
+0.870503 0.49318 "passes=2 iterations=6"
+0.937539 0.461018 "passes=4 iterations=4"
+0.999524 0.447215 "passes=3 iterations=6"
+1.27878 0.436129 "passes=8 iterations=2"
+3.61683 0.433296 "passes=1 substeps=16"
+28.6688 0.429691 "substeps=640"
+44.5741 0.429523 "substeps=985"
+87.6151 0.428771 "substeps=1969"
 END
 $curve0 << END
-0.125949 0.842677 "iterations=1"
-0.174391 0.827808 "iterations=3"
-0.252714 0.808938 "iterations=7"
-0.415928 0.789079 "iterations=15"
-0.729599 0.771397 "iterations=31"
-1.40783 0.757084 "iterations=63"
-2.75852 0.7459 "iterations=127"
-5.41597 0.740676 "iterations=255"
+0.099517 0.843592 "iterations=1"
+0.131646 0.829243 "iterations=3"
+0.192963 0.812703 "iterations=7"
+0.315368 0.79484 "iterations=15"
+0.57305 0.778661 "iterations=31"
+1.0819 0.767118 "iterations=63"
+2.14953 0.762191 "iterations=127"
+4.32132 0.767218 "iterations=255"
 END
 $curve1 << END
-0.152594 0.817087 "iterations=2"
-0.270642 0.784866 "iterations=8"
-0.430389 0.773534 "iterations=16"
-1.19549 0.756023 "iterations=64"
+0.120451 0.837856 "iterations=2"
+0.244874 0.802283 "iterations=8"
+0.404155 0.787556 "iterations=16"
+1.37938 0.766515 "iterations=64"
 END
 $curve2 << END
-0.14421 0.845417 "iterations=1"
-0.277542 0.811827 "iterations=7"
-0.708593 0.774474 "iterations=31"
-2.71029 0.749277 "iterations=127"
+0.121586 0.845954 "iterations=1"
+0.229849 0.815308 "iterations=7"
+0.694891 0.781548 "iterations=31"
+2.66768 0.765374 "iterations=127"
 END
 $curve3 << END
-0.474937 0.787632 "iterations=7 substeps=2"
-0.894672 0.752839 "iterations=7 substeps=4"
-1.88946 0.696349 "iterations=7 substeps=8"
-3.74455 0.593848 "iterations=7 substeps=16"
+0.419836 0.783534 "iterations=7 substeps=2"
+0.712933 0.754216 "iterations=7 substeps=4"
+1.44323 0.689966 "iterations=7 substeps=8"
+2.91087 0.596314 "iterations=7 substeps=16"
 END
 $curve4 << END
-0.191915 0.786715 "iterations=4"
-0.274643 0.776733 "iterations=8"
-0.438625 0.751362 "iterations=16"
-0.660742 0.787646 "iterations=32"
-1.44798 0.919872 "iterations=64"
-2.58303 1.0667 "iterations=128"
+0.162764 0.799041 "iterations=4"
+0.231139 0.782561 "iterations=8"
+0.362826 0.773249 "iterations=16"
+0.593136 0.828381 "iterations=32"
+1.15857 0.977717 "iterations=64"
+2.17511 1.21192 "iterations=128"
 END
 $curve5 << END
-0.233537 0.791136 "iterations=4"
-0.381897 0.773354 "iterations=8"
-0.721393 0.763992 "iterations=16"
-1.29758 0.833765 "iterations=32"
-2.50704 0.942952 "iterations=64"
-4.65851 0.980265 "iterations=128"
+0.214024 0.807149 "iterations=4"
+0.349654 0.782223 "iterations=8"
+0.67456 0.776946 "iterations=16"
+1.17483 0.849769 "iterations=32"
+2.23526 1.01612 "iterations=64"
+4.48917 1.10724 "iterations=128"
 END
 $curve6 << END
-0.412286 0.730524 "iterations=1"
-0.597027 0.697224 "iterations=2"
-0.855724 0.687476 "iterations=3"
-0.970914 0.666049 "iterations=4"
-1.40921 0.637561 "iterations=6"
-1.89388 0.601463 "iterations=8"
-2.34817 0.530557 "iterations=12"
-3.2817 0.463542 "iterations=16"
+0.36816 0.705398 "iterations=1"
+0.537998 0.661572 "iterations=2"
+0.622791 0.634102 "iterations=3"
+0.756335 0.610037 "iterations=4"
+1.0848 0.583443 "iterations=6"
+1.34351 0.555078 "iterations=8"
+1.89072 0.495335 "iterations=12"
+2.35122 0.447038 "iterations=16"
 END
 $curve7 << END
-0.321035 0.730524 "iterations=1"
-0.497153 0.69717 "iterations=2"
-0.695462 0.676646 "iterations=4"
-1.09536 0.662421 "iterations=8"
+0.240208 0.705398 "iterations=1"
+0.337695 0.67391 "iterations=2"
+0.540274 0.664603 "iterations=4"
+0.910309 0.660336 "iterations=8"
 END
 $curve8 << END
-0.491038 0.680666 "passes=2 iterations=1"
-0.601608 0.639475 "passes=2 iterations=2"
-0.726541 0.639529 "passes=3 iterations=1"
-0.745062 0.590583 "passes=3 iterations=2"
-0.89962 0.602159 "passes=4 iterations=1"
-0.924697 0.548071 "passes=2 iterations=4"
-1.06195 0.543751 "passes=4 iterations=2"
-1.11333 0.484975 "passes=3 iterations=4"
-1.2172 0.465607 "passes=2 iterations=6"
-1.35027 0.43915 "passes=4 iterations=4"
-1.35485 0.551258 "passes=6 iterations=1"
-1.4084 0.39986 "passes=3 iterations=6"
-1.43671 0.467205 "passes=6 iterations=2"
-1.55434 0.510118 "passes=8 iterations=1"
-1.709 0.422292 "passes=8 iterations=2"
+0.372661 0.65901 "passes=2 iterations=1"
+0.4608 0.618135 "passes=2 iterations=2"
+0.568409 0.618193 "passes=3 iterations=1"
+0.633699 0.575612 "passes=3 iterations=2"
+0.652357 0.54963 "passes=2 iterations=4"
+0.653788 0.583949 "passes=4 iterations=1"
+0.772774 0.535257 "passes=4 iterations=2"
+0.809736 0.503498 "passes=3 iterations=4"
+0.870503 0.49318 "passes=2 iterations=6"
+0.919225 0.539621 "passes=6 iterations=1"
+0.937539 0.461018 "passes=4 iterations=4"
+0.999524 0.447215 "passes=3 iterations=6"
+1.01695 0.476234 "passes=6 iterations=2"
+1.19873 0.504008 "passes=8 iterations=1"
+1.27878 0.436129 "passes=8 iterations=2"
 END
 $curve9 << END
-0.607535 0.690283 "passes=1 substeps=2"
-1.16467 0.633505 "passes=1 substeps=4"
-2.32605 0.514178 "passes=1 substeps=8"
-4.70879 0.417209 "passes=1 substeps=16"
+0.487283 0.676288 "passes=1 substeps=2"
+0.936772 0.62683 "passes=1 substeps=4"
+1.8407 0.520601 "passes=1 substeps=8"
+3.61683 0.433296 "passes=1 substeps=16"
 END
 $curve10 << END
-0.113291 2.91096 "substeps=1"
-0.203121 2.29939 "substeps=2"
-0.392712 2.02404 "substeps=4"
-0.753485 1.87959 "substeps=8"
-1.51645 1.74729 "substeps=16"
-2.9834 1.48464 "substeps=32"
-6.32109 1.06538 "substeps=64"
+0.109498 2.8896 "substeps=1"
+0.199938 2.28398 "substeps=2"
+0.380656 2.01111 "substeps=4"
+0.738656 1.87715 "substeps=8"
+1.4838 1.76437 "substeps=16"
+2.9472 1.50563 "substeps=32"
+5.80353 1.07353 "substeps=64"
 END
 $curve11 << END
-0.34145 2.87638 "iterations=4"
-1.53219 2.79625 "iterations=16"
-4.21857 2.54108 "iterations=64"
+0.299804 2.85451 "iterations=4"
+1.1193 2.77642 "iterations=16"
+4.20886 2.53319 "iterations=64"
 END
 $curve12 << END
-0.222708 2.87936 "iterations=1"
-0.704866 2.79935 "iterations=4"
-2.71466 2.60538 "iterations=16"
-11.4883 2.15986 "iterations=64"
+0.211075 2.85759 "iterations=1"
+0.691692 2.78161 "iterations=4"
+2.67056 2.5974 "iterations=16"
+10.4648 2.16009 "iterations=64"
 END
 $curve13 << END
-0.817958 1.93293 "iterations=1 substeps=4"
-3.62119 1.55365 "iterations=1 substeps=16"
-13.4996 0.866572 "iterations=1 substeps=64"
+0.788231 1.93086 "iterations=1 substeps=4"
+3.14498 1.58175 "iterations=1 substeps=16"
+12.5449 0.887627 "iterations=1 substeps=64"
 END
 $curve14 << END
-29.9501 0.399042 "substeps=641"
-43.7698 0.398848 "substeps=985"
-87.6725 0.398173 "substeps=1970"
+28.6688 0.429691 "substeps=640"
+44.5741 0.429523 "substeps=985"
+87.6151 0.428771 "substeps=1969"
 END
 $curve15 << END
-40.6327 0.398901 "substeps=641"
-125.118 0.398252 "substeps=1970"
+39.576 0.42975 "substeps=640"
+121.614 0.428915 "substeps=1969"
 END
 $curve16 << END
-219.459 1.01552 "one factorisation a step"
+203.366 1.12248 "one factorisation a step"
 END
 $default << END
-0.745062 0.590583 "passes=3 iterations=2"
+0.633699 0.575612 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-tshirt-step.svg'
