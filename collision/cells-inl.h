@@ -23,6 +23,11 @@ HWY_INLINE Lanes squared_length(const Lanes3& v) {
     return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
 }
 
+HWY_INLINE hn::Mask<Tag> is_finite(const Lanes3& p) {
+    const Lanes zero = set(0);  // times what is not finite: not a number
+    return hn::Eq(hn::MulAdd(p.z, zero, hn::MulAdd(p.y, zero, hn::Mul(p.x, zero))), zero);
+}
+
 HWY_INLINE Indices set_index(std::uint32_t value) {
     return hn::Set(IndexTag(), value);
 }

@@ -16,10 +16,8 @@ namespace {
 
 HWY_INLINE Indices bucket_of(const Cells& cells, CellShape shape, const Lanes3& p, std::uint32_t particle) {
     const Indices bucket = shape == CellShape::row ? row_bucket(cells, p) : cube_bucket(cells, p);
-    const Lanes zero = set(0);  // times what is not finite: not a number
-    const auto finite = hn::Eq(hn::MulAdd(p.z, zero, hn::MulAdd(p.y, zero, hn::Mul(p.x, zero))), zero);
     const Indices spread = hn::And(hn::Iota(IndexTag(), particle), set_index(cells.mask));
-    return hn::IfThenElse(hn::RebindMask(IndexTag(), finite), bucket, spread);
+    return hn::IfThenElse(hn::RebindMask(IndexTag(), is_finite(p)), bucket, spread);
 }
 
 void buckets(const Cells& cells, CellShape shape, std::span<const Vec4> block, std::uint32_t first,

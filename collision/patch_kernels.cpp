@@ -62,9 +62,7 @@ HWY_INLINE BoxLanes place_part(const Vec4* positions, const std::uint32_t* parti
     const Tag d;
     const Lanes infinity = set(std::numeric_limits<float>::infinity());
     const Lanes3 p = gather_rows(positions, particles);
-    const Lanes zero = set(0);  // times what is not finite: not a number
-    const auto finite = hn::Eq(hn::MulAdd(p.z, zero, hn::MulAdd(p.y, zero, hn::Mul(p.x, zero))), zero);
-    const auto here = hn::And(finite, hn::FirstN(d, count));
+    const auto here = hn::And(is_finite(p), hn::FirstN(d, count));
     const Lanes3 lower = either(here, p, {infinity, infinity, infinity});
     hn::Store(lower.x, d, patch.x + first);
     hn::Store(lower.y, d, patch.y + first);
@@ -270,7 +268,7 @@ HWY_INLINE bool add_hits_of_patch(const PatchesView& view, const Seeker& seeker,
 
 std::uint32_t find(const PatchesView& view, float distance, std::uint32_t block, BlockHits& hits) {
     const BoxLanes block_box = box_of(view.block_boxes[block / 16], block % 16);
-    hits.count = hits.left_over_count = 0;
+    hits.count = 0;
     NearBlocks near_blocks;
     if (HWY_UNLIKELY(!find_near_blocks(view, block_box, distance, near_blocks)))
         return (1u << patches_per_block) - 1;

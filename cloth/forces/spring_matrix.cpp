@@ -43,9 +43,7 @@ struct FirstStep {
     const Vec4* b;
     float step;
 
-    HWY_INLINE Lanes3 operator()(std::uint32_t i) const {
-        return set(step) * preconditioned(matrix, i, xyz(load_rows(b + i)));
-    }
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return first_step(matrix, i, b, step); }
 };
 
 /// step D^-1 b + P e.

@@ -142,6 +142,12 @@ void store_transpose(Interpolation& p) {
 
 }  // namespace
 
+Interpolation::Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count)
+    : fine(fine_count),
+      coarse(coarse_count),
+      nodes(std::size_t{width} * Stencil::whole_groups(fine_count)),
+      weights(nodes.size()) {}
+
 std::size_t Interpolation::bytes() const noexcept {
     return nodes.bytes() + weights.bytes() + kept.size() * sizeof(std::uint32_t) + offsets.bytes() +
            fine_nodes.bytes() + fine_weights.bytes();
@@ -152,14 +158,11 @@ std::size_t Interpolation::bytes() const noexcept {
 Coarsening coarsen(const SpringGraph& graph, float ratio) {
     constexpr int sweeps = 4;
     const auto wanted = static_cast<std::uint32_t>(std::ceil(static_cast<float>(graph.nodes()) / ratio));
-    Interpolation p;
-    Voronoi voronoi = sample_farthest(graph, wanted, p.kept);
-    p.kept.shrink_to_fit();
-    p.fine = graph.nodes();
-    p.coarse = static_cast<std::uint32_t>(p.kept.size());
-    const std::size_t entries = std::size_t{Interpolation::width} * Stencil::whole_groups(p.fine);
-    p.nodes = AlignedBuffer<std::uint32_t>(entries);
-    p.weights = AlignedBuffer<float>(entries);
+    std::vector<std::uint32_t> kept;
+    Voronoi voronoi = sample_farthest(graph, wanted, kept);
+    kept.shrink_to_fit();
+    Interpolation p(graph.nodes(), static_cast<std::uint32_t>(kept.size()));
+    p.kept = std::move(kept);
 
     std::vector<bool> is_kept(graph.nodes(), false);
     std::vector<std::uint32_t> coarse_of(graph.nodes(), 0);

@@ -24,10 +24,14 @@ struct SpringGraph {
     }
 };
 
-/// x_fine = P x_coarse, at most four weights a row. Rows sum to 1, so that rigid translations are kept; a
+/// x_fine = P x_coarse, at most `width` weights a row. Rows sum to 1, so that rigid translations are kept; a
 /// node without springs has weights 0.
 struct Interpolation {
     static constexpr std::uint32_t width = 3;
+
+    Interpolation() = default;
+    /// All weights 0.
+    Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
 
     std::uint32_t fine = 0, coarse = 0;
     AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes

@@ -73,13 +73,17 @@ void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Ro
     }
 }
 
+/// step D_i^-1 b_i for the lanes from row i on.
+template <class Matrix>
+HWY_INLINE Lanes3 first_step(const Matrix& matrix, std::uint32_t i, const Vec4* b, float step) {
+    return hn::Set(Tag(), step) * preconditioned(matrix, i, xyz(load_rows(b + i)));
+}
+
 /// x = step D^-1 b.
 template <class Matrix>
 void precondition_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes3 v = preconditioned(matrix, i, xyz(load_rows(b + i)));
-        store_rows(hn::Set(Tag(), step) * v, hn::Zero(Tag()), x + i);
-    }
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes)
+        store_rows(first_step(matrix, i, b, step), hn::Zero(Tag()), x + i);
 }
 
 }  // namespace weft::HWY_NAMESPACE

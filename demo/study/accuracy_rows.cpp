@@ -7,6 +7,7 @@
 #include "demo/study/energy.h"
 #include "demo/study/machine.h"
 #include "demo/study/options.h"
+#include "demo/study/stretch.h"
 
 namespace weft::study {
 

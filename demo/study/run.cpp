@@ -72,23 +72,6 @@ Positions positions_of(const Cloth& cloth) {
     return positions;
 }
 
-Stretch structural_stretch(const CookedCloth& model, const Positions& positions) {
-    Stretch stretch{0, 0};
-    std::size_t springs = 0;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            if (model.kinds[e] != SpringKind::structural) continue;
-            const double length = (positions[model.neighbours[e]] - positions[i]).norm();
-            const double ratio = length / static_cast<double>(model.rest_lengths[e]);
-            stretch.worst = std::max(stretch.worst, ratio);
-            stretch.mean += ratio;
-            ++springs;
-        }
-    }
-    if (springs > 0) stretch.mean /= static_cast<double>(springs);
-    return stretch;
-}
-
 double kappa(const Cloth& cloth, double frame) {
     const ClothInfo info = cloth.info();
     const double mass = static_cast<double>(info.mass) / info.particles;

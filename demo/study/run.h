@@ -50,12 +50,6 @@ class Run {
 using Positions = std::vector<Eigen::Vector3d>;
 [[nodiscard]] Positions positions_of(const Cloth& cloth);
 
-/// Worst and mean length over rest length of the structural springs.
-struct Stretch {
-    double worst, mean;
-};
-[[nodiscard]] Stretch structural_stretch(const CookedCloth& model, const Positions& positions);
-
 /// kappa = stiffness frame^2 / mean mass of a particle: how hard one step of the frame's length is.
 [[nodiscard]] double kappa(const Cloth& cloth, double frame);
 

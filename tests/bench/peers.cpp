@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "demo/study/stretch.h"
 #include "engine/vector.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/scenes.h"
@@ -38,29 +39,10 @@ std::vector<Setting> all_settings() {
     return settings;
 }
 
-struct Stretch {
-    float worst = 0, mean = 0;
-};
-
-/// Of the edges, in parts of their length.
-Stretch stretch_of(const Cloth& cloth) {
-    const CookedCloth& model = cloth.model;
-    const auto positions = cloth.state.positions.span();
-    Stretch stretch;
-    double sum = 0;
-    std::size_t edges = 0;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            if (model.kinds[e] != SpringKind::structural) continue;
-            const float length = (xyz(positions[model.neighbours[e]]) - xyz(positions[i])).norm();
-            const float strain = std::max(0.0f, length / model.rest_lengths[e] - 1);
-            stretch.worst = std::max(stretch.worst, strain);
-            sum += static_cast<double>(strain);
-            ++edges;
-        }
-    }
-    stretch.mean = static_cast<float>(sum / static_cast<double>(edges));
-    return stretch;
+study::Stretch stretch_of(const Cloth& cloth) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const Vec4& p : cloth.state.positions.span()) positions.push_back(xyz(p).cast<double>());
+    return study::structural_stretch(cloth.model, positions);
 }
 
 /// Frames 0.75 s after the start, of ours and Bullet's in turn; stretch after 6 s.
@@ -85,9 +67,9 @@ void print_scene(const char* name, SceneKind kind, std::uint32_t side, const std
     std::printf("%s %-4u", name, side);
     for (std::size_t k = 0; k < ours.size(); ++k) {
         for (int frame = frames_before + timed_frames; frame < frames_of_6_s; ++frame) ours[k].frame();
-        const Stretch stretch = stretch_of(ours[k].cloth());
-        std::printf("  %8.3f %6.1f %% %5.2f %%", median(times[k]), 100 * static_cast<double>(stretch.worst),
-                    100 * static_cast<double>(stretch.mean));
+        const study::Stretch stretch = stretch_of(ours[k].cloth());
+        std::printf("  %8.3f %6.1f %% %5.2f %%", median(times[k]), 100 * (stretch.worst - 1),
+                    100 * (stretch.mean - 1));
     }
     if (theirs_times.empty()) {
         std::printf("  %8s\n", "-");

@@ -69,12 +69,7 @@ inline void make_coincident(SpringScene& scene) {
 
 /// Rows that sum to 1, of nodes anywhere; those of pinned particles are 0.
 inline Interpolation random_interpolation(const SpringScene& scene, std::uint32_t coarse) {
-    Interpolation p;
-    p.fine = scene.size();
-    p.coarse = coarse;
-    const std::size_t entries = std::size_t{Interpolation::width} * Stencil::whole_groups(p.fine);
-    p.nodes = AlignedBuffer<std::uint32_t>(entries);
-    p.weights = AlignedBuffer<float>(entries);
+    Interpolation p(scene.size(), coarse);
     std::mt19937 random(11);
     for (std::uint32_t e = 0; e < Interpolation::width * p.fine; ++e) {
         p.nodes[e] = static_cast<std::uint32_t>(random()) % coarse;

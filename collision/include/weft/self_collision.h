@@ -9,17 +9,20 @@ namespace weft {
 enum class SelfCollisionSearch : std::uint8_t {
     /// Every pair closer than the distance: equal to brute force.
     exact,
-    /// Kang's two grids, the second shifted by half a cell, each particle against its own bucket only. Misses pairs
-    /// that are split by one axis in the first grid and by another in the second (four of five on crumpled cloth).
+    /// Kang's two grids, the second shifted by half a cell, each particle against its own bucket only. Misses
+    /// pairs
+    /// that are split by one axis in the first grid and by another in the second (four of five on crumpled
+    /// cloth).
     shifted_grids,
 };
 
-/// Keeps particles of one cloth at least `distance` apart (Kang, "Efficient Methods for Cloth Animation and Collision
-/// Handling", section IV). Particles closer than that in the rest shape, or joined by a spring, are left alone.
+/// Keeps particles of one cloth at least `distance` apart (Kang, "Efficient Methods for Cloth Animation and
+/// Collision Handling", section IV). Particles closer than that in the rest shape, or joined by a spring, are
+/// left alone.
 struct SelfCollision {
-    bool enabled = false;  ///< off costs nothing; switching it on sorts the particles once (0.25 us each)
-    float distance = 0;    ///< least distance between particles [m]; 0: 0.75 of the mean rest edge
-    float friction = 0.3f; ///< Coulomb coefficient between layers, >= 0
+    bool enabled = false;   ///< off costs nothing; switching it on sorts the particles once (0.25 us each)
+    float distance = 0;     ///< least distance between particles [m]; 0: 0.75 of the mean rest edge
+    float friction = 0.3f;  ///< Coulomb coefficient between layers, >= 0
     SelfCollisionSearch search = SelfCollisionSearch::exact;
 };
 
