@@ -44,15 +44,17 @@ void normals_of(const TriangleGroups& groups, const BlockRange& range, const Vec
 void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4* positions, Vec4* normals,
                      GridWindow& window) {
     GridLoop<1, 3> loop(window, cells.corners, range);
-    Lanes3 own = {hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    Lanes3 own = zero3();
     const auto finish = [&](std::uint32_t i) HWY_ATTR {
-        for (std::uint32_t d = 0; d < 3; ++d) own = own + loop.given_last(d).xyz(0);
+        loop.take_last_from_near([&](const Given& given) HWY_ATTR { own = own + given.xyz(0); });
         store_rows(unit_normals(own), hn::Zero(Tag()), normals + i);
     };
     std::uint32_t i = loop.first();
     for (; i < range.end; i += part_lanes, loop.go_on()) {
         loop.come_to(i, [&](std::uint32_t j)
                             HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(positions + j))}; });
+        Lanes3 from_far = zero3();
+        loop.take_from_far([&](const Given& given) HWY_ATTR { from_far = from_far + given.xyz(0); });
         const CellLanes cell(cells, i);
         const auto [left, right] = cell.area_normals(CellLanes::corners(loop, 0));
         const auto x = cell.shares(left.x, right.x), y = cell.shares(left.y, right.y),
@@ -61,7 +63,7 @@ void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4
         loop.give(1, x.far_left, y.far_left, z.far_left);
         loop.give(2, x.far_right, y.far_right, z.far_right);
         if (i > range.begin) finish(i - part_lanes);
-        own = {x.first, y.first, z.first};
+        own = from_far + Lanes3{x.first, y.first, z.first};
     }
     finish(i - part_lanes);
 }

@@ -167,7 +167,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     BoundsLanes bounds{set3(block.bounds.lower), set3(block.bounds.upper)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
     std::uint32_t i = 0;
-    const Lanes3 none = {set(0), set(0), set(0)};
+    const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
                      &block.positions[i], &block.velocities[i], &block.met[i], bounds);

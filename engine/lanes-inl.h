@@ -36,8 +36,14 @@ struct Lanes4 {
 HWY_INLINE Lanes3 xyz(const Lanes4& v) {
     return {v.x, v.y, v.z};
 }
+HWY_INLINE Lanes3 zero3() {
+    return {hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+}
 HWY_INLINE Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
     return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Lanes4 operator+(const Lanes4& a, const Lanes4& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z), hn::Add(a.w, b.w)};
 }
 HWY_INLINE Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};

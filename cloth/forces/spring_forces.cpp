@@ -104,7 +104,7 @@ struct RowSums {
 };
 HWY_INLINE RowSums no_sums() {
     const Lanes zero = set(0);
-    return {{zero, zero, zero}, zero, {zero, zero, zero, zero, zero, zero}};
+    return {zero3(), zero, {zero, zero, zero, zero, zero, zero}};
 }
 
 // Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
@@ -208,7 +208,7 @@ class SpringsOfMesh {
     void residual(const BlockRange& range, Vec4* residual) const {
         for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
             const Lanes3 v_i = velocities_.own(i);
-            Lanes3 force = {set(0), set(0), set(0)};
+            Lanes3 force = zero3();
             for_each_slot(i, state_.stiffness, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
                 force = mul_add(push_of(state_, springs, relative(s, i, v_i)), springs.direction, force);
             });
@@ -249,18 +249,23 @@ class SpringsOfGrid {
     }
 
   public:
-    SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
+    HWY_INLINE SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
         : state_(state), diagonals_(state.matrix.diagonals), loop_(window, diagonals_, range) {}
 
-    void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
-                   Vec4* right_side) {
+    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+                              Vec4* right_side) {
         alignas(64) std::uint16_t not_stored[4 * Stencil::lanes];  // in the halo, which is another tile's
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             come_to(i);
             const Lanes3 v_i = loop_.own(velocity);
             RowSums sums = no_sums();
+            const auto take = [&sums](const Given& given) HWY_ATTR {
+                sums.force = sums.force - given.xyz(0);
+                sums.add({given[6], given.xyz(3)});
+            };
+            loop_.take_from_far(take);
             for_each_later(i, equations.of_kind, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
-                Lanes3 force = {set(0), set(0), set(0)};
+                Lanes3 force = zero3();
                 const auto block = equations.add_force(springs, relative(d, v_i), force);
                 std::uint16_t* const to =
                     i < range.begin ? not_stored
@@ -271,27 +276,25 @@ class SpringsOfGrid {
                 sums.add(stored);
             });
             if (i < range.begin) continue;
-            for (std::uint32_t d = 0; d < diagonals_.count; ++d) {
-                const auto given = loop_.given(d);
-                sums.force = sums.force - given.xyz(0);
-                sums.add({given[6], given.xyz(3)});
-            }
+            loop_.take_from_near(take);
             equations.finish(state_, i, v_i, sums, matrix, right_side);
         }
     }
 
-    void residual(const BlockRange& range, Vec4* residual) {
+    HWY_INLINE void residual(const BlockRange& range, Vec4* residual) {
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             come_to(i);
             const Lanes3 v_i = loop_.own(velocity);
-            Lanes3 sum = {set(0), set(0), set(0)};
+            Lanes3 sum = zero3();
+            const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+            loop_.take_from_far(take);
             for_each_later(i, state_.stiffness, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
                 const Lanes3 force = push_of(state_, springs, relative(d, v_i)) * springs.direction;
                 loop_.give(d, force.x, force.y, force.z);
                 sum = sum + force;
             });
             if (i < range.begin) continue;
-            for (std::uint32_t d = 0; d < diagonals_.count; ++d) sum = sum - loop_.given(d).xyz(0);
+            loop_.take_from_near(take);
             finish_residual(state_, i, v_i, sum, residual);
         }
     }

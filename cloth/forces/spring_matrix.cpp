@@ -62,11 +62,12 @@ struct CorrectedFirstStep {
 template <class Vector>
 class RowsOfGrid {
   public:
-    RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vector& vector, GridWindow& window)
+    HWY_INLINE RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vector& vector,
+                          GridWindow& window)
         : matrix_(matrix), vector_(vector), loop_(window, matrix.diagonals, range) {
         for (std::uint32_t i = loop_.first(); i < range.begin; i += part_lanes) {
             come_to(i);
-            sum_to_later(i, own(i));
+            add_later(i, own(i), zero3());
             loop_.go_on();
         }
     }
@@ -77,24 +78,24 @@ class RowsOfGrid {
 
     /// sum_j A_ij (x_i - x_j) in square units, for the lanes from particle `i` on; then it goes on.
     HWY_INLINE Lanes3 sum_of_springs(std::uint32_t i, const Lanes3& x_i) {
-        Lanes3 sum = sum_to_later(i, x_i);
-        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d) sum = sum - loop_.given(d).xyz(0);
+        Lanes3 sum = zero3();
+        const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+        loop_.take_from_far(take);
+        sum = add_later(i, x_i, sum);
+        loop_.take_from_near(take);
         loop_.go_on();
         return sum;
     }
 
   private:
-    HWY_INLINE Lanes3 sum_to_later(std::uint32_t i, const Lanes3& x_i) const {
-        Lanes x = hn::Zero(Tag()), y = x, z = x;
+    HWY_INLINE Lanes3 add_later(std::uint32_t i, const Lanes3& x_i, Lanes3 sum) const {
         const std::uint16_t* block = &matrix_.coefficients[lane_index(matrix_.diagonals.entry(i, 0), 0, 4)];
         for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, block += std::size_t{4} * Stencil::lanes) {
             const Lanes3 term = times(load_block(block), x_i - loop_.later(0, d));
             loop_.give(d, term.x, term.y, term.z);
-            x = hn::Add(x, term.x);
-            y = hn::Add(y, term.y);
-            z = hn::Add(z, term.z);
+            sum = sum + term;
         }
-        return {x, y, z};
+        return sum;
     }
 
     const SpringMatrix& matrix_;
@@ -110,8 +111,7 @@ HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& /*matrix*/, std::uint32_t i
 
 HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
                                  const Lanes3& x_i) {
-    const Lanes zero = hn::Zero(Tag());
-    Lanes3 sum = {zero, zero, zero};
+    Lanes3 sum = zero3();
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     for (std::uint32_t s = x.stencil.group_slots[group]; s < x.stencil.group_slots[group + 1]; ++s) {
         const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);

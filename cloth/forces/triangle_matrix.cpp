@@ -21,7 +21,7 @@ HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, 
                                  const Lanes3& x_i) {
     const Stencil& stencil = matrix.scalar_stencil;
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-    Lanes3 sum{hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    Lanes3 sum = zero3();
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
         sum = mul_add(load_lanes(&matrix.scalars[s * Stencil::lanes + lane]),
                       x_i - neighbour_rows(stencil, s, lane, x.rows), sum);

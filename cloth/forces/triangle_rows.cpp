@@ -80,7 +80,7 @@ HWY_INLINE Lanes3 bending_impulse(const TriangleState& state, const TriangleMatr
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     const Vec4 *const x = state.positions.data(), *const v = state.velocities.data();
     const Lanes3 x_i = xyz(load_rows(x + i)), v_i = xyz(load_rows(v + i));
-    Lanes3 by_position = {set(0), set(0), set(0)}, by_velocity = by_position;
+    Lanes3 by_position = zero3(), by_velocity = by_position;
     for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
         const Lanes a = load_lanes(&matrix.scalars[s * Stencil::lanes + lane]);
         by_position = mul_add(a, neighbour_rows(stencil, s, lane, x) - x_i, by_position);
@@ -104,13 +104,13 @@ void linearise(const TriangleState& state, LinearisedAbout about, const BlockRan
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 v_i = xyz(load_rows(&state.velocities[i]));
         const Row row = external_row(equation, i, load_rows(&state.positions[i]).w, v_i);
-        Lanes3 b = row.impulse, force = {set(0), set(0), set(0)};
+        Lanes3 b = row.impulse, force = zero3();
         BlockLanes sum = {force, force, force};
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
             float* const slot = &matrix.blocks[std::size_t{s} * 9 * Stencil::lanes + lane];
-            BlockLanes block = {{set(0), set(0), set(0)}, {set(0), set(0), set(0)}, {set(0), set(0), set(0)}};
+            BlockLanes block = {zero3(), zero3(), zero3()};
             for (const TriangleSources::Source& source : state.sources.sources)
                 add_side(state, source, entry, &block, force);
             sum = sum + block;
@@ -151,7 +151,7 @@ void residual(const TriangleState& state, const BlockRange& range, const Triangl
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Row row =
             external_row(equation, i, load_rows(&state.positions[i]).w, xyz(load_rows(&state.velocities[i])));
-        Lanes3 force = {set(0), set(0), set(0)};
+        Lanes3 force = zero3();
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
             for (const TriangleSources::Source& source : state.sources.sources)

@@ -78,15 +78,14 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
     const Lanes third = set(1.0f / 3.0f);
     const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
     GridLoop<2, 4> loop(window, cells.corners, range);
-    Lanes4 own = {hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag()), hn::Zero(Tag())};
+    const auto add = [](Lanes4& sum, const Given& given) HWY_ATTR {
+        sum = sum + Lanes4{given[0], given[1], given[2], given[3]};
+    };
+    const Lanes4 zero = {set(0), set(0), set(0), set(0)};
+    Lanes4 own = zero;
     const auto finish = [&](std::uint32_t i) HWY_ATTR {
-        Lanes3 force = xyz(own);
-        for (std::uint32_t d = 0; d < 3; ++d) {
-            const auto given = loop.given_last(d);
-            force = force + given.xyz(0);
-            own.w = hn::Add(own.w, given[3]);
-        }
-        store_rows(force, own.w, forces + i);
+        loop.take_last_from_near([&](const Given& given) HWY_ATTR { add(own, given); });
+        store_rows(xyz(own), own.w, forces + i);
     };
     std::uint32_t i = loop.first();
     for (; i < range.end; i += part_lanes, loop.go_on()) {
@@ -95,6 +94,8 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
             return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
                                          streams - xyz(load_rows(velocities + j))};
         });
+        Lanes4 from_far = zero;
+        loop.take_from_far([&](const Given& given) HWY_ATTR { add(from_far, given); });
         const CellLanes cell(cells, i);
         const auto u = CellLanes::corners(loop, 1);
         const auto [left_normal, right_normal] = cell.area_normals(CellLanes::corners(loop, 0));
@@ -107,7 +108,7 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
         loop.give(1, x.far_left, y.far_left, z.far_left, slope.far_left);
         loop.give(2, x.far_right, y.far_right, z.far_right, slope.far_right);
         if (i > range.begin) finish(i - part_lanes);
-        own = {x.first, y.first, z.first, slope.first};
+        own = from_far + Lanes4{x.first, y.first, z.first, slope.first};
     }
     finish(i - part_lanes);
 }

@@ -19,61 +19,55 @@ namespace weft::HWY_NAMESPACE {
 /// What an earlier neighbour gave.
 struct Given {
     const float* values;
-    std::uint32_t next;  ///< from value to value
+    std::size_t next;  ///< from value to value
 
     HWY_INLINE Lanes operator[](std::uint32_t k) const { return hn::LoadU(Tag(), values + k * next); }
     HWY_INLINE Lanes3 xyz(std::uint32_t k) const { return {(*this)[k], (*this)[k + 1], (*this)[k + 2]}; }
 };
 
 /// A loop over rows [first(), range.end), those before range.begin being its halo: at each part of a group it
-/// comes to the part, reads `own` and `later` rows of some vectors, and `give`s each diagonal's later
-/// neighbours what is theirs; `given` is what earlier neighbours gave; then it goes on.
+/// comes to the part, reads `own` and `later` rows of some vectors, takes what far neighbours gave, `give`s
+/// each diagonal's later neighbours what is theirs, and takes what near ones gave; then it goes on.
+///
+/// Whoever has one is inlined into the kernel, so that it lives in registers: a vector's store may be to any
+/// object in memory, and members there would be read anew after each.
 template <std::uint32_t vectors, std::uint32_t exchanged>
 class GridLoop {
     static_assert(vectors <= GridWindows::vectors);
 
   public:
     HWY_INLINE GridLoop(GridWindow& window, const Diagonals& diagonals, const BlockRange& range)
-        : window_(window),
-          count_(diagonals.count),
+        : count_(diagonals.count),
           to_read_(diagonals.reach() + GridWindows::early),
           size_(GridWindows::ring_ahead(diagonals.reach())),
           all_(diagonals.groups() * group_lanes),
-          range_end_(range.end),
-          first_(range.begin),
+          row_(range.begin),
           end_(range.begin + to_read_),
-          place_(window.ahead),
-          ahead_(window.values) {
-        const bool begins = window.at != range.begin;
-        if (begins) {
-            first_ = end_ = range.begin - std::min(range.begin, diagonals.reach());
-            place_ = 0;
-        }
-        float* values = ahead_ + 3 * vectors * (size_ + group_lanes);
+          ahead_(window.values),
+          next_ahead_(size_ + group_lanes) {
+        if (window.at != range.begin) row_ = end_ = range.begin - std::min(range.begin, diagonals.reach());
+        window.at = range.end;
+        place_ = row_ % size_;
+        float* const values = ahead_ + 3 * vectors * next_ahead_;
         for (std::uint32_t d = 0; d < count_; ++d) {
             const std::uint32_t difference = diagonals.differences[d],
                                 size = GridWindows::ring_of(difference);
-            rings_[d] = {values, begins ? 0 : window.exchanged[d], size, difference};
-            values += exchanged * (size + group_lanes);
+            rings_[d] = {values + next_, difference, size - 1};
+            next_ += size + group_lanes;
+            near_ += GridWindows::is_near(difference);
         }
-        if (begins && first_ == 0) std::fill(rings_[0].values, values, 0.0f);  // by rows that are not there
+        if (row_ == 0) std::fill(values, values + exchanged * next_, 0.0f);  // by rows that are not there
     }
     GridLoop(const GridLoop&) = delete;
-    ~GridLoop() {
-        window_.at = range_end_;
-        window_.ahead = place_;
-        for (std::uint32_t d = 0; d < count_; ++d) window_.exchanged[d] = rings_[d].place;
-    }
 
-    [[nodiscard]] HWY_INLINE std::uint32_t first() const { return first_; }
+    [[nodiscard]] HWY_INLINE std::uint32_t first() const { return row_; }
     [[nodiscard]] HWY_INLINE std::uint32_t diagonals() const { return count_; }
 
     /// row(j) gives the vectors in the lanes from row j on.
     template <class Row>
     HWY_INLINE void come_to(std::uint32_t i, const Row& row) {
         for (const std::uint32_t end = i + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
-            std::uint32_t at = place_ + (end_ - i);
-            if (at >= size_) at -= size_;
+            const std::uint32_t at = place_after(end_ - i);
             const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};
             for (std::uint32_t k = 0; k < vectors; ++k) {
                 store(rows[k], k, at);
@@ -83,64 +77,78 @@ class GridLoop {
     }
     HWY_INLINE Lanes3 own(std::uint32_t vector) const { return load(vector, place_); }
     HWY_INLINE Lanes3 later(std::uint32_t vector, std::uint32_t d) const {
-        const std::uint32_t at = place_ + rings_[d].difference;
-        return load(vector, at < size_ ? at : at - size_);
+        return load(vector, place_after(rings_[d].difference));
     }
 
+    /// take(what it gave) for the neighbours that are a group or more away, before anything is given: that
+    /// may come to lie where this does.
+    template <class Take>
+    HWY_INLINE void take_from_far(const Take& take) const {
+// Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
+#pragma GCC unroll 1
+        for (std::uint32_t d = near_; d < count_; ++d) take(given(row_, d));
+    }
     template <class... Values>
     HWY_INLINE void give(std::uint32_t d, const Values&... values) const {
         static_assert(sizeof...(values) == exchanged);
-        const std::uint32_t place = rings_[d].place, size = rings_[d].size, next = size + group_lanes;
+        const std::uint32_t place = row_ & rings_[d].mask;
         float* const first = rings_[d].values + place;
         float* to = first;
-        ((hn::StoreU(values, Tag(), to), to += next), ...);
+        ((hn::StoreU(values, Tag(), to), to += next_), ...);
         if (HWY_LIKELY(place >= group_lanes)) return;
-        to = first + size;
-        ((hn::StoreU(values, Tag(), to), to += next), ...);
+        to = first + rings_[d].mask + 1;
+        ((hn::StoreU(values, Tag(), to), to += next_), ...);
     }
-    HWY_INLINE Given given(std::uint32_t d) const { return given_before(d, 0); }
+    /// take(what it gave) for the neighbours that are nearer, all having been given.
+    template <class Take>
+    HWY_INLINE void take_from_near(const Take& take) const {
+#pragma GCC unroll 1
+        for (std::uint32_t d = 0; d < near_; ++d) take(given(row_, d));
+    }
     /// To the part before. Where rows take long to finish, they are finished one part later: a neighbour next
     /// door gave it a moment ago, and what overlaps a store can be loaded only when all before it is done.
-    HWY_INLINE Given given_last(std::uint32_t d) const { return given_before(d, part_lanes); }
+    template <class Take>
+    HWY_INLINE void take_last_from_near(const Take& take) const {
+#pragma GCC unroll 1
+        for (std::uint32_t d = 0; d < near_; ++d) take(given(row_ - part_lanes, d));
+    }
 
     HWY_INLINE void go_on() {
-        place_ = next(place_, size_);
-        for (std::uint32_t d = 0; d < count_; ++d) rings_[d].place = next(rings_[d].place, rings_[d].size);
+        row_ += part_lanes;
+        place_ = place_after(part_lanes);
     }
 
   private:
     /// Of what is given along a diagonal.
     struct Ring {
         float* values;
-        std::uint32_t place, size, difference;
+        std::uint32_t difference, mask;
     };
 
-    HWY_INLINE Given given_before(std::uint32_t d, std::uint32_t rows) const {
-        const std::uint32_t place = rings_[d].place, size = rings_[d].size;
-        const std::uint32_t back = rings_[d].difference + rows;
-        return {rings_[d].values + (place < back ? place + size : place) - back, size + group_lanes};
+    HWY_INLINE Given given(std::uint32_t row, std::uint32_t d) const {
+        return {rings_[d].values + ((row - rings_[d].difference) & rings_[d].mask), next_};
     }
-    static HWY_INLINE std::uint32_t next(std::uint32_t place, std::uint32_t size) {
-        return place + part_lanes == size ? 0 : place + part_lanes;
+    /// Of those ahead.
+    HWY_INLINE std::uint32_t place_after(std::uint32_t rows) const {
+        const std::uint32_t place = place_ + rows;
+        return place < size_ ? place : place - size_;
     }
     HWY_INLINE Lanes3 load(std::uint32_t vector, std::uint32_t at) const {
         const Tag d;
-        const std::uint32_t next = size_ + group_lanes;
-        const float* x = ahead_ + 3 * vector * next + at;
-        return {hn::LoadU(d, x), hn::LoadU(d, x + next), hn::LoadU(d, x + 2 * next)};
+        const float* x = ahead_ + 3 * vector * next_ahead_ + at;
+        return {hn::LoadU(d, x), hn::LoadU(d, x + next_ahead_), hn::LoadU(d, x + 2 * next_ahead_)};
     }
     HWY_INLINE void store(const Lanes3& values, std::uint32_t vector, std::uint32_t at) const {
         const Tag d;
-        const std::uint32_t next = size_ + group_lanes;
-        float* x = ahead_ + 3 * vector * next + at;
+        float* x = ahead_ + 3 * vector * next_ahead_ + at;
         hn::StoreU(values.x, d, x);
-        hn::StoreU(values.y, d, x + next);
-        hn::StoreU(values.z, d, x + 2 * next);
+        hn::StoreU(values.y, d, x + next_ahead_);
+        hn::StoreU(values.z, d, x + 2 * next_ahead_);
     }
 
-    GridWindow& window_;
-    std::uint32_t count_, to_read_, size_, all_, range_end_, first_, end_, place_;
+    std::uint32_t count_, near_ = 0, to_read_, size_, all_, row_, end_, place_;
     float* ahead_;
+    std::size_t next_ahead_, next_ = 0;  // from value to value, of those ahead and of what is given
     std::array<Ring, Diagonals::most> rings_{};
 };
 

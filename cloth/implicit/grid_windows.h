@@ -11,7 +11,7 @@
 // what the rows just before it give, a halo: so nothing depends on how rows are cut into tiles.
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cstdint>
 
 #include "cloth/implicit/diagonals.h"
@@ -26,9 +26,6 @@ struct GridWindow {
 
     float* values = nullptr;
     std::uint32_t at = nowhere;  ///< the row at which the loop must go on, or it begins anew
-    // Where row `at` is in the rings.
-    std::uint32_t ahead = 0;
-    std::array<std::uint32_t, Diagonals::most> exchanged{};
 };
 
 /// Memory for the windows of loops over a grid. Empty for what is no grid.
@@ -43,10 +40,13 @@ class GridWindows {
     /// How much earlier than needed rows are read: a load that overlaps what has just been stored would wait
     /// until that has left the processor.
     static constexpr std::uint32_t early = 2 * Stencil::lanes;
-    /// Rows in the ring of those ahead, and in a diagonal's. Behind a ring lie its first 16 rows again.
+    /// Of neighbours so near, what is given in a group is taken in it and in the next.
+    static constexpr bool is_near(std::uint32_t difference) { return difference < Stencil::lanes; }
+    /// Rows in the ring of those ahead, and in a diagonal's, which is a power of two: there row i lies at
+    /// place i & (size - 1). Behind a ring lie its first 16 rows again.
     static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + early + Stencil::lanes; }
     static constexpr std::uint32_t ring_of(std::uint32_t difference) {
-        return Stencil::whole_groups(difference) + 2 * Stencil::lanes;
+        return std::bit_ceil(is_near(difference) ? 4 * Stencil::lanes : Stencil::whole_groups(difference));
     }
 
     [[nodiscard]] bool empty() const noexcept { return values_.size() == 0; }

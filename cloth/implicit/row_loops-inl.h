@@ -1,7 +1,7 @@
 // The loops over a matrix's rows that solvers are made of, once for every kind of matrix. For the lanes from
 // row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x in RowsInMemory (of springs,
-// in a grid's window too), and preconditioned(matrix, i, v), which is D_i^-1 v. Included as
-// cloth/implicit/lanes-inl.h.
+// in a grid's window too), and preconditioned(matrix, i, v), which is D_i^-1 v. Inlined, as GridLoop wants.
+// Included as cloth/implicit/lanes-inl.h.
 
 #if defined(WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_IMPLICIT_ROW_LOOPS_INL_H
@@ -32,7 +32,8 @@ class SumByLanes {
 
 /// product = W x, unless it is null. Returns the rows' shares.
 template <class Matrix, class Rows>
-Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x, Vec4* product) {
+HWY_INLINE Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
+                                  Vec4* product) {
     SumByLanes b_x, x_x, x_wx;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         x.come_to(i);
@@ -49,8 +50,8 @@ Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4
 
 /// remainder = b - W x.
 template <class Matrix, class Rows>
-void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
-                           Vec4* remainder) {
+HWY_INLINE void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
+                                      Vec4* remainder) {
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         x.come_to(i);
         const Lanes3 row = row_product(matrix, i, x, x.own(i));
@@ -60,8 +61,8 @@ void subtract_product_rows(const Matrix& matrix, const BlockRange& range, const 
 
 /// See Relaxation.
 template <class Matrix, class Rows>
-void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
-                const Relaxation& relaxation, Vec4* next) {
+HWY_INLINE void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
+                           const Relaxation& relaxation, Vec4* next) {
     const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
     const bool has_momentum = relaxation.momentum != 0;  // else `next` may hold anything
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {

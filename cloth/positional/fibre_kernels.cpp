@@ -181,10 +181,9 @@ HWY_INLINE Lanes substitute_back(const FibreGroup& group, std::uint32_t lane) {
 /// u_i += scale w_i (n dlambda of the spring before - n dlambda of the spring behind).
 HWY_INLINE void move_particles(const FibreGroup& group, std::uint32_t lane, Lanes scale) {
     const Tag tag;
-    const Lanes zero = hn::Zero(tag);
-    Lanes3 before = {zero, zero, zero};
+    Lanes3 before = zero3();
     for (std::uint32_t row = 0; row <= group.rows; ++row) {
-        Lanes3 behind = {zero, zero, zero};
+        Lanes3 behind = zero3();
         if (row < group.rows) {
             const Kept kept = kept_of(group, row, lane);
             const Lanes change = hn::Mul(scale, load_lanes(kept.solution()));

@@ -32,6 +32,9 @@ std::vector<Case> cases() {
     return {{"grid", [=] { return grid(LinearisedAbout::base); }},
             {"grid about the iterate", [=] { return grid(LinearisedAbout::iterate); }},
             {"larger grid", [] { return make_scene(sheet(40, 37), 400, LinearisedAbout::iterate); }},
+            // Rows a power of two apart: rings are just as long.
+            {"grid of whole groups", [] { return make_scene(sheet(24, 32), 400, LinearisedAbout::iterate); }},
+            {"grid of one group", [] { return make_scene(sheet(40, 16), 400, LinearisedAbout::base); }},
             {"narrow grid", [] { return make_scene(sheet(40, 2), 400, LinearisedAbout::base); }},
             {"irregular mesh", [=] { return make_scene(irregular(), 400, LinearisedAbout::iterate); }},
             {"one triangle", [] { return make_scene(fan(1), 400, LinearisedAbout::base); }},
