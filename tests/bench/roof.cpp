@@ -21,12 +21,14 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<float>;
 
-/// Twelve chains hide the latency of two units. Returns the operations done.
+/// Twelve chains hide the latency of two units; each starts elsewhere, or a compiler would make them one.
+/// Returns the operations done.
 double multiply_add(std::size_t rounds, float* sink) {
     const Tag d;
     const auto a = hn::Set(d, 0.999f), b = hn::Set(d, 1e-3f);
-    auto c0 = hn::Set(d, 1), c1 = c0, c2 = c0, c3 = c0, c4 = c0, c5 = c0, c6 = c0, c7 = c0, c8 = c0, c9 = c0,
-         c10 = c0, c11 = c0;
+    const auto start = [d](float value) HWY_ATTR { return hn::Set(d, value); };
+    auto c0 = start(1), c1 = start(2), c2 = start(3), c3 = start(4), c4 = start(5), c5 = start(6),
+         c6 = start(7), c7 = start(8), c8 = start(9), c9 = start(10), c10 = start(11), c11 = start(12);
     for (std::size_t k = 0; k < rounds; ++k) {
         c0 = hn::MulAdd(c0, a, b), c1 = hn::MulAdd(c1, a, b), c2 = hn::MulAdd(c2, a, b);
         c3 = hn::MulAdd(c3, a, b), c4 = hn::MulAdd(c4, a, b), c5 = hn::MulAdd(c5, a, b);
