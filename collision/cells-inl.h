@@ -31,6 +31,10 @@ HWY_INLINE hn::Mask<Tag> is_finite(const Lanes3& p) {
 HWY_INLINE Indices set_index(std::uint32_t value) {
     return hn::Set(IndexTag(), value);
 }
+/// first, first + 1, .. Highway's Iota from what is not constant stores lane by lane, and waits to load them.
+HWY_INLINE Indices indices_from(std::uint32_t first) {
+    return hn::Add(set_index(first), hn::Iota(IndexTag(), 0));
+}
 
 HWY_INLINE Indices mixed(Indices bits) {
     bits = hn::Mul(hn::Xor(bits, hn::ShiftRight<15>(bits)), set_index(0x2C1B3C6Du));

@@ -16,7 +16,7 @@ namespace {
 
 HWY_INLINE Indices bucket_of(const Cells& cells, CellShape shape, const Lanes3& p, std::uint32_t particle) {
     const Indices bucket = shape == CellShape::row ? row_bucket(cells, p) : cube_bucket(cells, p);
-    const Indices spread = hn::And(hn::Iota(IndexTag(), particle), set_index(cells.mask));
+    const Indices spread = hn::And(indices_from(particle), set_index(cells.mask));
     return hn::IfThenElse(hn::RebindMask(IndexTag(), is_finite(p)), bucket, spread);
 }
 
@@ -55,7 +55,7 @@ void partition(const BlockOfIndices& buckets, const BlockRange& range, std::uint
             const auto is_here = hn::Eq(hn::ShiftRightSame(bucket, static_cast<int>(shift)), set_index(part));
             const auto mask = hn::And(is_here, hn::FirstN(d, size - k));
             hn::CompressStore(bucket, mask, d, sorted_buckets + count);
-            count += hn::CompressStore(hn::Iota(d, range.begin + k), mask, d, particles + count);
+            count += hn::CompressStore(indices_from(range.begin + k), mask, d, particles + count);
         }
     }
     part_starts[parts] = static_cast<std::uint16_t>(count);
@@ -75,7 +75,7 @@ HWY_INLINE Indices sums_up_to(Indices v) {
     v = hn::Add(v, hn::ShiftLeftLanes<2>(d, v));
     for (std::uint32_t step = 4; step < part_lanes; step *= 2) {
         // Of each 2 * step lanes the upper half lacks the lower half's sum.
-        const Indices lane = hn::Iota(d, 0);
+        const Indices lane = indices_from(0);
         const Indices end_of_lower = hn::Sub(hn::And(lane, set_index(~(2 * step - 1))), set_index(1u - step));
         const Indices lower = hn::TableLookupLanes(v, hn::IndicesFromVec(d, end_of_lower));
         const auto is_upper = hn::Ne(hn::And(lane, set_index(step)), set_index(0));

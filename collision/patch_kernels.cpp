@@ -119,7 +119,7 @@ template <class Mask, class List>
 HWY_INLINE void append(Mask mask, std::uint32_t first, List& list) {
     const IndexTag d;
     const auto indices = hn::RebindMask(d, mask);
-    hn::StoreU(hn::Compress(hn::Iota(d, first), indices), d, &list.index[list.count]);
+    hn::StoreU(hn::Compress(indices_from(first), indices), d, &list.index[list.count]);
     list.count += static_cast<std::uint32_t>(hn::CountTrue(d, indices));
 }
 

@@ -84,7 +84,7 @@ HWY_INLINE std::uint32_t close_in_range(const Slots& slots, const std::uint32_t*
     std::uint32_t s = range.begin;
     do {  // at least once: whether a range is empty, nobody can foresee
         const auto is_close = hn::Lt(squared_length(positions_at(slots, s) - p), set(slots.distance_squared));
-        const auto is_other = hn::Ne(hn::Iota(d, s), set_index(slot));
+        const auto is_other = hn::Ne(indices_from(s), set_index(slot));
         const auto mask =
             hn::And(hn::And(hn::RebindMask(d, is_close), is_other), hn::FirstN(d, range.end - s));
         hn::StoreU(hn::Compress(hn::LoadU(d, particles + s), mask), d, close + count);
