@@ -51,7 +51,7 @@ void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4
     };
     std::uint32_t i = loop.first();
     for (; i < range.end; i += part_lanes, loop.go_on()) {
-        loop.come_to(i, [&](std::uint32_t j)
+        loop.read_ahead([&](std::uint32_t j)
                             HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(positions + j))}; });
         Lanes3 from_far = zero3();
         loop.take_from_far([&](const Given& given) HWY_ATTR { from_far = from_far + given.xyz(0); });

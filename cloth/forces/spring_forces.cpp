@@ -256,7 +256,7 @@ class SpringsOfGrid {
                               Vec4* right_side) {
         alignas(64) std::uint16_t not_stored[4 * Stencil::lanes];  // in the halo, which is another tile's
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
-            come_to(i);
+            read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
             RowSums sums = no_sums();
             const auto take = [&sums](const Given& given) HWY_ATTR {
@@ -283,7 +283,7 @@ class SpringsOfGrid {
 
     HWY_INLINE void residual(const BlockRange& range, Vec4* residual) {
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
-            come_to(i);
+            read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
             Lanes3 sum = zero3();
             const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
@@ -300,8 +300,8 @@ class SpringsOfGrid {
     }
 
   private:
-    HWY_INLINE void come_to(std::uint32_t i) {
-        loop_.come_to(i, [this](std::uint32_t j) HWY_ATTR {
+    HWY_INLINE void read_ahead() {
+        loop_.read_ahead([this](std::uint32_t j) HWY_ATTR {
             const Lanes3 x = xyz(load_rows(&state_.positions[j])), v = xyz(load_rows(&state_.velocities[j]));
             return std::array<Lanes3, 2>{state_.time_ahead == 0 ? x : mul_add(set(state_.time_ahead), v, x),
                                          v};

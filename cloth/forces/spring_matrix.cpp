@@ -71,8 +71,8 @@ class RowsOfGrid {
             loop_.go_on();
         }
     }
-    HWY_INLINE void come_to(std::uint32_t i) {
-        loop_.come_to(i, [this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{vector_(j)}; });
+    HWY_INLINE void come_to(std::uint32_t /*i*/) {
+        loop_.read_ahead([this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{vector_(j)}; });
     }
     HWY_INLINE Lanes3 own(std::uint32_t /*i*/) const { return loop_.own(0); }
 

@@ -89,7 +89,7 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const W
     };
     std::uint32_t i = loop.first();
     for (; i < range.end; i += part_lanes, loop.go_on()) {
-        loop.come_to(i, [&](std::uint32_t j) HWY_ATTR {
+        loop.read_ahead([&](std::uint32_t j) HWY_ATTR {
             const Lanes3 streams = air_velocities.empty() ? mean_wind : xyz(load_rows(&air_velocities[j]));
             return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
                                          streams - xyz(load_rows(velocities + j))};

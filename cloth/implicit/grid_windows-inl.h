@@ -26,8 +26,8 @@ struct Given {
 };
 
 /// A loop over rows [first(), range.end), those before range.begin being its halo: at each part of a group it
-/// comes to the part, reads `own` and `later` rows of some vectors, takes what far neighbours gave, `give`s
-/// each diagonal's later neighbours what is theirs, and takes what near ones gave; then it goes on.
+/// reads ahead, has `own` and `later` rows of some vectors, takes what far neighbours gave, `give`s each
+/// diagonal's later neighbours what is theirs, and takes what near ones gave; then it goes on.
 ///
 /// Whoever has one is inlined into the kernel, so that it lives in registers: a vector's store may be to any
 /// object in memory, and members there would be read anew after each.
@@ -65,9 +65,9 @@ class GridLoop {
 
     /// row(j) gives the vectors in the lanes from row j on.
     template <class Row>
-    HWY_INLINE void come_to(std::uint32_t i, const Row& row) {
-        for (const std::uint32_t end = i + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
-            const std::uint32_t at = place_after(end_ - i);
+    HWY_INLINE void read_ahead(const Row& row) {
+        for (const std::uint32_t end = row_ + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
+            const std::uint32_t at = place_after(end_ - row_);
             const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};
             for (std::uint32_t k = 0; k < vectors; ++k) {
                 store(rows[k], k, at);
