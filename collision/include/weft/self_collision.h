@@ -10,9 +10,8 @@ enum class SelfCollisionSearch : std::uint8_t {
     /// Every pair closer than the distance: equal to brute force.
     exact,
     /// Kang's two grids, the second shifted by half a cell, each particle against its own bucket only. Misses
-    /// pairs
-    /// that are split by one axis in the first grid and by another in the second (four of five on crumpled
-    /// cloth).
+    /// pairs that are split by one axis in the first grid and by another in the second (four of five on
+    /// crumpled cloth).
     shifted_grids,
 };
 
