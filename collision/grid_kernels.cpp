@@ -8,7 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/cells-inl.h"
+#include "collision/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -47,15 +47,16 @@ void partition(const BlockOfIndices& buckets, const BlockRange& range, std::uint
         return;
     }
     alignas(64) std::uint32_t sorted_buckets[block_size + part_lanes], particles[block_size + part_lanes];
-    std::size_t count = 0;
+    std::uint32_t count = 0;
     for (std::uint32_t part = 0; part < parts; ++part) {
         part_starts[part] = static_cast<std::uint16_t>(count);
         for (std::uint32_t k = 0; k < size; k += part_lanes) {
             const Indices bucket = hn::LoadU(d, &buckets[k]);
             const auto is_here = hn::Eq(hn::ShiftRightSame(bucket, static_cast<int>(shift)), set_index(part));
-            const auto mask = hn::And(is_here, hn::FirstN(d, size - k));
-            hn::CompressStore(bucket, mask, d, sorted_buckets + count);
-            count += hn::CompressStore(indices_from(range.begin + k), mask, d, particles + count);
+            const Kept here(hn::And(is_here, hn::FirstN(d, size - k)));
+            hn::StoreU(here.of(bucket), d, sorted_buckets + count);
+            hn::StoreU(here.of_numbers_from(range.begin + k), d, particles + count);
+            count += here.count();
         }
     }
     part_starts[parts] = static_cast<std::uint16_t>(count);

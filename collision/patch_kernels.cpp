@@ -11,7 +11,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/cells-inl.h"
+#include "collision/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -118,9 +118,9 @@ struct Passed {
 template <class Mask, class List>
 HWY_INLINE void append(Mask mask, std::uint32_t first, List& list) {
     const IndexTag d;
-    const auto indices = hn::RebindMask(d, mask);
-    hn::StoreU(hn::Compress(indices_from(first), indices), d, &list.index[list.count]);
-    list.count += static_cast<std::uint32_t>(hn::CountTrue(d, indices));
+    const Kept kept(hn::RebindMask(d, mask));
+    hn::StoreU(kept.of_numbers_from(first), d, &list.index[list.count]);
+    list.count += kept.count();
 }
 
 /// 16 k + the lanes of those of `boxes` that are within the distance of `box`, for k = 0, 1, ..
@@ -231,10 +231,10 @@ HWY_INLINE void find_company(const PatchesView& view, const Seeker& seeker, cons
         const Indices itself =
             hn::IfThenElseZero(is_own, hn::Shl(set_index(1), hn::And(lane, set_index(patch_size - 1))));
         const Indices bits = hn::AndNot(itself, hn::PromoteTo(d, hn::LoadU(halves, &bits_of[k])));
-        const auto close = hn::And(hn::Ne(bits, set_index(0)), hn::FirstN(d, near.count - k));
-        hn::StoreU(hn::Compress(particle, close), d, &company.particle[company.count]);
-        hn::StoreU(hn::Compress(bits, close), d, &company.bits[company.count]);
-        company.count += static_cast<std::uint32_t>(hn::CountTrue(d, close));
+        const Kept close(hn::And(hn::Ne(bits, set_index(0)), hn::FirstN(d, near.count - k)));
+        hn::StoreU(close.of(particle), d, &company.particle[company.count]);
+        hn::StoreU(close.of(bits), d, &company.bits[company.count]);
+        company.count += close.count();
     }
 }
 

@@ -7,7 +7,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/cells-inl.h"
+#include "collision/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -80,18 +80,18 @@ HWY_INLINE std::uint32_t close_in_range(const Slots& slots, const std::uint32_t*
                                         std::uint32_t slot, SlotRange range, std::uint32_t* close) {
     const IndexTag d;
     const Lanes3 p = {set(slots.x[slot]), set(slots.y[slot]), set(slots.z[slot])};
-    std::size_t count = 0;
+    std::uint32_t count = 0;
     std::uint32_t s = range.begin;
     do {  // at least once: whether a range is empty, nobody can foresee
         const auto is_close = hn::Lt(squared_length(positions_at(slots, s) - p), set(slots.distance_squared));
         const auto is_other = hn::Ne(indices_from(s), set_index(slot));
-        const auto mask =
-            hn::And(hn::And(hn::RebindMask(d, is_close), is_other), hn::FirstN(d, range.end - s));
-        hn::StoreU(hn::Compress(hn::LoadU(d, particles + s), mask), d, close + count);
-        count += hn::CountTrue(d, mask);
+        const Kept kept(
+            hn::And(hn::And(hn::RebindMask(d, is_close), is_other), hn::FirstN(d, range.end - s)));
+        hn::StoreU(kept.of(hn::LoadU(d, particles + s)), d, close + count);
+        count += kept.count();
         s += part_lanes;
     } while (HWY_UNLIKELY(s < range.end));
-    return static_cast<std::uint32_t>(count);
+    return count;
 }
 
 /// The runs that each particle of a block looks through, named by their first buckets.
@@ -175,18 +175,18 @@ void without_rest_pairs(const RestFilter& filter, float distance_squared, BlockH
         std::fill_n(&hits.particles[hits.count], part_lanes, 0u);  // the last group reads on
         std::fill_n(&hits.others[hits.count], part_lanes, 0u);
         const Vec4* const rest = filter.rest_positions.data();
-        std::size_t kept = 0;
+        std::uint32_t count = 0;
         for (std::uint32_t k = 0; k < hits.count; k += part_lanes) {
             const Lanes3 apart = gather_rows(rest, &hits.particles[k]) - gather_rows(rest, &hits.others[k]);
             const auto is_far = hn::Not(hn::Lt(squared_length(apart), set(distance_squared)));
-            const auto mask = hn::And(hn::RebindMask(d, is_far), hn::FirstN(d, hits.count - k));
+            const Kept kept(hn::And(hn::RebindMask(d, is_far), hn::FirstN(d, hits.count - k)));
             const Indices particles = hn::LoadU(d, &hits.particles[k]),
                           others = hn::LoadU(d, &hits.others[k]);
-            hn::StoreU(hn::Compress(particles, mask), d, &hits.particles[kept]);
-            hn::StoreU(hn::Compress(others, mask), d, &hits.others[kept]);
-            kept += hn::CountTrue(d, mask);
+            hn::StoreU(kept.of(particles), d, &hits.particles[count]);
+            hn::StoreU(kept.of(others), d, &hits.others[count]);
+            count += kept.count();
         }
-        hits.count = static_cast<std::uint32_t>(kept);
+        hits.count = count;
     }
     if (filter.offsets.empty()) return;
     std::uint32_t kept = 0;
