@@ -7,6 +7,9 @@
 #define WEFT_CLOTH_GRID_CELLS_INL_H
 #endif
 
+#include <algorithm>
+#include <array>
+
 #include "cloth/grid_cells.h"
 #include "cloth/implicit/grid_windows-inl.h"
 
@@ -19,6 +22,15 @@ HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
+/// What a vector has at the corners of cells.
+struct Corners {
+    Lanes3 first, near_right, far_left, far_right;
+};
+/// What cells have for their corners.
+struct Shares {
+    Lanes first, near_right, far_left, far_right;
+};
+
 /// The two triangles of the cells whose first corners are the lanes from particle i on: one at the first
 /// corner and the far left, one at the far right and the near right; the cut says which third corner each
 /// has.
@@ -29,14 +41,6 @@ class CellLanes {
                              hn::PromoteTo(hn::RebindToSigned<Tag>(),
                                            hn::Load(hn::Rebind<std::int8_t, Tag>(), &cells.cuts[i])))) {}
 
-    /// At the corners: what a loop's vector has there.
-    struct Corners {
-        Lanes3 first, near_right, far_left, far_right;
-    };
-    template <class Loop>
-    static HWY_INLINE Corners corners(const Loop& loop, std::uint32_t vector) {
-        return {loop.own(vector), loop.later(vector, 0), loop.later(vector, 1), loop.later(vector, 2)};
-    }
     HWY_INLINE Lanes3 third_of_left(const Corners& at) const {
         return either(rises(), at.far_right, at.near_right);
     }
@@ -55,9 +59,6 @@ class CellLanes {
     }
 
     /// What a triangle has goes to each of its corners.
-    struct Shares {
-        Lanes first, near_right, far_left, far_right;
-    };
     HWY_INLINE Shares shares(Lanes left, Lanes right) const {
         const Lanes both = hn::Add(left, right);
         return {hn::IfThenElse(rises(), both, left), hn::IfThenElse(rises(), right, both),
@@ -68,6 +69,89 @@ class CellLanes {
     HWY_INLINE hn::Mask<Tag> rises() const { return hn::Gt(cut_, hn::Zero(Tag())); }
 
     Lanes cut_;
+};
+
+/// Moves lanes by one, part after part.
+struct LaneBefore {
+    Lanes last;  ///< of the part before, in the first lane
+
+    /// Of each lane the one before; of the first, the part before's last.
+    HWY_INLINE Lanes operator()(Lanes values) {
+        const Tag d;
+        const Lanes turned = hn::TableLookupLanes(values, hn::SetTableIndices(d, indices.data()));
+        const Lanes moved = hn::IfThenElse(hn::FirstN(d, 1), last, turned);
+        last = turned;
+        return moved;
+    }
+
+    alignas(64) static constexpr auto indices = [] {
+        std::array<std::int32_t, part_lanes> before{};
+        for (std::uint32_t k = 0; k < part_lanes; ++k)
+            before[k] = static_cast<std::int32_t>((k + part_lanes - 1) % part_lanes);
+        return before;
+    }();
+};
+
+/// A loop over a tile of a grid's cells, by their first corners, from a halo on. At each part of a group it
+/// reads ahead, has some vectors at the corners, and sums up what cells have for particles; then it goes on.
+/// To be inlined, as GridLoop.
+template <std::uint32_t vectors, std::uint32_t shared>
+class CellLoop {
+    static_assert(shared <= GridCells::most_shared);
+
+  public:
+    HWY_INLINE CellLoop(const GridCells& cells, const BlockRange& tile, const GridWindow& window)
+        : columns_(cells.columns),
+          ahead_(window.values, cells.diagonals.reach(), cells.diagonals.groups() * group_lanes,
+                 tile.begin - std::min(tile.begin, cells.diagonals.reach()),
+                 tile.begin - std::min(tile.begin, cells.diagonals.reach())),
+          far_(ahead_.behind()),
+          mask_(GridWindows::ring_of(columns_) - 1),
+          next_(mask_ + 1 + group_lanes) {
+        for (std::uint32_t k = 0; k < shared; ++k) near_right_[k].last = far_right_[k].last = hn::Zero(Tag());
+        if (first() == 0) std::fill(far_, far_ + shared * next_, 0.0f);  // of rows that are not there
+    }
+    CellLoop(const CellLoop&) = delete;
+
+    [[nodiscard]] HWY_INLINE std::uint32_t first() const { return ahead_.row(); }
+
+    /// See RowsAhead.
+    template <class Row>
+    HWY_INLINE void read_ahead(const Row& row) {
+        ahead_.read(row);
+    }
+    HWY_INLINE Corners corners(std::uint32_t vector) const {
+        return {ahead_.after(0, vector), ahead_.after(0, vector, 1), ahead_.after(columns_, vector),
+                ahead_.after(columns_, vector, 1)};
+    }
+
+    /// Of each value what the cells around the particles of these lanes have for them, the cells of these
+    /// lanes having `shares`.
+    HWY_INLINE std::array<Lanes, shared> sums(const std::array<Shares, shared>& shares) {
+        const Tag d;
+        const std::uint32_t place = ahead_.row() & mask_, place_before = (ahead_.row() - columns_) & mask_;
+        std::array<Lanes, shared> sums, far;
+        for (std::uint32_t k = 0; k < shared; ++k) {
+            const Lanes near = hn::Add(shares[k].first, near_right_[k](shares[k].near_right));
+            sums[k] = hn::Add(hn::LoadU(d, far_ + k * next_ + place_before), near);
+            far[k] = hn::Add(shares[k].far_left, far_right_[k](shares[k].far_right));
+            hn::StoreU(far[k], d, far_ + k * next_ + place);
+        }
+        if (HWY_UNLIKELY(place < group_lanes))  // for loads across the ring's end
+            for (std::uint32_t k = 0; k < shared; ++k)
+                hn::StoreU(far[k], d, far_ + k * next_ + mask_ + 1 + place);
+        return sums;
+    }
+
+    HWY_INLINE void go_on() { ahead_.go_on(); }
+
+  private:
+    std::uint32_t columns_;
+    RowsAhead<vectors> ahead_;
+    float* far_;  // a ring for each value
+    std::uint32_t mask_;
+    std::size_t next_;
+    std::array<LaneBefore, shared> near_right_, far_right_;
 };
 
 }  // namespace weft::HWY_NAMESPACE

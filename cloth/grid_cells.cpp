@@ -37,7 +37,8 @@ std::vector<std::uint8_t> triangles_of_cells(const CookedCloth& model) {
 }  // namespace
 
 GridCells::GridCells(const CookedCloth& model) {
-    if (model.rows < 2 || model.columns < 2 || model.rows * model.columns != model.particle_count) return;
+    if (model.rows < 2 || model.columns < least_columns) return;
+    if (model.rows * model.columns != model.particle_count) return;
     if (model.triangles.size() != std::size_t{2} * (model.rows - 1) * (model.columns - 1)) return;
     const std::vector<std::uint8_t> found = triangles_of_cells(model);
     if (found.empty()) return;
@@ -46,11 +47,12 @@ GridCells::GridCells(const CookedCloth& model) {
         if (found[i] != 0 && found[i] != 3 && found[i] != 12) return;
         cut[i] = static_cast<std::int8_t>((found[i] == 3) - (found[i] == 12));
     }
-    corners.nodes = model.particle_count;
-    corners.count = 3;
-    corners.differences = {1, model.columns, model.columns + 1};
+    diagonals.nodes = model.particle_count;
+    diagonals.count = 1;
+    diagonals.differences = {model.columns + 1};
+    columns = model.columns;
     cuts = std::move(cut);
-    windows = GridWindows(corners, 4);
+    windows = GridWindows(diagonals, most_shared);
 }
 
 }  // namespace weft

@@ -41,31 +41,18 @@ void normals_of(const TriangleGroups& groups, const BlockRange& range, const Vec
     }
 }
 
-void normals_of_grid(const GridCells& cells, const BlockRange& range, const Vec4* positions, Vec4* normals,
-                     GridWindow& window) {
-    GridLoop<1, 3> loop(window, cells.corners, range);
-    Lanes3 own = zero3();
-    const auto finish = [&](std::uint32_t i) HWY_ATTR {
-        loop.take_last_from_near([&](const Given& given) HWY_ATTR { own = own + given.xyz(0); });
-        store_rows(unit_normals(own), hn::Zero(Tag()), normals + i);
-    };
-    std::uint32_t i = loop.first();
-    for (; i < range.end; i += part_lanes, loop.go_on()) {
+void normals_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
+                     const Vec4* positions, Vec4* normals) {
+    CellLoop<1, 3> loop(cells, tile, window);
+    for (std::uint32_t i = loop.first(); i < tile.end; i += part_lanes, loop.go_on()) {
         loop.read_ahead([&](std::uint32_t j)
                             HWY_ATTR { return std::array<Lanes3, 1>{xyz(load_rows(positions + j))}; });
-        Lanes3 from_far = zero3();
-        loop.take_from_far([&](const Given& given) HWY_ATTR { from_far = from_far + given.xyz(0); });
         const CellLanes cell(cells, i);
-        const auto [left, right] = cell.area_normals(CellLanes::corners(loop, 0));
-        const auto x = cell.shares(left.x, right.x), y = cell.shares(left.y, right.y),
-                   z = cell.shares(left.z, right.z);
-        loop.give(0, x.near_right, y.near_right, z.near_right);
-        loop.give(1, x.far_left, y.far_left, z.far_left);
-        loop.give(2, x.far_right, y.far_right, z.far_right);
-        if (i > range.begin) finish(i - part_lanes);
-        own = from_far + Lanes3{x.first, y.first, z.first};
+        const auto [left, right] = cell.area_normals(loop.corners(0));
+        const auto [x, y, z] = loop.sums(
+            {cell.shares(left.x, right.x), cell.shares(left.y, right.y), cell.shares(left.z, right.z)});
+        if (i >= tile.begin) store_rows(unit_normals({x, y, z}), hn::Zero(Tag()), normals + i);
     }
-    finish(i - part_lanes);
 }
 
 }  // namespace
@@ -105,11 +92,11 @@ void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span
 
 void compute_normals(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                      std::span<Vec4> normals) {
-    blocks_in_tiles(
-        parallel, cells.corners.nodes, cells.windows, [&](const BlockRange& range, GridWindow* window) {
-            HWY_DYNAMIC_DISPATCH(normals_of_grid)(cells, range, positions.data(), normals.data(), *window);
-            clear_behind(range.end, normals);
-        });
+    tiles(parallel, cells.diagonals.nodes, cells.windows,
+          [&](const GridWindow& window, const BlockRange& tile) {
+              HWY_DYNAMIC_DISPATCH(normals_of_grid)(cells, tile, window, positions.data(), normals.data());
+              clear_behind(tile.end, normals);
+          });
 }
 
 }  // namespace weft

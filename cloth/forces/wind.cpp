@@ -19,13 +19,12 @@ HWY_INLINE PackedRows sum_over_corners(const TriangleGroups& groups, std::uint32
            corner_rows(groups, t, 2, rows);
 }
 
-/// The air's velocity minus the triangles' [m/s].
-HWY_INLINE Lanes3 relative_velocity(const TriangleGroups& groups, std::uint32_t t, const Vec4* velocities,
-                                    const Lanes3& mean_wind, std::span<const Vec4> air_velocities) {
-    const Lanes third = set(1.0f / 3.0f);
+/// The air's velocity minus the triangles', thrice [m/s].
+HWY_INLINE Lanes3 relative_velocities(const TriangleGroups& groups, std::uint32_t t, const Vec4* velocities,
+                                      const Lanes3& mean_wind, std::span<const Vec4> air_velocities) {
     const PackedRows sum = sum_over_corners(groups, t, velocities);
-    if (air_velocities.empty()) return mean_wind - third * unpacked(sum);
-    return third * unpacked(sum_over_corners(groups, t, air_velocities.data()) - sum);
+    if (air_velocities.empty()) return set(3) * mean_wind - unpacked(sum);
+    return unpacked(sum_over_corners(groups, t, air_velocities.data()) - sum);
 }
 
 // With u the relative velocity, n the normal on the side to which the air streams and c = u.n / |u| >= 0:
@@ -35,12 +34,13 @@ HWY_INLINE Lanes3 relative_velocity(const TriangleGroups& groups, std::uint32_t 
 // with lift that vanishes edge-on, so that the force is continuous where the side that faces the wind
 // changes). With N = 2 A n:
 //   c = |u.N| / (|u| |N|),   |u| n = sign(u.N) |u|^2 / (|u| |N|) N
+// Here 3 u, the sum over the corners, stands for u.
 struct AirOnPlates {
     explicit AirOnPlates(const Wind& wind)
         : drag(wind.drag),
           lift(wind.lift),
-          to_pressure(wind.air_density / 12),  // of a third of the triangle, by 2 A
-          to_slope(wind.air_density / 6 * (wind.drag + wind.lift)) {}
+          to_pressure(wind.air_density / 12 / 9),  // of a third of the triangle, by 2 A and twice 3 u
+          to_slope(wind.air_density / 6 / 3 * (wind.drag + wind.lift)) {}
 
     /// A third of the force on triangles, w its slope.
     HWY_INLINE Lanes4 thirds(const Lanes3& normal, const Lanes3& u) const {
@@ -66,51 +66,32 @@ void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const 
     for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
         const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
         const Lanes4 force =
-            air.thirds(normal, relative_velocity(groups, t, velocities, mean_wind, air_velocities));
+            air.thirds(normal, relative_velocities(groups, t, velocities, mean_wind, air_velocities));
         store_packed(packed(xyz(force), force.w), triangle_rows + t);
     }
 }
 
-void air_forces_of_grid(const GridCells& cells, const BlockRange& range, const Wind& wind,
-                        const Vec4* positions, const Vec4* velocities, std::span<const Vec4> air_velocities,
-                        Vec4* forces, GridWindow& window) {
+void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
+                        const Wind& wind, const Vec4* positions, const Vec4* velocities,
+                        std::span<const Vec4> air_velocities, Vec4* forces) {
     const AirOnPlates air(wind);
-    const Lanes third = set(1.0f / 3.0f);
     const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
-    GridLoop<2, 4> loop(window, cells.corners, range);
-    const auto add = [](Lanes4& sum, const Given& given) HWY_ATTR {
-        sum = sum + Lanes4{given[0], given[1], given[2], given[3]};
-    };
-    const Lanes4 zero = {set(0), set(0), set(0), set(0)};
-    Lanes4 own = zero;
-    const auto finish = [&](std::uint32_t i) HWY_ATTR {
-        loop.take_last_from_near([&](const Given& given) HWY_ATTR { add(own, given); });
-        store_rows(xyz(own), own.w, forces + i);
-    };
-    std::uint32_t i = loop.first();
-    for (; i < range.end; i += part_lanes, loop.go_on()) {
+    CellLoop<2, 4> loop(cells, tile, window);
+    for (std::uint32_t i = loop.first(); i < tile.end; i += part_lanes, loop.go_on()) {
         loop.read_ahead([&](std::uint32_t j) HWY_ATTR {
             const Lanes3 streams = air_velocities.empty() ? mean_wind : xyz(load_rows(&air_velocities[j]));
             return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
                                          streams - xyz(load_rows(velocities + j))};
         });
-        Lanes4 from_far = zero;
-        loop.take_from_far([&](const Given& given) HWY_ATTR { add(from_far, given); });
         const CellLanes cell(cells, i);
-        const auto u = CellLanes::corners(loop, 1);
-        const auto [left_normal, right_normal] = cell.area_normals(CellLanes::corners(loop, 0));
-        const Lanes4 left = air.thirds(left_normal, third * (u.first + u.far_left + cell.third_of_left(u)));
-        const Lanes4 right =
-            air.thirds(right_normal, third * (u.far_right + u.near_right + cell.third_of_right(u)));
-        const auto x = cell.shares(left.x, right.x), y = cell.shares(left.y, right.y),
-                   z = cell.shares(left.z, right.z), slope = cell.shares(left.w, right.w);
-        loop.give(0, x.near_right, y.near_right, z.near_right, slope.near_right);
-        loop.give(1, x.far_left, y.far_left, z.far_left, slope.far_left);
-        loop.give(2, x.far_right, y.far_right, z.far_right, slope.far_right);
-        if (i > range.begin) finish(i - part_lanes);
-        own = from_far + Lanes4{x.first, y.first, z.first, slope.first};
+        const Corners u = loop.corners(1);
+        const auto [left_normal, right_normal] = cell.area_normals(loop.corners(0));
+        const Lanes4 left = air.thirds(left_normal, u.first + u.far_left + cell.third_of_left(u));
+        const Lanes4 right = air.thirds(right_normal, u.far_right + u.near_right + cell.third_of_right(u));
+        const auto [x, y, z, slope] = loop.sums({cell.shares(left.x, right.x), cell.shares(left.y, right.y),
+                                                 cell.shares(left.z, right.z), cell.shares(left.w, right.w)});
+        if (i >= tile.begin) store_rows({x, y, z}, slope, forces + i);
     }
-    finish(i - part_lanes);
 }
 
 void sums_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* triangle_rows,
@@ -145,12 +126,12 @@ void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::s
 void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                         std::span<const Vec4> velocities, const Wind& wind,
                         std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
-    blocks_in_tiles(parallel, cells.corners.nodes, cells.windows,
-                    [&](const BlockRange& range, GridWindow* window) {
-                        HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
-                        (cells, range, wind, positions.data(), velocities.data(), air_velocities,
-                         particle_forces.data(), *window);
-                    });
+    tiles(parallel, cells.diagonals.nodes, cells.windows,
+          [&](const GridWindow& window, const BlockRange& tile) {
+              HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
+              (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,
+               particle_forces.data());
+          });
 }
 
 }  // namespace weft

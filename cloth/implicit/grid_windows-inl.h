@@ -16,6 +16,70 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
+/// Some vectors' rows from the row that a loop has come to, in lanes: read a reach ahead, and kept in a ring
+/// until the loop has passed.
+template <std::uint32_t vectors>
+class RowsAhead {
+    static_assert(vectors <= GridWindows::vectors);
+
+  public:
+    /// For a loop that begins at `row`, of `all`; those before `end` are in the ring already.
+    HWY_INLINE RowsAhead(float* ring, std::uint32_t reach, std::uint32_t all, std::uint32_t row,
+                         std::uint32_t end)
+        : to_read_(reach + GridWindows::early),
+          size_(GridWindows::ring_ahead(reach)),
+          all_(all),
+          row_(row),
+          end_(end),
+          place_(row % size_),
+          ring_(ring),
+          next_(size_ + group_lanes) {}
+
+    [[nodiscard]] HWY_INLINE std::uint32_t row() const { return row_; }
+    /// Where the ring ends.
+    [[nodiscard]] HWY_INLINE float* behind() const { return ring_ + 3 * vectors * next_; }
+
+    /// row(j) gives the vectors in the lanes from row j on.
+    template <class Row>
+    HWY_INLINE void read(const Row& row) {
+        for (const std::uint32_t end = row_ + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
+            const std::uint32_t at = place_after(end_ - row_);
+            const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};
+            for (std::uint32_t k = 0; k < vectors; ++k) {
+                store(rows[k], k, at);
+                if (at < group_lanes) store(rows[k], k, size_ + at);  // for loads across the ring's end
+            }
+        }
+    }
+    /// Of the lanes so many rows on, at most a reach; and one more.
+    HWY_INLINE Lanes3 after(std::uint32_t rows, std::uint32_t vector, std::uint32_t one_more = 0) const {
+        const Tag d;
+        const float* x = ring_ + 3 * vector * next_ + place_after(rows) + one_more;
+        return {hn::LoadU(d, x), hn::LoadU(d, x + next_), hn::LoadU(d, x + 2 * next_)};
+    }
+    HWY_INLINE void go_on() {
+        row_ += part_lanes;
+        place_ = place_after(part_lanes);
+    }
+
+  private:
+    HWY_INLINE std::uint32_t place_after(std::uint32_t rows) const {
+        const std::uint32_t place = place_ + rows;
+        return place < size_ ? place : place - size_;
+    }
+    HWY_INLINE void store(const Lanes3& values, std::uint32_t vector, std::uint32_t at) const {
+        const Tag d;
+        float* x = ring_ + 3 * vector * next_ + at;
+        hn::StoreU(values.x, d, x);
+        hn::StoreU(values.y, d, x + next_);
+        hn::StoreU(values.z, d, x + 2 * next_);
+    }
+
+    std::uint32_t to_read_, size_, all_, row_, end_, place_;
+    float* ring_;
+    std::size_t next_;  // from value to value
+};
+
 /// What an earlier neighbour gave.
 struct Given {
     const float* values;
@@ -33,22 +97,11 @@ struct Given {
 /// object in memory, and members there would be read anew after each.
 template <std::uint32_t vectors, std::uint32_t exchanged>
 class GridLoop {
-    static_assert(vectors <= GridWindows::vectors);
-
   public:
     HWY_INLINE GridLoop(GridWindow& window, const Diagonals& diagonals, const BlockRange& range)
-        : count_(diagonals.count),
-          to_read_(diagonals.reach() + GridWindows::early),
-          size_(GridWindows::ring_ahead(diagonals.reach())),
-          all_(diagonals.groups() * group_lanes),
-          row_(range.begin),
-          end_(range.begin + to_read_),
-          ahead_(window.values),
-          next_ahead_(size_ + group_lanes) {
-        if (window.at != range.begin) row_ = end_ = range.begin - std::min(range.begin, diagonals.reach());
+        : count_(diagonals.count), ahead_(rows_ahead(window, diagonals, range)) {
         window.at = range.end;
-        place_ = row_ % size_;
-        float* const values = ahead_ + 3 * vectors * next_ahead_;
+        float* const values = ahead_.behind();
         for (std::uint32_t d = 0; d < count_; ++d) {
             const std::uint32_t difference = diagonals.differences[d],
                                 size = GridWindows::ring_of(difference);
@@ -56,28 +109,21 @@ class GridLoop {
             next_ += size + group_lanes;
             near_ += GridWindows::is_near(difference);
         }
-        if (row_ == 0) std::fill(values, values + exchanged * next_, 0.0f);  // by rows that are not there
+        if (first() == 0) std::fill(values, values + exchanged * next_, 0.0f);  // by rows that are not there
     }
     GridLoop(const GridLoop&) = delete;
 
-    [[nodiscard]] HWY_INLINE std::uint32_t first() const { return row_; }
+    [[nodiscard]] HWY_INLINE std::uint32_t first() const { return ahead_.row(); }
     [[nodiscard]] HWY_INLINE std::uint32_t diagonals() const { return count_; }
 
-    /// row(j) gives the vectors in the lanes from row j on.
+    /// See RowsAhead.
     template <class Row>
     HWY_INLINE void read_ahead(const Row& row) {
-        for (const std::uint32_t end = row_ + part_lanes + to_read_; end_ < end; end_ += part_lanes) {
-            const std::uint32_t at = place_after(end_ - row_);
-            const auto rows = end_ < all_ ? row(end_) : std::array<Lanes3, vectors>{};
-            for (std::uint32_t k = 0; k < vectors; ++k) {
-                store(rows[k], k, at);
-                if (at < group_lanes) store(rows[k], k, size_ + at);  // for loads across the ring's end
-            }
-        }
+        ahead_.read(row);
     }
-    HWY_INLINE Lanes3 own(std::uint32_t vector) const { return load(vector, place_); }
+    HWY_INLINE Lanes3 own(std::uint32_t vector) const { return ahead_.after(0, vector); }
     HWY_INLINE Lanes3 later(std::uint32_t vector, std::uint32_t d) const {
-        return load(vector, place_after(rings_[d].difference));
+        return ahead_.after(rings_[d].difference, vector);
     }
 
     /// take(what it gave) for the neighbours that are a group or more away, before anything is given: that
@@ -86,12 +132,12 @@ class GridLoop {
     HWY_INLINE void take_from_far(const Take& take) const {
 // Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
 #pragma GCC unroll 1
-        for (std::uint32_t d = near_; d < count_; ++d) take(given(row_, d));
+        for (std::uint32_t d = near_; d < count_; ++d) take(given(d));
     }
     template <class... Values>
     HWY_INLINE void give(std::uint32_t d, const Values&... values) const {
         static_assert(sizeof...(values) == exchanged);
-        const std::uint32_t place = row_ & rings_[d].mask;
+        const std::uint32_t place = ahead_.row() & rings_[d].mask;
         float* const first = rings_[d].values + place;
         float* to = first;
         ((hn::StoreU(values, Tag(), to), to += next_), ...);
@@ -103,19 +149,11 @@ class GridLoop {
     template <class Take>
     HWY_INLINE void take_from_near(const Take& take) const {
 #pragma GCC unroll 1
-        for (std::uint32_t d = 0; d < near_; ++d) take(given(row_, d));
-    }
-    /// To the part before. Where rows take long to finish, they are finished one part later: a neighbour next
-    /// door gave it a moment ago, and what overlaps a store can be loaded only when all before it is done.
-    template <class Take>
-    HWY_INLINE void take_last_from_near(const Take& take) const {
-#pragma GCC unroll 1
-        for (std::uint32_t d = 0; d < near_; ++d) take(given(row_ - part_lanes, d));
+        for (std::uint32_t d = 0; d < near_; ++d) take(given(d));
     }
 
     HWY_INLINE void go_on() {
-        row_ += part_lanes;
-        place_ = place_after(part_lanes);
+        ahead_.go_on();
     }
 
   private:
@@ -125,30 +163,21 @@ class GridLoop {
         std::uint32_t difference, mask;
     };
 
-    HWY_INLINE Given given(std::uint32_t row, std::uint32_t d) const {
-        return {rings_[d].values + ((row - rings_[d].difference) & rings_[d].mask), next_};
+    static HWY_INLINE RowsAhead<vectors> rows_ahead(const GridWindow& window, const Diagonals& diagonals,
+                                                    const BlockRange& range) {
+        const std::uint32_t reach = diagonals.reach(), all = diagonals.groups() * group_lanes;
+        if (window.at == range.begin)
+            return {window.values, reach, all, range.begin, range.begin + reach + GridWindows::early};
+        const std::uint32_t halo = range.begin - std::min(range.begin, reach);
+        return {window.values, reach, all, halo, halo};
     }
-    /// Of those ahead.
-    HWY_INLINE std::uint32_t place_after(std::uint32_t rows) const {
-        const std::uint32_t place = place_ + rows;
-        return place < size_ ? place : place - size_;
-    }
-    HWY_INLINE Lanes3 load(std::uint32_t vector, std::uint32_t at) const {
-        const Tag d;
-        const float* x = ahead_ + 3 * vector * next_ahead_ + at;
-        return {hn::LoadU(d, x), hn::LoadU(d, x + next_ahead_), hn::LoadU(d, x + 2 * next_ahead_)};
-    }
-    HWY_INLINE void store(const Lanes3& values, std::uint32_t vector, std::uint32_t at) const {
-        const Tag d;
-        float* x = ahead_ + 3 * vector * next_ahead_ + at;
-        hn::StoreU(values.x, d, x);
-        hn::StoreU(values.y, d, x + next_ahead_);
-        hn::StoreU(values.z, d, x + 2 * next_ahead_);
+    HWY_INLINE Given given(std::uint32_t d) const {
+        return {rings_[d].values + ((ahead_.row() - rings_[d].difference) & rings_[d].mask), next_};
     }
 
-    std::uint32_t count_, near_ = 0, to_read_, size_, all_, row_, end_, place_;
-    float* ahead_;
-    std::size_t next_ahead_, next_ = 0;  // from value to value, of those ahead and of what is given
+    std::uint32_t count_, near_ = 0;
+    RowsAhead<vectors> ahead_;
+    std::size_t next_ = 0;  // from value to value of what is given
     std::array<Ring, Diagonals::most> rings_{};
 };
 

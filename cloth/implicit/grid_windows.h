@@ -67,6 +67,17 @@ class GridWindows {
     AlignedBuffer<float> values_;
 };
 
+/// body(window, range) for tiles of [0, rows), each of whole blocks. Precondition: windows are not empty.
+template <class Body>
+void tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, const Body& body) {
+    const std::uint32_t blocks = block_count(rows), tiles = windows.tiles(rows, parallel.width());
+    parallel.blocks(tiles, [&](std::uint32_t tile) {
+        const std::uint32_t begin = blocks * tile / tiles * block_size;
+        const std::uint32_t end = blocks * (tile + 1) / tiles * block_size;
+        body(windows.window(tile), BlockRange{begin, std::min(rows, end), tile});
+    });
+}
+
 /// body(block, window) for the blocks of [0, rows); in a grid those of a tile one after the other, else
 /// window is null.
 template <class Body>
@@ -76,11 +87,9 @@ void blocks_in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& window
                         [&](const BlockRange& range) { body(range, static_cast<GridWindow*>(nullptr)); });
         return;
     }
-    const std::uint32_t blocks = block_count(rows), tiles = windows.tiles(rows, parallel.width());
-    parallel.blocks(tiles, [&](std::uint32_t tile) {
-        GridWindow window = windows.window(tile);
-        for (std::uint32_t block = blocks * tile / tiles; block < blocks * (tile + 1) / tiles; ++block)
-            body(BlockRange{block * block_size, std::min(rows, (block + 1) * block_size), block}, &window);
+    tiles(parallel, rows, windows, [&](GridWindow window, const BlockRange& tile) {
+        for (std::uint32_t begin = tile.begin; begin < tile.end; begin += block_size)
+            body(BlockRange{begin, std::min(tile.end, begin + block_size), begin / block_size}, &window);
     });
 }
 
