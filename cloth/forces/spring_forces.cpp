@@ -61,24 +61,37 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
-/// Stiffness of the entries from one on, by kind.
-HWY_INLINE Lanes stiffness_in(const SpringState& state, std::uint32_t entry, const SpringStiffness& of_kind) {
-    const SpringKinds& kinds = state.kinds;
-    const std::uint8_t of_slot = kinds.of_slots[entry / Stencil::lanes];
-    if (of_slot != SpringKinds::mixed) return set(of_kind.values[of_slot]);
-    const Tag d;
-    const hn::RebindToSigned<Tag> numbers;
-    const hn::Rebind<std::uint8_t, Tag> bytes;
-    const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, &kinds.of_entries[entry]));
-    return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
-}
+/// Where a state has its springs' lengths and kinds. A kernel's own: through the state they would be looked
+/// up anew after each store.
+class SpringTables {
+  public:
+    HWY_INLINE explicit SpringTables(const SpringState& state)
+        : rest_lengths_(state.rest_lengths.data()),
+          of_slots_(state.kinds.of_slots.data()),
+          of_entries_(state.kinds.of_entries.data()) {}
+
+    /// Of the entries from one on.
+    HWY_INLINE Lanes rest_length(std::uint32_t entry) const { return load_lanes(rest_lengths_ + entry); }
+    HWY_INLINE Lanes stiffness(std::uint32_t entry, const SpringStiffness& of_kind) const {
+        const std::uint8_t of_slot = of_slots_[entry / Stencil::lanes];
+        if (of_slot != SpringKinds::mixed) return set(of_kind.values[of_slot]);
+        const Tag d;
+        const hn::RebindToSigned<Tag> numbers;
+        const hn::Rebind<std::uint8_t, Tag> bytes;
+        const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, of_entries_ + entry));
+        return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
+    }
+
+  private:
+    const float* rest_lengths_;
+    const std::uint8_t *of_slots_, *of_entries_;
+};
 
 /// Of the entries from one on, which are those of the lanes from particle `i` on.
-HWY_INLINE Springs springs_in(const SpringState& state, std::uint32_t entry, std::uint32_t i,
-                              const SpringStiffness& of_kind, const Ends& ends) {
+HWY_INLINE Springs springs_in(const SpringState& state, const SpringTables& tables, std::uint32_t entry,
+                              std::uint32_t i, const SpringStiffness& of_kind, const Ends& ends) {
     const auto& [separation, squared, length, inverse_length] = ends;
-    const Lanes rest_length = load_lanes(&state.rest_lengths[entry]);
-    const Lanes stiffness = stiffness_in(state, entry, of_kind);
+    const Lanes rest_length = tables.rest_length(entry), stiffness = tables.stiffness(entry, of_kind);
 
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
@@ -187,6 +200,7 @@ class SpringsOfMesh {
   public:
     explicit SpringsOfMesh(const SpringState& state)
         : state_(state),
+          tables_(state),
           stencil_(state.matrix.stencil),
           positions_{stencil_, state.positions.data()},
           velocities_{stencil_, state.velocities.data()} {}
@@ -230,11 +244,12 @@ class SpringsOfMesh {
         for (std::uint32_t s = begin; s < end; ++s) {
             const Ends ends = next;
             if (s + 1 < end) next = ends_apart(positions_.neighbours(s + 1, lane) - x_i);
-            body(s, springs_in(state_, s * Stencil::lanes + lane, i, of_kind, ends));
+            body(s, springs_in(state_, tables_, s * Stencil::lanes + lane, i, of_kind, ends));
         }
     }
 
     const SpringState& state_;
+    const SpringTables tables_;
     const Stencil& stencil_;
     RowsInMemory positions_, velocities_;
 };
@@ -250,11 +265,15 @@ class SpringsOfGrid {
 
   public:
     HWY_INLINE SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
-        : state_(state), diagonals_(state.matrix.diagonals), loop_(window, diagonals_, range) {}
+        : state_(state),
+          tables_(state),
+          diagonals_(state.matrix.diagonals),
+          loop_(window, diagonals_, range) {}
 
-    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange range, SpringMatrix& matrix,
                               Vec4* right_side) {
-        alignas(64) std::uint16_t not_stored[4 * Stencil::lanes];  // in the halo, which is another tile's
+        constexpr std::size_t slot = 4 * Stencil::lanes;
+        alignas(64) std::uint16_t not_stored[Diagonals::most * slot];  // in the halo, which is another tile's
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
@@ -264,13 +283,12 @@ class SpringsOfGrid {
                 sums.add({given[6], given.xyz(3)});
             };
             loop_.take_from_far(take);
+            std::uint16_t* const coefficients =
+                i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
             for_each_later(i, equations.of_kind, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
                 Lanes3 force = zero3();
                 const auto block = equations.add_force(springs, relative(d, v_i), force);
-                std::uint16_t* const to =
-                    i < range.begin ? not_stored
-                                    : &matrix.coefficients[lane_index(diagonals_.entry(i, d), 0, 4)];
-                const SpringBlockLanes stored = store_block(block, to);
+                const SpringBlockLanes stored = store_block(block, coefficients + d * slot);
                 loop_.give(d, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z, stored.a);
                 sums.force = sums.force + force;
                 sums.add(stored);
@@ -312,14 +330,16 @@ class SpringsOfGrid {
     HWY_INLINE void for_each_later(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) {
         const Lanes3 x_i = loop_.own(position);
         Ends next = ends_apart(loop_.later(position, 0) - x_i);
-        for (std::uint32_t d = 0; d < diagonals_.count; ++d) {
+        std::uint32_t entry = diagonals_.entry(i, 0);
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, entry += Stencil::lanes) {
             const Ends ends = next;
-            if (d + 1 < diagonals_.count) next = ends_apart(loop_.later(position, d + 1) - x_i);
-            body(d, springs_in(state_, diagonals_.entry(i, d), i, of_kind, ends));
+            if (d + 1 < loop_.diagonals()) next = ends_apart(loop_.later(position, d + 1) - x_i);
+            body(d, springs_in(state_, tables_, entry, i, of_kind, ends));
         }
     }
 
     const SpringState& state_;
+    const SpringTables tables_;
     const Diagonals& diagonals_;
     GridLoop<2, exchanged> loop_;
 };
