@@ -26,13 +26,8 @@ HWY_INLINE Lanes4 with_w(const Lanes3& v, Lanes w) {
     return {v.x, v.y, v.z, w};
 }
 template <class Mask>
-HWY_INLINE Lanes3 if_then_else(Mask mask, const Lanes3& a, const Lanes3& b) {
-    return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
-}
-
-template <class Mask>
-HWY_INLINE Lanes4 if_then_else(Mask mask, const Lanes4& a, const Lanes4& b) {
-    return with_w(if_then_else(mask, xyz(a), xyz(b)), hn::IfThenElse(mask, a.w, b.w));
+HWY_INLINE Lanes4 either(Mask mask, const Lanes4& yes, const Lanes4& no) {
+    return with_w(either(mask, xyz(yes), xyz(no)), hn::IfThenElse(mask, yes.w, no.w));
 }
 
 struct BoundsLanes {
@@ -104,8 +99,8 @@ struct CapsuleLanes {
         const Lanes3 out = from_a - t * set3(shape.axis);
         const Lanes length = hn::Sqrt(dot(out, out));
         const Lanes penetration = hn::Sub(thickness, hn::Sub(length, set(shape.radius)));
-        const Lanes3 normal = if_then_else(hn::Gt(length, set(1e-6f * shape.radius)),
-                                           hn::Div(set(1), length) * out, set3(shape.across));
+        const Lanes3 normal = either(hn::Gt(length, set(1e-6f * shape.radius)), hn::Div(set(1), length) * out,
+                                     set3(shape.across));
         const Lanes3 of_axis = mul_add(t, set3(shape.difference), set3(shape.velocity));
         return {hn::And(is_near, hn::Gt(penetration, set(0))), penetration, normal,
                 mul_add(set(shape.growth), normal, of_axis)};
@@ -154,9 +149,9 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
         keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
     const Lanes3 kick = approach * surface.normal - stopped;
     const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
-    const Lanes3 moved = if_then_else(surface.is_near, p + displacement, p);
+    const Lanes3 moved = either(surface.is_near, p + displacement, p);
     store_rows(moved, position.w, positions);
-    store_rows(if_then_else(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
+    store_rows(either(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
     bounds.add(moved);
     const auto one = hn::IfThenElseZero(hn::RebindMask(du, surface.is_near), hn::Set(du, 1));
     hn::Store(hn::Or(hn::Load(du, met), one), du, met);
@@ -221,9 +216,9 @@ HWY_INLINE bool find_nearest_in(const Shape& shape, const ContactSettings& setti
         const Lanes gap = hn::Sub(set(reach), surface.penetration);
         const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
         const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
-        store_lanes(if_then_else(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
-        store_lanes(if_then_else(nearer, with_w(surface.velocity, set(settings.friction)), motion),
-                    near.motions, i);
+        store_lanes(either(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
+        store_lanes(either(nearer, with_w(surface.velocity, set(settings.friction)), motion), near.motions,
+                    i);
         found = true;
     }
     return found;

@@ -33,14 +33,10 @@ inline constexpr auto numbers_of_bits = [] {
 /// The lanes of a mask, in ascending order, for what is kept of them.
 class Kept {
   public:
-    HWY_INLINE explicit Kept(IndexMask mask) : mask_(mask) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(IndexTag(), mask, bytes);
-        bits_ = bytes[0] | std::uint32_t{bytes[1]} << 8;
-    }
+    HWY_INLINE explicit Kept(IndexMask mask) : mask_(mask) {}
 
     [[nodiscard]] HWY_INLINE std::uint32_t count() const {
-        return static_cast<std::uint32_t>(std::popcount(bits_));
+        return static_cast<std::uint32_t>(hn::CountTrue(IndexTag(), mask_));
     }
     /// What `values` has there, then anything.
     [[nodiscard]] HWY_INLINE Indices of(Indices values) const {
@@ -59,12 +55,13 @@ class Kept {
 
   private:
     HWY_INLINE Indices lanes() const {
+        std::uint8_t bits[8];
+        hn::StoreMaskBits(IndexTag(), mask_, bits);
         const hn::Rebind<std::uint8_t, IndexTag> bytes;
-        return hn::PromoteTo(IndexTag(), hn::LoadU(bytes, numbers_of_bits[bits_].data()));
+        return hn::PromoteTo(IndexTag(), hn::LoadU(bytes, numbers_of_bits[bits[0]].data()));
     }
 
     IndexMask mask_;
-    std::uint32_t bits_;
 };
 
 }  // namespace weft::HWY_NAMESPACE

@@ -116,8 +116,7 @@ struct RowSums {
     }
 };
 HWY_INLINE RowSums no_sums() {
-    const Lanes zero = set(0);
-    return {zero3(), zero, {zero, zero, zero, zero, zero, zero}};
+    return {zero3(), set(0), zero_symmetric()};
 }
 
 // Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken

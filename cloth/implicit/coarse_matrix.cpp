@@ -97,7 +97,7 @@ void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactR
     const Lanes zero = set(0);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes row_sum = load_rows(right_side + i).w;
-        SymmetricLanes ground = {row_sum, row_sum, row_sum, zero, zero, zero};
+        SymmetricLanes ground = add_identity(zero_symmetric(), row_sum);
         if (touches(contacts, i)) ground = add_identity(contact_blocks(*contacts, i), row_sum);
         store_rows({ground.xx, ground.yy, ground.zz}, zero, diagonal + i);
         if (contacts != nullptr) store_rows({ground.xy, ground.xz, ground.yz}, zero, off_diagonal + i);
@@ -108,10 +108,9 @@ void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactR
 template <class AddTerm>
 HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const AddTerm& add_term,
                           SymmetricRows& sums) {
-    const Lanes zero = set(0);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        SymmetricLanes sum = {zero, zero, zero, zero, zero, zero};
+        SymmetricLanes sum = zero_symmetric();
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
             sum = add_term(sum, load_lanes(&lists.factors[entry]), &lists.fine_links[entry]);

@@ -83,7 +83,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
     const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
 
-    SymmetricLanes g = add_square({zero, zero, zero, zero, zero, zero}, n);
+    SymmetricLanes g = add_square(zero_symmetric(), n);
     g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
     store_symmetric(g, blocks);
     store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);

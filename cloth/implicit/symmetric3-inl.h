@@ -21,6 +21,11 @@ struct SymmetricLanes {
     }
 };
 
+HWY_INLINE SymmetricLanes zero_symmetric() {
+    const Lanes zero = hn::Zero(Tag());
+    return {zero, zero, zero, zero, zero, zero};
+}
+
 /// Stored as six arrays of a group's 16 lanes; `values` points into the first.
 HWY_INLINE SymmetricLanes load_symmetric(const float* values) {
     constexpr std::uint32_t next = Stencil::lanes;
