@@ -102,9 +102,7 @@ class CellLoop {
   public:
     HWY_INLINE CellLoop(const GridCells& cells, const BlockRange& tile, const GridWindow& window)
         : columns_(cells.columns),
-          ahead_(window.values, cells.diagonals.reach(), cells.diagonals.groups() * group_lanes,
-                 tile.begin - std::min(tile.begin, cells.diagonals.reach()),
-                 tile.begin - std::min(tile.begin, cells.diagonals.reach())),
+          ahead_(window.values, cells.diagonals, tile.begin, false),
           far_(ahead_.behind()),
           mask_(GridWindows::ring_of(columns_) - 1),
           next_(mask_ + 1 + group_lanes) {

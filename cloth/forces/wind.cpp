@@ -126,12 +126,12 @@ void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::s
 void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                         std::span<const Vec4> velocities, const Wind& wind,
                         std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
-    tiles(parallel, cells.diagonals.nodes, cells.windows,
-          [&](const GridWindow& window, const BlockRange& tile) {
-              HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
-              (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,
-               particle_forces.data());
-          });
+    in_tiles(parallel, cells.diagonals.nodes, cells.windows,
+             [&](const BlockRange& tile, const GridWindow& window) {
+                 HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
+                 (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,
+                  particle_forces.data());
+             });
 }
 
 }  // namespace weft

@@ -23,15 +23,15 @@ class RowsAhead {
     static_assert(vectors <= GridWindows::vectors);
 
   public:
-    /// For a loop that begins at `row`, of `all`; those before `end` are in the ring already.
-    HWY_INLINE RowsAhead(float* ring, std::uint32_t reach, std::uint32_t all, std::uint32_t row,
-                         std::uint32_t end)
-        : to_read_(reach + GridWindows::early),
-          size_(GridWindows::ring_ahead(reach)),
-          all_(all),
-          row_(row),
-          end_(end),
-          place_(row % size_),
+    /// For a loop that comes to row `begin`: from there on if it `goes_on`, the ring being as it left it,
+    /// else from a reach before.
+    HWY_INLINE RowsAhead(float* ring, const Diagonals& diagonals, std::uint32_t begin, bool goes_on)
+        : to_read_(diagonals.reach() + GridWindows::early),
+          size_(GridWindows::ring_ahead(diagonals.reach())),
+          all_(diagonals.groups() * group_lanes),
+          row_(goes_on ? begin : begin - std::min(begin, diagonals.reach())),
+          end_(goes_on ? begin + to_read_ : row_),
+          place_(row_ % size_),
           ring_(ring),
           next_(size_ + group_lanes) {}
 
@@ -99,7 +99,7 @@ template <std::uint32_t vectors, std::uint32_t exchanged>
 class GridLoop {
   public:
     HWY_INLINE GridLoop(GridWindow& window, const Diagonals& diagonals, const BlockRange& range)
-        : count_(diagonals.count), ahead_(rows_ahead(window, diagonals, range)) {
+        : count_(diagonals.count), ahead_(window.values, diagonals, range.begin, window.at == range.begin) {
         window.at = range.end;
         float* const values = ahead_.behind();
         for (std::uint32_t d = 0; d < count_; ++d) {
@@ -163,14 +163,6 @@ class GridLoop {
         std::uint32_t difference, mask;
     };
 
-    static HWY_INLINE RowsAhead<vectors> rows_ahead(const GridWindow& window, const Diagonals& diagonals,
-                                                    const BlockRange& range) {
-        const std::uint32_t reach = diagonals.reach(), all = diagonals.groups() * group_lanes;
-        if (window.at == range.begin)
-            return {window.values, reach, all, range.begin, range.begin + reach + GridWindows::early};
-        const std::uint32_t halo = range.begin - std::min(range.begin, reach);
-        return {window.values, reach, all, halo, halo};
-    }
     HWY_INLINE Given given(std::uint32_t d) const {
         return {rings_[d].values + ((ahead_.row() - rings_[d].difference) & rings_[d].mask), next_};
     }

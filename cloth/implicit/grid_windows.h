@@ -67,14 +67,14 @@ class GridWindows {
     AlignedBuffer<float> values_;
 };
 
-/// body(window, range) for tiles of [0, rows), each of whole blocks. Precondition: windows are not empty.
+/// body(tile, window) for tiles of [0, rows), each of whole blocks. Precondition: windows are not empty.
 template <class Body>
-void tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, const Body& body) {
+void in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, const Body& body) {
     const std::uint32_t blocks = block_count(rows), tiles = windows.tiles(rows, parallel.width());
     parallel.blocks(tiles, [&](std::uint32_t tile) {
         const std::uint32_t begin = blocks * tile / tiles * block_size;
         const std::uint32_t end = blocks * (tile + 1) / tiles * block_size;
-        body(windows.window(tile), BlockRange{begin, std::min(rows, end), tile});
+        body(BlockRange{begin, std::min(rows, end), tile}, windows.window(tile));
     });
 }
 
@@ -87,7 +87,7 @@ void blocks_in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& window
                         [&](const BlockRange& range) { body(range, static_cast<GridWindow*>(nullptr)); });
         return;
     }
-    tiles(parallel, rows, windows, [&](GridWindow window, const BlockRange& tile) {
+    in_tiles(parallel, rows, windows, [&](const BlockRange& tile, GridWindow window) {
         for (std::uint32_t begin = tile.begin; begin < tile.end; begin += block_size)
             body(BlockRange{begin, std::min(tile.end, begin + block_size), begin / block_size}, &window);
     });

@@ -59,6 +59,8 @@ std::vector<NamedMesh> meshes() {
     all.push_back({"sheet", sheet(31, 40)});
     all.push_back({"whole groups", sheet(8, 32)});
     all.push_back({"narrow sheet", sheet(40, 2)});
+    all.push_back({"a group's columns", sheet(40, 16)});
+    all.push_back({"a far corner in whole groups", sheet(20, 31)});
     all.push_back({"sheet cut evenly", evenly_cut({.rows = 9, .columns = 21})});
     all.push_back({"sheet as a mesh", loose_sheet(31, 40)});
     all.push_back({"one triangle", fan(1)});
@@ -172,7 +174,8 @@ bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
 }
 
 TEST_P(AirKernels, SameBytesForAnyNumberOfThreads) {
-    for (const Mesh& mesh : {sheet(31, 40), loose_sheet(27, 41)}) {
+    for (const Mesh& mesh :
+         {sheet(31, 40), sheet(80, 16), sheet(60, 31), sheet(60, 32), loose_sheet(27, 41)}) {
         Scene scene(mesh);
         const std::vector<Vec4> expected = everything(scene, serial, true);
         for (int threads = 2; threads <= 8; ++threads) {
