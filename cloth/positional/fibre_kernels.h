@@ -20,7 +20,7 @@ struct FibreGroup {
     float* multipliers;              ///< likewise [kg m]; 0 at the start of a step
     float* scratch;                  ///< scratch_rows * rows rows
     float kappa;                     ///< k h^2, the inverse of XPBD's alpha~ [kg]
-    float gamma;                     ///< damping / h, see project_springs
+    float gamma;                     ///< damping / h, see sweep_springs
     const Vec4* start;
     Vec4* moved;
 };

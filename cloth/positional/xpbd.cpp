@@ -1,18 +1,8 @@
 #include "cloth/positional/xpbd.h"
 
-#include <algorithm>
-
 #include "cloth/forces/springs.h"
 
 namespace weft {
-
-namespace {
-
-// Springs are cheap and colours many: smaller blocks cost more to hand out than they save.
-constexpr std::uint32_t springs_per_block = 2048;
-static_assert(springs_per_block % SpringColours::lanes == 0);
-
-}  // namespace
 
 XpbdSolver::XpbdSolver(const CookedCloth& model, const ClothSettings& /*settings*/)
     : colours_(colour_springs(model)),
@@ -52,17 +42,6 @@ void XpbdSolver::find_responses(const CookedCloth& model, const Fabric& fabric, 
     }
 }
 
-void XpbdSolver::sweep(Parallel& parallel, float gamma, SweepOrder order) {
-    for (std::uint32_t c = 0; c < colours_.colours(); ++c) {
-        const std::uint32_t begin = colours_.offsets[c], end = colours_.offsets[c + 1];
-        parallel.blocks((end - begin + springs_per_block - 1) / springs_per_block, [&](std::uint32_t block) {
-            const std::uint32_t from = begin + block * springs_per_block;
-            project_springs(colours_, from, std::min(end, from + springs_per_block), gamma, order, springs_,
-                            displacements_.start().data(), displacements_.moved().data());
-        });
-    }
-}
-
 float XpbdSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
     const float h = step.equation.h;
@@ -70,8 +49,9 @@ float XpbdSolver::solve(const SolverStep& step) {
     displacements_.predict(step);
     const int iterations = std::get<Xpbd>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k) {
-        sweep(step.parallel, step.settings.fabric.damping / h,
-              {.first = k == 0, .last = k + 1 == iterations});
+        sweep_springs(step.parallel, colours_, step.settings.fabric.damping / h,
+                      {.first = k == 0, .last = k + 1 == iterations}, springs_, displacements_.start().data(),
+                      displacements_.moved().data());
     }
     displacements_.find_velocity_change(step);
     return 0;

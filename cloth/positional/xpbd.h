@@ -22,7 +22,6 @@ class XpbdSolver final : public Solver {
   private:
     /// Makes what depends on h, where it is another than before.
     void find_responses(const CookedCloth& model, const Fabric& fabric, float h);
-    void sweep(Parallel& parallel, float gamma, SweepOrder order);
 
     SpringColours colours_;
     XpbdSprings springs_;

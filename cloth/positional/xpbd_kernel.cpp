@@ -1,5 +1,7 @@
 #include "cloth/positional/xpbd_kernel.h"
 
+#include <algorithm>
+
 #include "cloth/positional/coincident.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -88,12 +90,29 @@ namespace weft {
 HWY_EXPORT(project_damped);
 HWY_EXPORT(project_undamped);
 
-void project_springs(const SpringColours& colours, std::uint32_t begin, std::uint32_t end, float gamma,
-                     SweepOrder order, XpbdSprings& springs, const Vec4* start, Vec4* moved) {
-    if (gamma > 0) {
-        HWY_DYNAMIC_DISPATCH(project_damped)(colours, begin, end, gamma, order, springs, start, moved);
-    } else {
-        HWY_DYNAMIC_DISPATCH(project_undamped)(colours, begin, end, gamma, order, springs, start, moved);
+namespace {
+
+// Springs are cheap and colours many: smaller blocks cost more to hand out than they save.
+constexpr std::uint32_t springs_per_block = 2048;
+static_assert(springs_per_block % SpringColours::lanes == 0);
+
+}  // namespace
+
+void sweep_springs(Parallel& parallel, const SpringColours& colours, float gamma, SweepOrder order,
+                   XpbdSprings& springs, const Vec4* start, Vec4* moved) {
+    for (std::uint32_t c = 0; c < colours.colours(); ++c) {
+        const std::uint32_t first = colours.offsets[c], last = colours.offsets[c + 1];
+        parallel.blocks((last - first + springs_per_block - 1) / springs_per_block, [&](std::uint32_t block) {
+            const std::uint32_t begin = first + block * springs_per_block;
+            const std::uint32_t end = std::min(last, begin + springs_per_block);
+            if (gamma > 0) {
+                HWY_DYNAMIC_DISPATCH(project_damped)
+                (colours, begin, end, gamma, order, springs, start, moved);
+            } else {
+                HWY_DYNAMIC_DISPATCH(project_undamped)
+                (colours, begin, end, gamma, order, springs, start, moved);
+            }
+        });
     }
 }
 

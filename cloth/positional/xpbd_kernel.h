@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "cloth/positional/colouring.h"
+#include "engine/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -12,7 +13,7 @@ namespace weft {
 /// Per spring, in the order of its colours. Springs that only fill up a group have response and weights 0.
 struct XpbdSprings {
     AlignedBuffer<float> rest_lengths;  ///< [m]
-    AlignedBuffer<float> responses;     ///< multiplier per violation, see project_springs [kg]
+    AlignedBuffer<float> responses;     ///< multiplier per violation, see sweep_springs [kg]
     AlignedBuffer<float> releases;      ///< the part of the multiplier that compliance takes back
     AlignedBuffer<float> first_weights, second_weights;  ///< inverse masses [1/kg]
     AlignedBuffer<float> multipliers;                    ///< h^2 times the spring's tension, negative [kg m]
@@ -34,8 +35,8 @@ struct SweepOrder {
     bool first, last;
 };
 
-/// Springs [begin, end) of one colour, whole groups, with the damping gamma of eq. 26.
-void project_springs(const SpringColours& colours, std::uint32_t begin, std::uint32_t end, float gamma,
-                     SweepOrder order, XpbdSprings& springs, const Vec4* start, Vec4* moved);
+/// Projects all springs, colour by colour, with the damping gamma of eq. 26.
+void sweep_springs(Parallel& parallel, const SpringColours& colours, float gamma, SweepOrder order,
+                   XpbdSprings& springs, const Vec4* start, Vec4* moved);
 
 }  // namespace weft

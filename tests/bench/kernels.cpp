@@ -132,12 +132,6 @@ struct Kernels::Work {
         }
     }
 
-    void sweep_springs() {
-        for (std::uint32_t c = 0; c < colours.colours(); ++c)
-            project_springs(colours, colours.offsets[c], colours.offsets[c + 1], 0,
-                            {.first = true, .last = true}, springs, start.data(), moved.data());
-    }
-
     Scene& scene;
     StepEquation equation;
     std::unique_ptr<ImplicitSystem> system;
@@ -194,7 +188,10 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
         [&w, &parallel] { w.multigrid->build(parallel, *w.system); });
     add("V-cycle", cycle_traffic(c, coarse),
         [&w, &parallel, b] { w.multigrid->cycle(parallel, *w.system, b, w.y.span()); });
-    add("xpbd sweep", xpbd_traffic(springs), [&w] { w.sweep_springs(); });
+    add("xpbd sweep", xpbd_traffic(springs), [&w, &parallel] {
+        sweep_springs(parallel, w.colours, 0, {.first = true, .last = true}, w.springs, w.start.data(),
+                      w.moved.data());
+    });
     add("place patches", place_traffic(),
         [&w, &parallel] { w.patches.place(parallel, w.scene.cloth().state.positions.span()); });
 
