@@ -57,6 +57,7 @@ class RowsAhead {
         const float* x = ring_ + 3 * vector * next_ + place_after(rows) + one_more;
         return {hn::LoadU(d, x), hn::LoadU(d, x + next_), hn::LoadU(d, x + 2 * next_)};
     }
+
     HWY_INLINE void go_on() {
         row_ += part_lanes;
         place_ = place_after(part_lanes);
