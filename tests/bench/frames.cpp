@@ -52,7 +52,7 @@ std::vector<Place> places(SceneKind kind) {
 }
 
 /// The time is the mean, as ever; ns/particle is of a fast run, which on a machine that others use says more:
-/// one that a twentieth of all beat, as a virtual machine's CPU clock now and then stands still.
+/// one that a thousandth of all beat, as a virtual machine's CPU clock now and then stands still.
 template <class Seconds>
 void measure(benchmark::State& state, double particles, const Seconds& seconds) {
     std::vector<double> all;
@@ -61,7 +61,7 @@ void measure(benchmark::State& state, double particles, const Seconds& seconds) 
         state.SetIterationTime(once);
         all.push_back(once);
     }
-    const auto fast = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 20);
+    const auto fast = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 1000);
     std::ranges::nth_element(all, fast);
     state.counters["ns/particle"] = 1e9 * *fast / particles;
     state.counters["particles"] = particles;
