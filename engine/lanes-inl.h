@@ -42,9 +42,6 @@ HWY_INLINE Lanes3 zero3() {
 HWY_INLINE Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
     return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
-HWY_INLINE Lanes4 operator+(const Lanes4& a, const Lanes4& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z), hn::Add(a.w, b.w)};
-}
 HWY_INLINE Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }

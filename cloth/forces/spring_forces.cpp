@@ -269,7 +269,7 @@ class SpringsOfGrid {
           diagonals_(state.matrix.diagonals),
           loop_(window, diagonals_, range) {}
 
-    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange range, SpringMatrix& matrix,
+    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
                               Vec4* right_side) {
         constexpr std::size_t slot = 4 * Stencil::lanes;
         alignas(64) std::uint16_t not_stored[Diagonals::most * slot];  // in the halo, which is another tile's
