@@ -38,11 +38,11 @@ std::string text(float value) {
 }
 
 std::string text(const Vec2& p) {
-    return "(" + text(p.x) + ", " + text(p.y) + ")";
+    return std::string("(") + text(p.x) + ", " + text(p.y) + ")";
 }
 
 std::string text(const Vec3& p) {
-    return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")";
+    return std::string("(") + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")";
 }
 
 Error invalid_mesh(std::string message) {

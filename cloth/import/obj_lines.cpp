@@ -60,7 +60,7 @@ std::vector<Line> split_lines(std::string_view text) {
 
 std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 40;
-    return "\"" + std::string(token.substr(0, longest)) + (token.size() > longest ? "...\"" : "\"");
+    return std::string("\"").append(token.substr(0, longest)) + (token.size() > longest ? "...\"" : "\"");
 }
 
 std::optional<double> parse_number(std::string_view token) {

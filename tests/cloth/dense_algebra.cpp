@@ -12,8 +12,11 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-double largest_real_part(const Eigen::MatrixXd& any) {
-    return any.eigenvalues().real().maxCoeff();
+double largest_eigenvalue_of_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(a, b,
+                                                                     Eigen::ABx_lx | Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .maxCoeff();
 }
 
 Modes modes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -22,7 +25,7 @@ Modes modes(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }
 
 SingularValues singular_values(const Eigen::Matrix3d& a) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
     return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
 }
 

@@ -9,8 +9,8 @@ namespace weft::test {
 [[nodiscard]] Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// Of a symmetric matrix, ascending.
 [[nodiscard]] Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
-/// The largest real part of any matrix's eigenvalues.
-[[nodiscard]] double largest_real_part(const Eigen::MatrixXd& any);
+/// The largest of a b, both symmetric and b positive definite.
+[[nodiscard]] double largest_eigenvalue_of_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// a v = lambda b v, both symmetric and b positive definite: v^T b v = 1.
 struct Modes {

@@ -91,23 +91,36 @@ struct DenseSystem {
     Eigen::VectorXd right_side;
 };
 
-/// Column by column, by multiplying: for systems of any kind.
-inline DenseSystem dense(ImplicitSystem& system) {
-    Parallel serial(1);
+/// What `apply(unit, column)` makes of unit vectors, for the free particles; the rest of a matrix is the
+/// identity.
+template <class Apply>
+Eigen::MatrixXd matrix_of(const ImplicitSystem& system, const Apply& apply) {
     const std::size_t particles = system.right_side().size();
     const auto n = static_cast<Eigen::Index>(3 * particles);
     AlignedBuffer<Vec4> unit(particles), column(particles);
-    DenseSystem result{Eigen::MatrixXd::Identity(n, n), flat(system.right_side().span())};
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
     for (std::size_t i = 0; i < particles; ++i) {
         if (system.right_side()[i].w == 0) continue;
         for (int axis = 0; axis < 3; ++axis) {
             unit[i] = to_vec4(Vector3::Unit(axis), 0);
-            system.multiply(serial, unit.span(), column.span());
-            result.matrix.col(3 * static_cast<Eigen::Index>(i) + axis) = flat(column.span());
+            apply(unit.span(), column.span());
+            matrix.col(3 * static_cast<Eigen::Index>(i) + axis) = flat(column.span());
         }
         unit[i] = {};
     }
-    return result;
+    return matrix;
+}
+
+/// Column by column, by multiplying: for systems of any kind.
+inline DenseSystem dense(ImplicitSystem& system) {
+    Parallel serial(1);
+    return {matrix_of(system, [&](auto unit, auto column) { system.multiply(serial, unit, column); }),
+            flat(system.right_side().span())};
+}
+/// D^-1, which relaxation multiplies by.
+inline Eigen::MatrixXd dense_preconditioner(const ImplicitSystem& system) {
+    Parallel serial(1);
+    return matrix_of(system, [&](auto unit, auto column) { system.precondition(serial, unit, 1, column); });
 }
 
 }  // namespace weft::test
