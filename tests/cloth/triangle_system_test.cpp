@@ -49,7 +49,9 @@ TEST_P(TriangleSystems, MatrixIsSymmetricPositiveDefiniteAndRelaxationConverges)
     EXPECT_GT(eigenvalues(0.5 * (w + w.transpose()))[0], 0);
 
     // D^-1 W has no eigenvalue of 2 or more: all semi-iterations rely on it.
-    EXPECT_LT(largest_eigenvalue_of_product(dense_preconditioner(*system), w), 2);
+    const Eigen::MatrixXd inverse = dense_preconditioner(*system);
+    EXPECT_EQ(inverse, inverse.transpose());
+    EXPECT_LT(largest_eigenvalue_of_product(inverse, w), 2);
 }
 
 TEST_P(TriangleSystems, RightSideAboutTheIterateIsTheResidual) {
