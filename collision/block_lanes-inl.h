@@ -1,4 +1,4 @@
-// BlockLanes in registers. Included as engine/lanes-inl.h is.
+// BlockLanes in registers. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_BLOCK_LANES_INL_H
@@ -8,7 +8,7 @@
 #endif
 
 #include "collision/collider_contacts.h"
-#include "engine/lanes-inl.h"
+#include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -1,5 +1,5 @@
 // What the searches share: lanes of indices, distances, and `Cells`, lane by lane. Included as
-// engine/lanes-inl.h is.
+// engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_CELLS_INL_H
@@ -9,7 +9,7 @@
 #endif
 
 #include "collision/cells.h"
-#include "engine/lanes-inl.h"
+#include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -10,7 +10,7 @@
 
 #include "collision/block_lanes-inl.h"
 #include "collision/coulomb-inl.h"
-#include "engine/lanes-inl.h"
+#include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-// The lanes that pass a test, moved together. Included as engine/lanes-inl.h is.
+// The lanes that pass a test, moved together. Included as engine/simd/lanes-inl.h is.
 //
 // Highway 1.0.3's Compress for 8 and 4 lanes has its table in a local array: g++ copies that to the stack
 // at every call, which took two thirds of a search's time on AVX2.

@@ -1,4 +1,4 @@
-// Coulomb's law, as contacts of all kinds apply it. Included as engine/lanes-inl.h is.
+// Coulomb's law, as contacts of all kinds apply it. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_COULOMB_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_COULOMB_INL_H
@@ -7,7 +7,7 @@
 #define WEFT_COLLISION_COULOMB_INL_H
 #endif
 
-#include "engine/lanes-inl.h"
+#include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -1,6 +1,6 @@
 #include "demo/study/energy.h"
 
-#include "cloth/forces/springs.h"
+#include "cloth/system/springs/springs.h"
 
 namespace weft::study {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The energy of a cloth of springs, in double precision.
 
-#include "cloth/cloth.h"
+#include "cloth/frame/cloth.h"
 
 namespace weft::study {
 

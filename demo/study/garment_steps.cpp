@@ -1,6 +1,6 @@
 #include "demo/study/garment_steps.h"
 
-#include "cloth/implicit/step_equation.h"
+#include "cloth/system/step_equation.h"
 
 namespace weft::study {
 

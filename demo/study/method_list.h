@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/solver.h"
+#include "cloth/solvers/solver.h"
 
 namespace weft::study {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/simulation.h"
+#include "cloth/frame/simulation.h"
 #include "demo/study/method_list.h"
 #include "weft/mesh.h"
 

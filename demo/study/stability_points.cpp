@@ -1,6 +1,6 @@
 #include "demo/study/stability_points.h"
 
-#include "cloth/implicit/chebyshev.h"
+#include "cloth/solvers/linear/chebyshev.h"
 #include "demo/study/cholesky.h"
 #include "demo/study/explicit_euler.h"
 #include "demo/study/stiffest_modes.h"

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "cloth/implicit/implicit_system.h"
+#include "cloth/solvers/make_system.h"
+#include "cloth/system/implicit_system.h"
 
 namespace weft::study {
 

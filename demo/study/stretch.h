@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 
 namespace weft::study {
 

@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cloth/implicit/multigrid.h"
-#include "cloth/positional/xpbd_kernel.h"
+#include "cloth/solvers/make_system.h"
+#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solvers/positional/xpbd_kernel.h"
 #include "collision/patches.h"
 #include "tests/bench/stopwatch.h"
 
@@ -174,14 +175,6 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
     add("multiply", multiply_traffic(c), [&w, &parallel, b] { w.system->multiply(parallel, b, w.y.span()); });
     add("relax", relax_traffic(c),
         [&w, &parallel, b] { w.system->relax(parallel, b, w.x.span(), {.step = 0.8f}, w.y.span()); });
-    // Three sweeps in one pass over memory, where the cloth is large enough: see time_skew.h. Bytes are those
-    // of one.
-    add("relax by threes", {.bytes = relax_traffic(c).bytes, .flops = 3 * relax_traffic(c).flops},
-        [&w, &parallel, b] {
-            static constexpr std::array<Relaxation, 3> steps = {
-                {{.step = 0.8f}, {.step = 0.8f}, {.step = 0.8f}}};
-            w.system->relax(parallel, b, steps, w.x.span(), w.y.span());
-        });
     add("precondition", precondition_traffic(),
         [&w, &parallel, b] { w.system->precondition(parallel, b, 0.8f, w.y.span()); });
     add("coarse operators", build_traffic(springs, coarse),

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "cloth/simulation.h"
+#include "cloth/frame/simulation.h"
 
 namespace weft::bench {
 

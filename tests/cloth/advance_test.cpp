@@ -1,14 +1,14 @@
 // The ends of substeps, what BDF2 remembers of them and the survey, on every kind of vector that this machine
 // has, against one particle at a time.
 
-#include "cloth/advance.h"
+#include "cloth/frame/advance.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
-#include "cloth/survey.h"
+#include "cloth/frame/survey.h"
 #include "fixtures.h"
 #include "hwy/targets.h"
 

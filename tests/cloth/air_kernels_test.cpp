@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <random>
 
-#include "cloth/forces/gusts.h"
-#include "cloth/surface.h"
+#include "cloth/surface/gusts.h"
+#include "cloth/surface/surface.h"
 #include "fixtures.h"
 #include "hwy/targets.h"
 #include "meshes.h"

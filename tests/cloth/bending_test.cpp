@@ -1,7 +1,7 @@
 // Bending: gradients against finite differences, energies against those of bent plates, and a strip of cloth
 // that hangs over an edge against the heavy elastica.
 
-#include "cloth/forces/bending.h"
+#include "cloth/system/triangles/bending.h"
 
 #include <gtest/gtest.h>
 

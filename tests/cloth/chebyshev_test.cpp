@@ -1,6 +1,6 @@
 // Chebyshev's iteration: its error against theory, its interval, and where it fails.
 
-#include "cloth/implicit/chebyshev.h"
+#include "cloth/solvers/linear/chebyshev.h"
 
 #include <gtest/gtest.h>
 

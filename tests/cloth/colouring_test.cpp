@@ -1,6 +1,6 @@
 // Colours and fibres: the invariants on which solving in parallel rests, on every mesh.
 
-#include "cloth/positional/colouring.h"
+#include "cloth/solvers/positional/colouring.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <set>
 
-#include "cloth/positional/fibre_sets.h"
+#include "cloth/solvers/positional/fibre_sets.h"
 #include "meshes.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Conjugate gradients: exactness, optimality, and where they end.
 
-#include "cloth/implicit/conjugate_gradient.h"
+#include "cloth/solvers/linear/conjugate_gradient.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "cloth/implicit/chebyshev.h"
+#include "cloth/solvers/linear/chebyshev.h"
 #include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "cloth/implicit/contacts.h"
-#include "cloth/implicit/multigrid.h"
+#include "cloth/solvers/make_system.h"
+#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/system/contacts.h"
 #include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"

@@ -1,4 +1,4 @@
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 
 #include <gtest/gtest.h>
 

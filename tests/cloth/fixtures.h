@@ -4,10 +4,11 @@
 #include <Eigen/Core>
 #include <random>
 
-#include "cloth/cloth.h"
-#include "cloth/forces/springs.h"
-#include "cloth/implicit/implicit_system.h"
-#include "cloth/simulation.h"
+#include "cloth/frame/cloth.h"
+#include "cloth/frame/simulation.h"
+#include "cloth/solvers/make_system.h"
+#include "cloth/system/implicit_system.h"
+#include "cloth/system/springs/springs.h"
 #include "weft/weft.h"
 
 namespace weft::test {

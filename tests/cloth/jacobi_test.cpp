@@ -1,13 +1,13 @@
 // Kang's solver against dense solves, and its error against theory.
 
-#include "cloth/implicit/jacobi.h"
+#include "cloth/solvers/linear/jacobi.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "cloth/implicit/symmetric3.h"
 #include "dense_algebra.h"
+#include "engine/simd/symmetric3.h"
 #include "fixtures.h"
 #include "meshes.h"
 

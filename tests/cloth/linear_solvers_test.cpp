@@ -54,7 +54,7 @@ Solved solve(Cloth& cloth, const Method& method, int threads = 1) {
     cloth.apply(settings);
     Parallel parallel(threads);
     Profiler profiler(stage_names);
-    cloth.solver->prepare(cloth.model, cloth.settings, cloth.state);
+    cloth.solver->prepare(cloth.model, cloth.settings, cloth.state.positions.span());
     const float residual = cloth.solver->solve({.parallel = parallel,
                                                 .profiler = profiler,
                                                 .model = cloth.model,

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 #include "meshes.h"
 #include "weft/mesh.h"
 

@@ -1,7 +1,8 @@
 // Levels, Galerkin operators, the cycle and the multilevel solver against dense algebra and their own
 // promises.
 
-#include "cloth/implicit/multigrid.h"
+#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solvers/make_system.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/implicit/conjugate_gradient.h"
-#include "cloth/implicit/multilevel.h"
+#include "cloth/solvers/linear/conjugate_gradient.h"
+#include "cloth/solvers/multigrid/multilevel.h"
 #include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"
@@ -247,7 +248,7 @@ Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1)
     Parallel parallel(threads);
     Profiler profiler(stage_names);
     MultilevelSolver solver(cloth.model, cloth.settings);
-    solver.prepare(cloth.model, cloth.settings, cloth.state);
+    solver.prepare(cloth.model, cloth.settings, cloth.state.positions.span());
     const StepEquation equation = equation_of(cloth, h);
     solver.solve({.parallel = parallel,
                   .profiler = profiler,

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <random>
 
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 #include "meshes.h"
 #include "weft/mesh.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 // One step of a positional method on one cloth.
 
-#include "cloth/stages.h"
+#include "cloth/frame/make_solver.h"
+#include "cloth/solvers/stages.h"
 #include "engine/profiler.h"
 #include "fixtures.h"
 
@@ -12,7 +13,7 @@ inline AlignedBuffer<Vec4> velocity_change(Cloth& cloth, const Method& method, f
                                            const Vector3& gravity = {0, -9.81f, 0}) {
     cloth.settings.method = method;
     const auto solver = make_solver(cloth.model, cloth.settings);
-    solver->prepare(cloth.model, cloth.settings, cloth.state);
+    solver->prepare(cloth.model, cloth.settings, cloth.state.positions.span());
     AlignedBuffer<Vec4> change(cloth.model.particle_count);
     Parallel serial(1);
     Profiler profiler(stage_names);

@@ -1,6 +1,6 @@
 // Many cloths: which run side by side, and that none of it shows in the results.
 
-#include "cloth/schedule.h"
+#include "cloth/frame/schedule.h"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <functional>
 #include <random>
 
-#include "cloth/forces/spring_system.h"
-#include "cloth/forces/springs.h"
-#include "cloth/implicit/symmetric3.h"
+#include "cloth/system/springs/spring_system.h"
+#include "cloth/system/springs/springs.h"
+#include "engine/simd/symmetric3.h"
 #include "fixtures.h"
 #include "hwy/targets.h"
 #include "meshes.h"

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "cloth/forces/spring_system.h"
-#include "cloth/forces/springs.h"
+#include "cloth/system/springs/spring_system.h"
+#include "cloth/system/springs/springs.h"
 #include "fixtures.h"
 #include "meshes.h"
 

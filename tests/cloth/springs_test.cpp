@@ -1,7 +1,8 @@
 // Spring forces and their derivatives against energies and finite differences, and the assembled system
 // against both.
 
-#include "cloth/forces/springs.h"
+#include "cloth/system/springs/springs.h"
+#include "cloth/solvers/make_system.h"
 
 #include <gtest/gtest.h>
 

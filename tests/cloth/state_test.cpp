@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cloth/survey.h"
+#include "cloth/frame/survey.h"
 #include "fixtures.h"
 #include "meshes.h"
 

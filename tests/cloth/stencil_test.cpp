@@ -1,12 +1,12 @@
 // Sliced rows against the compressed ones that they are made from.
 
-#include "cloth/implicit/stencil.h"
+#include "cloth/system/sparse/stencil.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 #include "fixtures.h"
 #include "meshes.h"
 

@@ -1,6 +1,6 @@
 // Geodesics against closed forms, and what tethers do with them.
 
-#include "cloth/tethers.h"
+#include "cloth/limits/tethers.h"
 
 #include <gtest/gtest.h>
 

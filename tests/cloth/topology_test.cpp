@@ -1,4 +1,4 @@
-#include "cloth/topology.h"
+#include "cloth/mesh/topology.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 
 #include "hwy/highway.h"
 
-#include "cloth/forces/triangle_fem-inl.h"
+#include "cloth/system/triangles/triangle_fem-inl.h"
 #include "dense_algebra.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Triangles in groups against the lists that they are made from.
 
-#include "cloth/triangle_groups.h"
+#include "cloth/surface/triangle_groups.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Air forces against flat-plate formulas, and the gusts' statistics.
 
-#include "cloth/forces/wind.h"
+#include "cloth/surface/wind.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "cloth/forces/gusts.h"
+#include "cloth/surface/gusts.h"
 #include "fixtures.h"
 #include "plate_force.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "cloth/simulation.h"
+#include "cloth/frame/simulation.h"
 
 namespace weft::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <functional>
 
-#include "cloth/implicit/multigrid.h"
+#include "cloth/solvers/multigrid/multigrid.h"
 #include "demo/study/reference/block_matrix.h"
 
 namespace weft::study {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cloth/cook.h"
+#include "cloth/mesh/cook.h"
 #include "demo/study/run.h"
 #include "engine/parallel_blocks.h"
 

@@ -1,4 +1,5 @@
 #include "demo/study/reference/newton.h"
+#include "cloth/solvers/make_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,14 +104,14 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
 }
 
 void ConvergedSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
-                              const ClothState& state) {
+                              std::span<const Vec4> positions) {
     if (model.particle_count <= ExactSolve::usual_limit) return;
     if (!approach_) {
         approach_settings_ = settings;
         approach_settings_.method = Multilevel{.passes = 16, .iterations = 8};
         approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_);
     }
-    approach_->prepare(model, approach_settings_, state);
+    approach_->prepare(model, approach_settings_, positions);
 }
 
 Flat ConvergedSolver::approach(const SolverStep& step, const Flat& start) {

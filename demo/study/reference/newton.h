@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cloth/implicit/multilevel.h"
-#include "cloth/solver.h"
+#include "cloth/solvers/multigrid/multilevel.h"
+#include "cloth/solvers/solver.h"
 #include "demo/study/reference/exact_solve.h"
 #include "demo/study/reference/step_functional.h"
 
@@ -54,7 +54,8 @@ class ConvergedSolver final : public Solver {
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
     explicit ConvergedSolver(double tolerance = converged) : tolerance_(tolerance) {}
-    void prepare(const CookedCloth& model, const ClothSettings& settings, const ClothState& state) override;
+    void prepare(const CookedCloth& model, const ClothSettings& settings,
+                 std::span<const Vec4> positions) override;
     float solve(const SolverStep& step) override;
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cloth/forces/springs.h"
+#include "cloth/system/springs/springs.h"
 
 namespace weft::study {
 

@@ -1,0 +1,43 @@
+#include "cloth/frame/make_solver.h"
+
+#include "cloth/solvers/explicit/symplectic_euler.h"
+#include "cloth/solvers/linear/chebyshev.h"
+#include "cloth/solvers/linear/conjugate_gradient.h"
+#include "cloth/solvers/linear/jacobi.h"
+#include "cloth/solvers/multigrid/multilevel.h"
+#include "cloth/solvers/positional/fibres.h"
+#include "cloth/solvers/positional/xpbd.h"
+
+namespace weft {
+
+namespace {
+
+template <class... Makers>
+struct Overload : Makers... {
+    using Makers::operator()...;
+};
+template <class... Makers>
+Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by itself before 17
+
+}  // namespace
+
+std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings) {
+    using Made = std::unique_ptr<Solver>;
+    return std::visit(
+        Overload{
+            [&](const Jacobi&) -> Made { return std::make_unique<JacobiSolver>(model, settings); },
+            [&](const Chebyshev&) -> Made { return std::make_unique<ChebyshevSolver>(model, settings); },
+            [&](const SymplecticEuler&) -> Made {
+                return std::make_unique<SymplecticEulerSolver>(model, settings);
+            },
+            [&](const ConjugateGradient&) -> Made {
+                return std::make_unique<ConjugateGradientSolver>(model, settings);
+            },
+            [&](const Multilevel&) -> Made { return std::make_unique<MultilevelSolver>(model, settings); },
+            [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings); },
+            [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, settings); },
+        },
+        settings.method);
+}
+
+}  // namespace weft

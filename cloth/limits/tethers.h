@@ -1,0 +1,47 @@
+#pragma once
+// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
+// the way along the cloth, whatever a solver has left unsolved.
+//
+// Pins that springs join are one hold, of which a particle is tethered to the nearest pin; and it is tethered
+// to the four nearest holds. One would be too few: where the particles of two pins meet, the cloth between
+// would stretch.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/mesh/cook.h"
+#include "cloth/mesh/geodesics.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+class LongRangeAttachments {
+  public:
+    static constexpr std::uint32_t none = GeodesicReach::none;
+
+    explicit LongRangeAttachments(const CookedCloth& model) : geodesics_(model) {}
+
+    /// Finds each particle's pins and their distances, for steps to come. Precondition: pins ascend.
+    void attach(const CookedCloth& model, std::span<const std::uint32_t> pins);
+
+    /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they
+    /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
+    void hold(Parallel& parallel, float slack, std::span<Vec4> positions, std::span<Vec4> velocities) const;
+
+    /// One tether of each particle. Holds have one order for all particles: with an order of its own for
+    /// each, the nearest last, say, neighbours would follow different holds and part.
+    struct Layer {
+        AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
+        AlignedBuffer<float> lengths;       ///< [m]
+    };
+    [[nodiscard]] std::span<const Layer> layers() const { return layers_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    Geodesics geodesics_;
+    std::vector<Layer> layers_;
+};
+
+}  // namespace weft

@@ -1,0 +1,292 @@
+#include "cloth/mesh/cook.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "cloth/mesh/ordering.h"
+#include "cloth/mesh/topology.h"
+
+namespace weft {
+
+namespace {
+
+/// Invariant: a < b.
+struct Spring {
+    std::uint32_t a, b;
+    SpringKind kind;
+    float rest_length;  ///< [m]
+};
+
+Spring make_spring(std::uint32_t a, std::uint32_t b, SpringKind kind, double rest_length) {
+    return {std::min(a, b), std::max(a, b), kind, static_cast<float>(rest_length)};
+}
+
+/// The vertex by which a triangle knows a particle: at a seam each panel has its own.
+std::uint32_t vertex_in(const Topology& topology, std::uint32_t triangle, std::uint32_t particle) {
+    const Triangle& particles = topology.triangles[triangle];
+    const auto corner = std::find(particles.begin(), particles.end(), particle) - particles.begin();
+    return topology.corners[triangle][static_cast<std::size_t>(corner)];
+}
+
+double rest_distance(const Mesh& mesh, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+    return (rest_point(mesh, vertex_b) - rest_point(mesh, vertex_a)).norm();
+}
+
+/// In the triangle's own panel, between two of its particles.
+double rest_distance(const Mesh& mesh, const Topology& topology, std::uint32_t triangle, std::uint32_t a,
+                     std::uint32_t b) {
+    return rest_distance(mesh, vertex_in(topology, triangle, a), vertex_in(topology, triangle, b));
+}
+
+/// The mean of the edge's lengths in its triangles, which differ where a seam gathers one panel onto another.
+double edge_length(const Mesh& mesh, const Topology& topology, const Edge& edge) {
+    const auto [a, b] = edge.particles;
+    const double first = rest_distance(mesh, topology, edge.triangles[0], a, b);
+    if (edge.is_border()) return first;
+    return 0.5 * (first + rest_distance(mesh, topology, edge.triangles[1], a, b));
+}
+
+/// The third point of a triangle whose side of length `base` runs along x from the origin, by its distances
+/// to the side's two ends. On a seam the three lengths may not quite make a triangle; it is then flat.
+struct Apex {
+    double along, height;
+};
+Apex apex(double base, double to_start, double to_end) {
+    const double along = (to_start * to_start - to_end * to_end + base * base) / (2 * base);
+    return {along, std::sqrt(std::max(0.0, to_start * to_start - along * along))};
+}
+
+/// Distance between the two opposite particles in the rest shape: as the mesh lies in space, or, with a
+/// pattern, after laying both triangles flat about their shared edge.
+double opposite_distance(const Mesh& mesh, const Topology& topology, const Edge& edge) {
+    const auto [first, second] = edge.triangles;
+    if (mesh.pattern.empty()) {
+        return rest_distance(mesh, vertex_in(topology, first, edge.opposites[0]),
+                             vertex_in(topology, second, edge.opposites[1]));
+    }
+    const double base = edge_length(mesh, topology, edge);
+    const auto apex_of = [&](std::uint32_t triangle, std::uint32_t opposite) {
+        return apex(base, rest_distance(mesh, topology, triangle, edge.particles[0], opposite),
+                    rest_distance(mesh, topology, triangle, edge.particles[1], opposite));
+    };
+    const Apex one = apex_of(first, edge.opposites[0]);
+    const Apex other = apex_of(second, edge.opposites[1]);
+    return std::hypot(one.along - other.along, one.height + other.height);
+}
+
+/// Edges hold together; second neighbours across a shared edge keep it from folding.
+std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) {
+    std::vector<Spring> springs;
+    springs.reserve(2 * topology.edges.size());
+    for (const Edge& edge : topology.edges) {
+        springs.push_back(make_spring(edge.particles[0], edge.particles[1], SpringKind::structural,
+                                      edge_length(mesh, topology, edge)));
+        if (!edge.is_border())
+            springs.push_back(make_spring(edge.opposites[0], edge.opposites[1], SpringKind::bend,
+                                          opposite_distance(mesh, topology, edge)));
+    }
+    return springs;
+}
+
+/// Along the threads of a woven grid (Provot 1995): neighbours, diagonals, and second neighbours.
+/// Precondition: particle (row, column) is row * columns + column, and so is its vertex.
+std::vector<Spring> springs_of_grid(const Mesh& mesh) {
+    struct Step {
+        std::uint32_t rows;
+        int columns;
+        SpringKind kind;
+    };
+    static constexpr Step steps[] = {
+        {0, 1, SpringKind::structural}, {1, 0, SpringKind::structural}, {1, 1, SpringKind::shear},
+        {1, -1, SpringKind::shear},     {0, 2, SpringKind::bend},       {2, 0, SpringKind::bend},
+    };
+    std::vector<Spring> springs;
+    springs.reserve(std::size(steps) * mesh.positions.size());
+    for (std::uint32_t row = 0; row < mesh.rows; ++row) {
+        for (std::uint32_t column = 0; column < mesh.columns; ++column) {
+            for (const Step& step : steps) {
+                const std::uint32_t other_row = row + step.rows;
+                const std::int64_t other_column = std::int64_t{column} + step.columns;
+                if (other_row >= mesh.rows || other_column < 0 || other_column >= mesh.columns) continue;
+                const std::uint32_t a = row * mesh.columns + column;
+                const std::uint32_t b = other_row * mesh.columns + static_cast<std::uint32_t>(other_column);
+                springs.push_back(make_spring(a, b, step.kind, rest_distance(mesh, a, b)));
+            }
+        }
+    }
+    return springs;
+}
+
+/// Two particles get one spring: of the lower kind, and of one kind the first.
+void keep_one_per_pair(std::vector<Spring>& springs) {
+    std::stable_sort(springs.begin(), springs.end(), [](const Spring& p, const Spring& q) {
+        return std::tie(p.a, p.b, p.kind) < std::tie(q.a, q.b, q.kind);
+    });
+    const auto same_pair = [](const Spring& p, const Spring& q) { return p.a == q.a && p.b == q.b; };
+    springs.erase(std::unique(springs.begin(), springs.end(), same_pair), springs.end());
+}
+
+void count_springs(std::span<const Spring> springs, ClothInfo& info) {
+    double length = 0;
+    for (const Spring& spring : springs) {
+        switch (spring.kind) {
+            case SpringKind::structural:
+                ++info.structural_springs;
+                length += static_cast<double>(spring.rest_length);
+                break;
+            case SpringKind::shear:
+                ++info.shear_springs;
+                break;
+            case SpringKind::bend:
+                ++info.bend_springs;
+                break;
+        }
+    }
+    info.mean_edge = static_cast<float>(length / info.structural_springs);
+}
+
+/// counts[i + 1] elements in row i, to the offsets at which the rows start.
+void accumulate_offsets(std::span<std::uint32_t> counts) {
+    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+}
+
+/// Precondition: springs ascend by (a, b). Filling the far ends first leaves every row ascending, since row i
+/// then gets its lower neighbours before its higher ones, each in order.
+void store_springs(std::span<const Spring> springs, CookedCloth& cloth) {
+    cloth.spring_offsets = AlignedBuffer<std::uint32_t>(cloth.particle_count + 1);
+    cloth.neighbours = AlignedBuffer<std::uint32_t>(2 * springs.size());
+    cloth.rest_lengths = AlignedBuffer<float>(2 * springs.size());
+    cloth.kinds = AlignedBuffer<SpringKind>(2 * springs.size());
+
+    for (const Spring& spring : springs) {
+        ++cloth.spring_offsets[spring.a + 1];
+        ++cloth.spring_offsets[spring.b + 1];
+    }
+    accumulate_offsets(cloth.spring_offsets.span());
+
+    std::vector<std::uint32_t> next(cloth.spring_offsets.data(),
+                                    cloth.spring_offsets.data() + cloth.particle_count);
+    const auto store = [&](std::uint32_t particle, std::uint32_t neighbour, const Spring& spring) {
+        const std::uint32_t half_edge = next[particle]++;
+        cloth.neighbours[half_edge] = neighbour;
+        cloth.rest_lengths[half_edge] = spring.rest_length;
+        cloth.kinds[half_edge] = spring.kind;
+    };
+    for (const Spring& spring : springs) store(spring.b, spring.a, spring);
+    for (const Spring& spring : springs) store(spring.a, spring.b, spring);
+}
+
+void store_corners(CookedCloth& cloth) {
+    cloth.corner_offsets = AlignedBuffer<std::uint32_t>(cloth.particle_count + 1);
+    cloth.corner_triangles = AlignedBuffer<std::uint32_t>(3 * cloth.triangles.size());
+    for (const Triangle& triangle : cloth.triangles)
+        for (const std::uint32_t particle : triangle) ++cloth.corner_offsets[particle + 1];
+    accumulate_offsets(cloth.corner_offsets.span());
+
+    std::vector<std::uint32_t> next(cloth.corner_offsets.data(),
+                                    cloth.corner_offsets.data() + cloth.particle_count);
+    for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
+        for (const std::uint32_t particle : cloth.triangles[t]) cloth.corner_triangles[next[particle]++] = t;
+}
+
+void store_rest_areas(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+    std::vector<double> areas(cloth.particle_count, 0.0);
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+        const double third = rest_area(mesh, topology.corners[t]) / 3;
+        for (const std::uint32_t particle : topology.triangles[t]) areas[particle] += third;
+    }
+    cloth.rest_area = AlignedBuffer<float>(cloth.particle_count);
+    for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
+        cloth.rest_area[i] = static_cast<float>(areas[i]);
+}
+
+void store_panel_sides(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+    if (mesh.pattern.empty()) return;
+    cloth.panel_sides.reserve(topology.corners.size());
+    for (const Triangle& corners : topology.corners) {
+        const Vec2 &origin = mesh.pattern[corners[0]], &one = mesh.pattern[corners[1]],
+                   &two = mesh.pattern[corners[2]];
+        cloth.panel_sides.push_back(
+            {{{one.x - origin.x, one.y - origin.y}, {two.x - origin.x, two.y - origin.y}}});
+    }
+}
+
+void store_positions(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+    cloth.positions = AlignedBuffer<Vec4>(cloth.particle_count);
+    for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
+        const Vec3& p = mesh.positions[topology.first_vertices[i]];
+        cloth.positions[i] = {p.x, p.y, p.z, 0};
+    }
+}
+
+ClothInfo make_info(const Mesh& mesh, const Topology& topology) {
+    ClothInfo info;
+    info.vertices = static_cast<std::uint32_t>(mesh.positions.size());
+    info.particles = topology.particle_count();
+    info.triangles = static_cast<std::uint32_t>(topology.triangles.size());
+    info.components = static_cast<std::uint32_t>(topology.component_offsets.size() - 1);
+    info.border_edges = topology.border_edges;
+    info.dropped_triangles = topology.dropped_triangles;
+    info.misoriented_edges = topology.misoriented_edges;
+    info.loose_particles = topology.loose_particles;
+    return info;
+}
+
+bool is_grid(const Mesh& mesh) {
+    return mesh.rows > 0;
+}  // check_mesh: rows and columns are zero together
+
+/// Springs along the threads need every particle and every cell of the grid.
+Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
+    const auto unlike_grid = [&](const std::string& what) {
+        return Error{ErrorCode::invalid_mesh,
+                     "the grid of Mesh::rows x Mesh::columns = " + std::to_string(mesh.rows) + " x " +
+                         std::to_string(mesh.columns) + " " + what +
+                         "; set both to 0 for a mesh that is not a grid"};
+    };
+    if (topology.particle_count() != mesh.positions.size())
+        return unlike_grid("has " + std::to_string(mesh.positions.size()) + " vertices at only " +
+                           std::to_string(topology.particle_count()) + " different positions");
+    const std::uint64_t cells = std::uint64_t{mesh.rows - 1} * (mesh.columns - 1);
+    if (topology.triangles.size() != 2 * cells)
+        return unlike_grid("must have " + std::to_string(2 * cells) + " triangles of some area, not " +
+                           std::to_string(topology.triangles.size()));
+    return {};
+}
+
+}  // namespace
+
+Result<CookedCloth> cook(const Mesh& mesh) {
+    Result<Topology> built = build_topology(mesh);
+    if (!built) return built.error();
+    Topology& topology = *built;
+    if (is_grid(mesh))
+        if (Result<void> grid = check_grid(mesh, topology); !grid) return grid.error();
+    // Rows of a grid are in order already: neighbours lie at the same few distances from all particles.
+    if (!is_grid(mesh)) renumber(topology, memory_order(topology));
+
+    std::vector<Spring> springs = is_grid(mesh) ? springs_of_grid(mesh) : springs_of_mesh(mesh, topology);
+    keep_one_per_pair(springs);
+
+    CookedCloth cloth;
+    cloth.particle_count = topology.particle_count();
+    cloth.rows = mesh.rows;
+    cloth.columns = mesh.columns;
+    cloth.info = make_info(mesh, topology);
+    count_springs(springs, cloth.info);
+    store_positions(mesh, topology, cloth);
+    store_rest_areas(mesh, topology, cloth);
+    store_panel_sides(mesh, topology, cloth);
+    store_springs(springs, cloth);
+    cloth.triangles = std::move(topology.triangles);
+    cloth.triangles.shrink_to_fit();
+    store_corners(cloth);
+    cloth.component_offsets = std::move(topology.component_offsets);
+    cloth.component_particles = std::move(topology.component_particles);
+    cloth.vertex_to_particle = std::move(topology.vertex_to_particle);
+    return cloth;
+}
+
+}  // namespace weft

@@ -1,0 +1,65 @@
+#pragma once
+// How far it is along the cloth.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/mesh/cook.h"
+
+namespace weft {
+
+/// A particle from which distances are asked for. Of the sources of one group only the nearest counts.
+struct GeodesicSource {
+    std::uint32_t particle, group;
+};
+
+/// How one source is reached along the cloth.
+struct GeodesicReach {
+    static constexpr std::uint32_t none = ~0u;
+    double distance = 0;  ///< [m]
+    std::uint32_t source = none, group = none;
+};
+
+/// A triangle laid flat, seen from one of its corners: where that lies above the opposite side, which begins
+/// at the next corner.
+struct GeodesicCorner {
+    double along, height, side;  ///< [m]
+    bool is_obtuse;
+};
+
+/// Distances on the rest surface from given particles, by fast marching on its triangles (Kimmel and Sethian
+/// 1998).
+class Geodesics {
+  public:
+    static constexpr std::size_t most_reached = 4;
+
+    explicit Geodesics(const CookedCloth& model);
+
+    /// Finds for each particle the groups of sources that are nearest along the cloth.
+    void march(const CookedCloth& model, std::span<const GeodesicSource> sources);
+
+    /// The nearest first; source none: there are no more that can be reached.
+    [[nodiscard]] std::span<const GeodesicReach> from(std::uint32_t particle) const {
+        return reached_[particle];
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Front {
+        double distance;
+        std::uint32_t particle, source;
+    };
+    using Reached = std::array<GeodesicReach, most_reached>;
+
+    void reach(std::uint32_t particle, const GeodesicReach& way);
+    void cross_triangle(const Triangle& particles, const std::array<GeodesicCorner, 3>& shape,
+                        std::uint32_t from, const GeodesicReach& way);
+
+    std::vector<std::array<GeodesicCorner, 3>> triangles_;
+    std::vector<Reached> reached_;
+    std::vector<Front> front_;  // a heap, the nearest first
+};
+
+}  // namespace weft

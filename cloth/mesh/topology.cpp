@@ -1,0 +1,319 @@
+#include "cloth/mesh/topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "cloth/mesh/coordinates.h"
+#include "engine/error_text.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+namespace {
+
+/// Half-edge lists are indexed by 32 bits; at up to twelve half-edges a triangle these bounds keep within
+/// them.
+constexpr std::size_t most_vertices = std::size_t{1} << 26;
+constexpr std::size_t most_triangles = std::size_t{1} << 27;
+
+/// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
+constexpr double least_relative_height = 1e-6;
+
+/// [m^2]. The square of a tenth of a nanometre; much below it, inverse masses would overflow.
+constexpr double least_area = 1e-20;
+
+template <std::integral Integer>
+std::string text(Integer value) {
+    return std::to_string(value);
+}
+
+std::string text(float value) {
+    return number_text(static_cast<double>(value));
+}
+
+std::string text(const Vec2& p) {
+    return std::string("(") + text(p.x) + ", " + text(p.y) + ")";
+}
+
+std::string text(const Vec3& p) {
+    return std::string("(") + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")";
+}
+
+Error invalid_mesh(std::string message) {
+    return {ErrorCode::invalid_mesh, std::move(message)};
+}
+
+/// False for not-a-number, too.
+bool usable(float coordinate) {
+    return std::abs(coordinate) <= runaway_distance;
+}
+
+template <class Point>
+Error unusable_point(const char* array, std::size_t vertex, const Point& value) {
+    return invalid_mesh("Mesh::" + std::string(array) + "[" + text(vertex) + "] is " + text(value) +
+                        "; every coordinate must be finite and within " + text(runaway_distance) + " m of 0");
+}
+
+Error wrong_size(const char* array, std::size_t size, std::size_t vertices) {
+    return invalid_mesh("Mesh::" + std::string(array) + " has " + text(size) +
+                        " elements; it must have one per vertex (" + text(vertices) + ") or none");
+}
+
+Result<void> check_sizes(const Mesh& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    if (vertices > most_vertices)
+        return invalid_mesh("the mesh has " + text(vertices) + " vertices; at most " + text(most_vertices) +
+                            " make a cloth");
+    if (mesh.triangles.empty())
+        return invalid_mesh("the mesh has " + text(vertices) +
+                            " vertices and no triangles; a cloth needs at least one");
+    if (mesh.triangles.size() > most_triangles)
+        return invalid_mesh("the mesh has " + text(mesh.triangles.size()) + " triangles; at most " +
+                            text(most_triangles) + " make a cloth");
+    if (!mesh.pattern.empty() && mesh.pattern.size() != vertices)
+        return wrong_size("pattern", mesh.pattern.size(), vertices);
+    if (!mesh.texcoords.empty() && mesh.texcoords.size() != vertices)
+        return wrong_size("texcoords", mesh.texcoords.size(), vertices);
+    const std::uint64_t grid = std::uint64_t{mesh.rows} * mesh.columns;
+    if ((mesh.rows != 0 || mesh.columns != 0) && grid != vertices)
+        return invalid_mesh("Mesh::rows x Mesh::columns is " + text(mesh.rows) + " x " + text(mesh.columns) +
+                            " = " + text(grid) + ", but there are " + text(vertices) +
+                            " vertices; set both to 0 for a mesh that is not a grid");
+    return {};
+}
+
+Result<void> check_points(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3& p = mesh.positions[i];
+        if (!usable(p.x) || !usable(p.y) || !usable(p.z)) return unusable_point("positions", i, p);
+    }
+    for (std::size_t i = 0; i < mesh.pattern.size(); ++i) {
+        const Vec2& p = mesh.pattern[i];
+        if (!usable(p.x) || !usable(p.y)) return unusable_point("pattern", i, p);
+    }
+    return {};
+}
+
+Result<void> check_indices(const Mesh& mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = mesh.triangles[t][corner];
+            if (vertex >= mesh.positions.size())
+                return invalid_mesh("corner " + text(corner) + " of triangle " + text(t) + " is vertex " +
+                                    text(vertex) + "; the mesh has " + text(mesh.positions.size()) +
+                                    " vertices, which are counted from 0");
+        }
+    }
+    return {};
+}
+
+bool has_area(const Mesh& mesh, const Triangle& vertices) {
+    const Eigen::Vector3d a = rest_point(mesh, vertices[0]);
+    const Eigen::Vector3d b = rest_point(mesh, vertices[1]);
+    const Eigen::Vector3d c = rest_point(mesh, vertices[2]);
+    const double longest_squared =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double area = rest_area(mesh, vertices);
+    return 2 * area > least_relative_height * longest_squared && area >= least_area;
+}
+
+/// One side of a triangle, as found there.
+struct Side {
+    std::uint32_t low, high;  ///< particles, low < high
+    std::uint32_t triangle;
+    std::uint32_t opposite;
+    bool ascending;  ///< the triangle runs from low to high
+};
+
+std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t from = triangles[t][corner];
+            const std::uint32_t to = triangles[t][(corner + 1) % 3];
+            const std::uint32_t opposite = triangles[t][(corner + 2) % 3];
+            sides.push_back({std::min(from, to), std::max(from, to), t, opposite, from < to});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    });
+    return sides;
+}
+
+/// `sources`: the mesh's numbers of the triangles that were kept, which its maker knows them by.
+Error crowded_edge(const Topology& topology, std::span<const Side> sides,
+                   std::span<const std::uint32_t> sources) {
+    constexpr std::size_t named = 8;
+    std::string triangles;
+    for (std::size_t i = 0; i < std::min(sides.size(), named); ++i)
+        triangles += (i == 0 ? "" : ", ") + text(sources[sides[i].triangle]);
+    if (sides.size() > named) triangles += ", ...";
+    return invalid_mesh(
+        "the edge of vertices " + text(topology.first_vertices[sides[0].low]) + " and " +
+        text(topology.first_vertices[sides[0].high]) + " belongs to " + text(sides.size()) + " triangles (" +
+        triangles +
+        "); an edge may have at most two: delete the others, or give them vertices of their own at "
+        "another position");
+}
+
+Error doubled_triangle(const Topology& topology, std::span<const Side> sides,
+                       std::span<const std::uint32_t> sources) {
+    return invalid_mesh("triangles " + text(sources[sides[0].triangle]) + " and " +
+                        text(sources[sides[1].triangle]) + " join the same three vertices " +
+                        text(topology.first_vertices[sides[0].low]) + ", " +
+                        text(topology.first_vertices[sides[0].high]) + " and " +
+                        text(topology.first_vertices[sides[0].opposite]) + "; delete one of them");
+}
+
+Result<void> build_edges(std::span<const std::uint32_t> sources, Topology& topology) {
+    const std::vector<Side> sides = sides_by_edge(topology.triangles);
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        const Side& first = sides[begin];
+        while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) ++end;
+        const std::span<const Side> same(&first, end - begin);
+        if (same.size() > 2) return crowded_edge(topology, same, sources);
+
+        Edge edge{{first.low, first.high}, {first.triangle, Edge::none}, {first.opposite, Edge::none}};
+        if (same.size() == 2) {
+            if (same[1].opposite == first.opposite) return doubled_triangle(topology, same, sources);
+            edge.triangles[1] = same[1].triangle;
+            edge.opposites[1] = same[1].opposite;
+            if (same[1].ascending == first.ascending) ++topology.misoriented_edges;
+        } else {
+            ++topology.border_edges;
+        }
+        topology.edges.push_back(edge);
+    }
+    return {};
+}
+
+/// Keeps the mesh's triangles that have an area; returns their numbers in the mesh.
+std::vector<std::uint32_t> keep_triangles(const Mesh& mesh, Topology& topology) {
+    std::vector<std::uint32_t> sources;
+    sources.reserve(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Triangle& corners = mesh.triangles[t];
+        const Triangle particles{topology.vertex_to_particle[corners[0]],
+                                 topology.vertex_to_particle[corners[1]],
+                                 topology.vertex_to_particle[corners[2]]};
+        const bool repeats =
+            particles[0] == particles[1] || particles[1] == particles[2] || particles[2] == particles[0];
+        if (repeats || !has_area(mesh, corners)) {
+            ++topology.dropped_triangles;
+            continue;
+        }
+        topology.triangles.push_back(particles);
+        topology.corners.push_back(corners);
+        sources.push_back(t);
+    }
+    return sources;
+}
+
+/// The lowest particle of each particle's component. Invariant: parents[i] <= i, so roots are the lowest.
+std::vector<std::uint32_t> component_roots(const Topology& topology) {
+    std::vector<std::uint32_t> parents(topology.particle_count());
+    std::iota(parents.begin(), parents.end(), 0u);
+    const auto root_of = [&](std::uint32_t i) {
+        while (parents[i] != i) i = parents[i] = parents[parents[i]];
+        return i;
+    };
+    for (const Edge& edge : topology.edges) {
+        const std::uint32_t a = root_of(edge.particles[0]);
+        const std::uint32_t b = root_of(edge.particles[1]);
+        parents[std::max(a, b)] = std::min(a, b);
+    }
+    for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = root_of(i);
+    return parents;
+}
+
+std::uint32_t count_loose(const Topology& topology) {
+    std::vector<bool> used(topology.particle_count(), false);
+    for (const Triangle& triangle : topology.triangles)
+        for (const std::uint32_t particle : triangle) used[particle] = true;
+    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
+}
+
+}  // namespace
+
+void build_components(Topology& topology) {
+    topology.component_offsets.clear();
+    const std::vector<std::uint32_t> roots = component_roots(topology);
+    topology.component_particles.resize(roots.size());
+    std::iota(topology.component_particles.begin(), topology.component_particles.end(), 0u);
+    std::stable_sort(topology.component_particles.begin(), topology.component_particles.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return roots[a] < roots[b]; });
+    for (std::uint32_t i = 0; i < roots.size(); ++i)
+        if (roots[topology.component_particles[i]] == topology.component_particles[i])
+            topology.component_offsets.push_back(i);
+    topology.component_offsets.push_back(topology.particle_count());
+}
+
+Result<void> check_mesh(const Mesh& mesh) {
+    if (Result<void> sizes = check_sizes(mesh); !sizes) return sizes;
+    if (Result<void> points = check_points(mesh); !points) return points;
+    return check_indices(mesh);
+}
+
+Eigen::Vector3d rest_point(const Mesh& mesh, std::uint32_t vertex) {
+    if (!mesh.pattern.empty())
+        return Eigen::Vector3f(mesh.pattern[vertex].x, mesh.pattern[vertex].y, 0).cast<double>();
+    return to_vector(mesh.positions[vertex]).cast<double>();
+}
+
+double rest_area(const Mesh& mesh, const Triangle& vertices) {
+    const Eigen::Vector3d a = rest_point(mesh, vertices[0]);
+    return 0.5 * (rest_point(mesh, vertices[1]) - a).cross(rest_point(mesh, vertices[2]) - a).norm();
+}
+
+std::vector<std::uint32_t> weld(std::span<const Vec3> positions) {
+    const auto key = [&](std::uint32_t i) {
+        return std::tie(positions[i].x, positions[i].y, positions[i].z);
+    };
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto key_a = key(a), key_b = key(b);
+        return key_a < key_b || (key_a == key_b && a < b);
+    });
+
+    std::vector<std::uint32_t> first(positions.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+        first[order[i]] = same ? first[order[i - 1]] : order[i];
+    }
+
+    std::vector<std::uint32_t> numbers(positions.size());
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        numbers[i] = first[i] == i ? next++ : numbers[first[i]];
+    return numbers;
+}
+
+Result<Topology> build_topology(const Mesh& mesh) {
+    if (Result<void> check = check_mesh(mesh); !check) return check.error();
+
+    Topology topology;
+    topology.vertex_to_particle = weld(mesh.positions);
+    for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
+        if (topology.vertex_to_particle[i] == topology.particle_count()) topology.first_vertices.push_back(i);
+
+    const std::vector<std::uint32_t> sources = keep_triangles(mesh, topology);
+    if (topology.triangles.empty())
+        return invalid_mesh(
+            "all " + text(mesh.triangles.size()) + " triangles of the mesh have no area in its " +
+            (mesh.pattern.empty() ? "positions" : "pattern") + "; a cloth needs at least one that has");
+    if (Result<void> edges = build_edges(sources, topology); !edges) return edges.error();
+    build_components(topology);
+    topology.loose_particles = count_loose(topology);
+    return topology;
+}
+
+}  // namespace weft

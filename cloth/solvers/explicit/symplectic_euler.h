@@ -1,0 +1,24 @@
+#pragma once
+// The explicit baseline.
+
+#include <memory>
+
+#include "cloth/solvers/solver.h"
+#include "cloth/system/implicit_system.h"
+
+namespace weft {
+
+/// v += h f(x, v) / m, before x += h v: symplectic where f has no damping (Vogelaere 1956). Stable for h < 2
+/// / omega of the stiffest mode, and for less where springs are damped. Drag alone is taken implicitly.
+class SymplecticEulerSolver final : public Solver {
+  public:
+    SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings);
+    float solve(const SolverStep& step) override;
+    [[nodiscard]] bool is_implicit() const noexcept override { return false; }
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  private:
+    std::unique_ptr<ImplicitSystem> system_;  // for its forces
+};
+
+}  // namespace weft

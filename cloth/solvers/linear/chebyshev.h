@@ -1,0 +1,82 @@
+#pragma once
+// Chebyshev semi-iteration of block Jacobi on W dv = b.
+
+#include <span>
+
+#include "cloth/solvers/linear/linear_solver.h"
+
+namespace weft {
+
+/// An interval that eigenvalues of D^-1 W are taken to lie in.
+struct Spectrum {
+    double least, largest;
+};
+
+/// The largest eigenvalue of D^-1 W is below 2, whatever stiffness and step, since 2 D - W is positive
+/// definite, and near 2 on most meshes: any smaller end diverges sooner or later.
+inline constexpr double largest_eigenvalue = 2;
+
+/// The interval to [.., 2] for a count of iterations. Its lower end is `least`, an estimate of the least
+/// eigenvalue, but no lower than where that count still reduces every error within the interval fourfold.
+///
+/// Were it lower, so little would be left of the reduction that the stiff modes paid for the soft ones. How
+/// little is allowed follows from backward Euler with an error factor p left in a stiff mode, x += h v, v +=
+/// (1
+/// - p)(-v - x / h): its amplification has eigenvalues p +- sqrt(p (p - 1)), which leave the unit circle at
+/// p = -1/3. Between 0 and the lower end modes are merely solved less, down to not at all, as Jacobi does.
+[[nodiscard]] Spectrum chebyshev_interval(int iterations, double least);
+
+/// Estimate of the least eigenvalue of D^-1 W: the Rayleigh quotient of a translation within the cloth's
+/// plane, 1 / (1 + stiffness gamma^2 / mass), from the totals of the cloth. Precondition: area > 0 [m^2].
+[[nodiscard]] double least_eigenvalue(const ClothInfo& info, const ClothSettings& settings, double area,
+                                      float gamma);
+
+/// The steps of the iteration, one after another (Golub and Varga 1961).
+class ChebyshevSteps {
+  public:
+    explicit ChebyshevSteps(Spectrum interval)
+        : centre_((interval.largest + interval.least) / 2),
+          half_width_((interval.largest - interval.least) / 2) {}
+
+    /// The first iterate is this times D^-1 b.
+    [[nodiscard]] float first();
+    [[nodiscard]] Relaxation next();
+
+  private:
+    double centre_, half_width_;
+    double ratio_ = 0;  // T_k-1 / T_k at centre / half_width, after k steps
+};
+
+/// The memory of one solve.
+struct ChebyshevVectors {
+    explicit ChebyshevVectors(std::uint32_t particles)
+        : next(particles), before(particles), partials(block_count(particles)) {}
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return next.bytes() + before.bytes() + partials.bytes();
+    }
+    AlignedBuffer<Vec4> next, before;
+    AlignedBuffer<double> partials;
+};
+
+/// Leaves in dv the iterate after `iterations` steps from the first one. Of the error of dv = 0 it keeps, in
+/// an eigenvector of eigenvalue lambda, the part T_n((c - lambda) / w) / T_n(c / w), n = iterations + 1,
+/// where c and w are the interval's centre and half width. Returns |D^-1 (b - W dv)| / |D^-1 b| of the last
+/// iterate but one, which the last step measures in passing; 0 for b = 0. Precondition: iterations >= 1.
+float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
+                      ChebyshevVectors& vectors, std::span<Vec4> dv);
+
+class ChebyshevSolver final : public LinearSolver {
+  public:
+    ChebyshevSolver(const CookedCloth& model, const ClothSettings& settings);
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  protected:
+    float solve_linear(const SolverStep& step, ImplicitSystem& system) override;
+    [[nodiscard]] bool solves_mean_motion_apart(const ClothSettings& settings) const override;
+
+  private:
+    ChebyshevVectors vectors_;
+    double area_ = 0;  // of the cloth at rest [m^2]
+};
+
+}  // namespace weft

@@ -1,0 +1,58 @@
+#include "cloth/solvers/linear/conjugate_gradient.h"
+
+#include <functional>
+
+#include "cloth/system/sparse/vectors.h"
+
+namespace weft {
+
+std::size_t CgVectors::bytes() const noexcept {
+    return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
+}
+
+Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
+    return parallel.reduce(
+        static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), Products{},
+        [&](const BlockRange& range) {
+            FourRows with_residual = FourRows::Zero(), squares = FourRows::Zero();
+            for (std::uint32_t i = range.begin; i < range.end; i += 4) {
+                const auto z = load_four(&vectors.preconditioned[i]);
+                with_residual += z * load_four(&residual[i]);
+                squares += z * z;
+            }
+            return Products{.b_x = with_residual.topRows<3>().cast<double>().sum(),
+                            .x_x = squares.topRows<3>().cast<double>().sum()};
+        },
+        std::plus<>{});
+}
+
+void turn_direction(Parallel& parallel, float beta, CgVectors& vectors) {
+    scale_and_add(parallel, 1.0f, vectors.preconditioned.span(), beta, vectors.direction.span());
+}
+
+void advance_along(Parallel& parallel, float alpha, const CgVectors& vectors, std::span<Vec4> dv) {
+    scale_and_add(parallel, alpha, vectors.direction.span(), 1.0f, dv);
+}
+
+void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> residual, CgVectors& vectors) {
+    scale_and_add(parallel, -alpha, vectors.product.span(), residual, vectors.residual.span());
+}
+
+ConjugateGradientSolver::ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings)
+    : LinearSolver(model, settings), vectors_(model.particle_count) {}
+
+float ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSystem& system) {
+    const auto block_diagonal = [&](std::span<const Vec4> residual, std::span<Vec4> preconditioned) {
+        system.precondition(step.parallel, residual, 1.0f, preconditioned);
+    };
+    clear(step.parallel, step.velocity_change);
+    return conjugate_gradients(step.parallel, system,
+                               std::get<ConjugateGradient>(step.settings.method).iterations, block_diagonal,
+                               vectors_, step.velocity_change);
+}
+
+std::size_t ConjugateGradientSolver::bytes() const noexcept {
+    return LinearSolver::bytes() + vectors_.bytes();
+}
+
+}  // namespace weft

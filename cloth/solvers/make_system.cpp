@@ -1,0 +1,13 @@
+#include "cloth/solvers/make_system.h"
+
+#include "cloth/system/springs/spring_system.h"
+#include "cloth/system/triangles/triangle_system.h"
+
+namespace weft {
+
+std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model, const ClothSettings& settings) {
+    if (settings.finite_elements.enabled) return std::make_unique<TriangleSystem>(model, settings);
+    return std::make_unique<SpringSystem>(model);
+}
+
+}  // namespace weft

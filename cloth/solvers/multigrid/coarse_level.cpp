@@ -1,0 +1,71 @@
+#include "cloth/solvers/multigrid/coarse_level.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/vector.h"
+
+namespace weft {
+
+CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph)
+    : lists_(std::move(lists)),
+      interpolation_(std::move(interpolation)),
+      matrix_(graph, lists_),
+      b_(graph.nodes()),
+      x_(graph.nodes()),
+      before_(graph.nodes()) {}
+
+void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs) {
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+        sum_springs_block(lists_, range, springs.data(), matrix_.links);
+    });
+}
+
+void CoarseLevel::sum_ground(Parallel& parallel, std::span<const Vec4> diagonal,
+                             std::span<const Vec4> off_diagonal) {
+    SymmetricRows& rows = matrix_.ground_rows;
+    restrict_to(parallel, interpolation_, diagonal, rows.diagonal.span());
+    if (off_diagonal.empty())
+        std::ranges::fill(rows.off_diagonal.span(), Vec4{});
+    else
+        restrict_to(parallel, interpolation_, off_diagonal, rows.off_diagonal.span());
+}
+
+void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
+    parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
+        sum_links_block(lists_, range, finer.matrix().links, matrix_.links);
+    });
+    const SymmetricRows& ground = finer.matrix().ground_rows;
+    sum_ground(parallel, ground.diagonal.span(), ground.off_diagonal.span());
+}
+
+void CoarseLevel::finish(Parallel& parallel) {
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
+}
+
+void CoarseLevel::subtract_product(Parallel& parallel, std::span<Vec4> remainder) const {
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        subtract_product_block(matrix_, range, b_.data(), x_.data(), remainder.data());
+    });
+}
+
+void CoarseLevel::relax_from_zero(Parallel& parallel, float step) {
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        precondition_block(matrix_, range, b_.data(), step, x_.data());
+        std::fill(before_.data() + range.begin, before_.data() + range.end, Vec4{});
+    });
+}
+
+void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
+    coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
+        relax_block(matrix_, range, b_.data(), x_.data(), relaxation, before_.data());
+    });
+    std::swap(x_, before_);
+}
+
+std::size_t CoarseLevel::bytes() const noexcept {
+    return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + b_.bytes() + x_.bytes() +
+           before_.bytes();
+}
+
+}  // namespace weft

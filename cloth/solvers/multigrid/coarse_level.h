@@ -1,0 +1,54 @@
+#pragma once
+// One coarse level: its operator, summed anew from the finer level's, and the vectors of a cycle.
+
+#include <span>
+
+#include "cloth/solvers/multigrid/coarse_matrix.h"
+#include "cloth/solvers/multigrid/coarsening.h"
+#include "cloth/solvers/multigrid/galerkin.h"
+#include "cloth/system/sparse/transfers.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+class CoarseLevel {
+  public:
+    /// Lists of the springs between this level's nodes; P leads from here to the finer level.
+    CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph);
+
+    /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
+    /// place.
+    void sum_links(Parallel& parallel, std::span<const Vec4> springs);
+    /// Ground from what holds the finer level's nodes; no off-diagonal rows: 0.
+    void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
+    /// Links and ground from another coarse level's.
+    void sum(Parallel& parallel, const CoarseLevel& finer);
+    /// After links and ground: the matrix.
+    void finish(Parallel& parallel);
+
+    /// remainder = b - W x.
+    void subtract_product(Parallel& parallel, std::span<Vec4> remainder) const;
+    /// x = step D^-1 b.
+    void relax_from_zero(Parallel& parallel, float step);
+    /// As ImplicitSystem::relax, on x; the iterate before it is where a remainder may be put.
+    void relax(Parallel& parallel, Relaxation relaxation);
+
+    [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
+    [[nodiscard]] const Interpolation& interpolation() const noexcept { return interpolation_; }
+    [[nodiscard]] const GalerkinLists& lists() const noexcept { return lists_; }
+    [[nodiscard]] const CoarseMatrix& matrix() const noexcept { return matrix_; }
+    [[nodiscard]] CoarseMatrix& matrix() noexcept { return matrix_; }
+    [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }
+    [[nodiscard]] std::span<Vec4> x() noexcept { return x_.span(); }
+    [[nodiscard]] std::span<Vec4> before() noexcept { return before_.span(); }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    GalerkinLists lists_;
+    Interpolation interpolation_;
+    CoarseMatrix matrix_;
+    AlignedBuffer<Vec4> b_, x_, before_;
+};
+
+}  // namespace weft

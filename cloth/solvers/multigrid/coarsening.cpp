@@ -1,0 +1,173 @@
+#include "cloth/solvers/multigrid/coarsening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "cloth/system/sparse/stencil.h"
+
+namespace weft {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Which kept node each node is nearest to, along the springs.
+struct Voronoi {
+    std::vector<float> distance;
+    std::vector<std::uint32_t> owner;  // a node of the fine graph
+};
+
+/// Claims for `source` all nodes that are nearer to it than to their present owner (Dijkstra 1959).
+void claim(const SpringGraph& graph, std::uint32_t source, Voronoi& voronoi) {
+    using Front = std::pair<float, std::uint32_t>;
+    std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
+    const auto reach = [&](std::uint32_t node, float distance) {
+        if (distance >= voronoi.distance[node]) return;
+        voronoi.distance[node] = distance;
+        voronoi.owner[node] = source;
+        fronts.emplace(distance, node);
+    };
+    reach(source, 0);
+    while (!fronts.empty()) {
+        const auto [distance, node] = fronts.top();
+        fronts.pop();
+        if (distance > voronoi.distance[node]) continue;
+        for (std::uint32_t e = graph.offsets[node]; e < graph.offsets[node + 1]; ++e)
+            reach(graph.neighbours[e], distance + graph.lengths[e]);
+    }
+}
+
+/// Farthest-point sampling (Gonzalez 1985): each next node is the one farthest from those before. Nodes that
+/// none of them reaches come first, so that every component gets one.
+Voronoi sample_farthest(const SpringGraph& graph, std::uint32_t wanted, std::vector<std::uint32_t>& kept) {
+    Voronoi voronoi{std::vector<float>(graph.nodes(), infinity),
+                    std::vector<std::uint32_t>(graph.nodes(), 0)};
+    // Distances only fall: an entry that is out of date is put back with the present one. Ties go to the
+    // lower index.
+    using Candidate = std::pair<float, std::int64_t>;
+    std::priority_queue<Candidate> candidates;
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        if (graph.degree(i) > 0) candidates.emplace(infinity, -std::int64_t{i});
+    }
+    while (!candidates.empty()) {
+        const auto [distance, negative] = candidates.top();
+        candidates.pop();
+        const auto node = static_cast<std::uint32_t>(-negative);
+        if (voronoi.distance[node] < distance) {
+            candidates.emplace(voronoi.distance[node], negative);
+            continue;
+        }
+        if (kept.size() >= wanted && distance < infinity) break;
+        kept.push_back(node);
+        claim(graph, node, voronoi);
+    }
+    std::ranges::sort(kept);
+    return voronoi;
+}
+
+struct Weight {
+    std::uint32_t coarse;
+    float value;
+};
+using Rows = std::vector<std::vector<Weight>>;
+
+/// One Jacobi sweep of the springs' Laplacian on the weights; kept nodes hold theirs.
+Rows smoothed(const SpringGraph& graph, const std::vector<bool>& is_kept, const Rows& rows) {
+    Rows result(rows.size());
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        if (is_kept[i]) {
+            result[i] = rows[i];
+            continue;
+        }
+        std::vector<Weight>& row = result[i];
+        float sum = 0;
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            const float stiffness = graph.stiffness[e];
+            sum += stiffness;
+            for (const Weight& w : rows[graph.neighbours[e]]) {
+                const auto at = std::ranges::find(row, w.coarse, &Weight::coarse);
+                if (at == row.end())
+                    row.push_back({w.coarse, stiffness * w.value});
+                else
+                    at->value += stiffness * w.value;
+            }
+        }
+        if (sum == 0)
+            row = rows[i];
+        else
+            for (Weight& w : row) w.value /= sum;
+    }
+    return result;
+}
+
+/// Keeps the largest weights of each row, scaled to sum 1, ascending by node.
+void store_rows(Rows& rows, Interpolation& interpolation) {
+    for (std::uint32_t i = 0; i < interpolation.fine; ++i) {
+        std::vector<Weight>& row = rows[i];
+        std::ranges::sort(row, [](const Weight& a, const Weight& b) {
+            return std::pair(-a.value, a.coarse) < std::pair(-b.value, b.coarse);
+        });
+        row.resize(std::min<std::size_t>(row.size(), Interpolation::width));
+        std::ranges::sort(row, {}, &Weight::coarse);
+        float sum = 0;
+        for (const Weight& w : row) sum += w.value;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            interpolation.nodes[Interpolation::width * i + k] = row[k].coarse;
+            interpolation.weights[Interpolation::width * i + k] = row[k].value / sum;
+        }
+    }
+}
+
+void store_transpose(Interpolation& p) {
+    std::uint32_t used = 0;
+    for (const float weight : p.weights.span()) used += weight != 0;
+    p.offsets = AlignedBuffer<std::uint32_t>(p.coarse + 1);
+    p.fine_nodes = AlignedBuffer<std::uint32_t>(used);
+    p.fine_weights = AlignedBuffer<float>(used);
+    for (std::size_t e = 0; e < p.weights.size(); ++e) {
+        if (p.weights[e] != 0) ++p.offsets[p.nodes[e] + 1];
+    }
+    for (std::uint32_t c = 0; c < p.coarse; ++c) p.offsets[c + 1] += p.offsets[c];
+    std::vector<std::uint32_t> next(p.offsets.data(), p.offsets.data() + p.coarse);
+    for (std::size_t e = 0; e < p.weights.size(); ++e) {
+        if (p.weights[e] == 0) continue;
+        const std::uint32_t at = next[p.nodes[e]]++;
+        p.fine_nodes[at] = static_cast<std::uint32_t>(e / Interpolation::width);
+        p.fine_weights[at] = p.weights[e];
+    }
+}
+
+}  // namespace
+
+// Weights start as the nearest kept node's and are smoothed towards harmonic ones: energy-minimising as far
+// as four sweeps go (after Mandel, Brezina, Vanek 1999).
+Coarsening coarsen(const SpringGraph& graph, float ratio) {
+    constexpr int sweeps = 4;
+    const auto wanted = static_cast<std::uint32_t>(std::ceil(static_cast<float>(graph.nodes()) / ratio));
+    std::vector<std::uint32_t> kept;
+    Voronoi voronoi = sample_farthest(graph, wanted, kept);
+    kept.shrink_to_fit();
+    Interpolation p(graph.nodes(), static_cast<std::uint32_t>(kept.size()));
+    p.kept = std::move(kept);
+
+    std::vector<bool> is_kept(graph.nodes(), false);
+    std::vector<std::uint32_t> coarse_of(graph.nodes(), 0);
+    for (std::uint32_t c = 0; c < p.coarse; ++c) {
+        is_kept[p.kept[c]] = true;
+        coarse_of[p.kept[c]] = c;
+    }
+    Rows rows(graph.nodes());
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        voronoi.owner[i] = coarse_of[voronoi.owner[i]];
+        if (graph.degree(i) > 0) rows[i] = {{voronoi.owner[i], 1.0f}};
+    }
+    for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(graph, is_kept, rows);
+    store_rows(rows, p);
+    store_transpose(p);
+    return {std::move(p), std::move(voronoi.owner), std::move(voronoi.distance)};
+}
+
+}  // namespace weft

@@ -1,0 +1,223 @@
+#include "cloth/solvers/multigrid/galerkin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+namespace {
+
+/// Factors below this are left out: interpolation weights have no such precision.
+constexpr float least_factor = 1e-4f;
+
+struct Difference {
+    std::uint32_t coarse;
+    float value;
+};
+
+/// Row i minus row j of P, entries that are not 0.
+std::vector<Difference> row_difference(const Interpolation& p, const Link& link) {
+    std::vector<Difference> result;
+    for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
+        for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
+            if (p.weights[e] == 0) continue;
+            const auto at = std::ranges::find(result, p.nodes[e], &Difference::coarse);
+            if (at == result.end())
+                result.push_back({p.nodes[e], sign * p.weights[e]});
+            else
+                at->value += sign * p.weights[e];
+        }
+    }
+    return result;
+}
+
+/// Links of each node, in compressed rows.
+struct Incidence {
+    std::vector<std::uint32_t> offsets, links;
+};
+Incidence incidence(const std::vector<Link>& links, std::uint32_t nodes) {
+    Incidence result{std::vector<std::uint32_t>(nodes + 1), std::vector<std::uint32_t>(2 * links.size())};
+    for (const Link& link : links) {
+        ++result.offsets[link.first + 1];
+        ++result.offsets[link.second + 1];
+    }
+    for (std::uint32_t i = 0; i < nodes; ++i) result.offsets[i + 1] += result.offsets[i];
+    std::vector<std::uint32_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    for (std::uint32_t k = 0; k < links.size(); ++k) {
+        result.links[next[links[k].first]++] = k;
+        result.links[next[links[k].second]++] = k;
+    }
+    return result;
+}
+
+struct Term {
+    std::uint32_t second;  // node of the coarse link; the first is being worked on
+    std::uint32_t fine_link;
+    float factor;
+};
+
+/// Lists as they grow, link by link.
+struct GrowingLists {
+    std::vector<Link> links;
+    std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
+    std::vector<std::uint32_t> fine_links;
+    std::vector<float> factors;
+
+    void add(std::uint32_t first, const Term& term) {
+        if (links.empty() || links.back().first != first || links.back().second != term.second) {
+            links.push_back({first, term.second});
+            offsets.push_back(offsets.back());
+        }
+        fine_links.push_back(term.fine_link);
+        factors.push_back(term.factor);
+        ++offsets.back();
+    }
+    [[nodiscard]] std::uint32_t terms(std::uint32_t link) const { return offsets[link + 1] - offsets[link]; }
+};
+
+/// Links by the places of their sums.
+std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
+    std::vector<std::uint32_t> order(lists.links.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t begin = 0; begin < order.size(); begin += block_size) {
+        const std::span block =
+            std::span(order).subspan(begin).first(std::min<std::size_t>(block_size, order.size() - begin));
+        std::ranges::stable_sort(block, std::greater(),
+                                 [&](std::uint32_t link) { return lists.terms(link); });
+    }
+    return order;
+}
+
+GalerkinLists in_groups(GrowingLists&& grown) {
+    constexpr std::uint32_t lanes = Stencil::lanes;
+    const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
+    GalerkinLists lists;
+    lists.links = std::move(grown.links);
+    lists.links.shrink_to_fit();
+    lists.places.resize(order.size());
+    lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        lists.places[order[place]] = place;
+        std::uint32_t& slots = lists.group_slots[place / lanes + 1];
+        slots = std::max(slots, grown.terms(order[place]));
+    }
+    for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
+
+    const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
+    lists.fine_links = AlignedBuffer<std::uint32_t>(entries);
+    lists.factors = AlignedBuffer<float>(entries);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
+        const std::uint32_t terms = grown.terms(order[place]);
+        for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+            const std::uint32_t t = s - lists.group_slots[group], entry = s * lanes + place % lanes;
+            lists.fine_links[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
+            lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
+        }
+    }
+    return lists;
+}
+
+}  // namespace
+
+std::vector<Link> links_of(const SpringGraph& graph) {
+    std::vector<Link> links;
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            if (graph.neighbours[e] > i) links.push_back({i, graph.neighbours[e]});
+        }
+    }
+    return links;
+}
+
+// Coarse node by coarse node: all links that touch its support, each once, give the terms of its links to
+// later nodes.
+GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p) {
+    const Incidence touching = incidence(links, p.fine);
+    std::vector<std::uint32_t> seen(links.size(), Interpolation::width * p.fine + 1);
+    GrowingLists lists;
+    std::vector<Term> terms;
+    for (std::uint32_t c = 0; c < p.coarse; ++c) {
+        terms.clear();
+        for (std::uint32_t s = p.offsets[c]; s < p.offsets[c + 1]; ++s) {
+            const std::uint32_t i = p.fine_nodes[s];
+            for (std::uint32_t t = touching.offsets[i]; t < touching.offsets[i + 1]; ++t) {
+                const std::uint32_t link = touching.links[t];
+                if (std::exchange(seen[link], c) == c) continue;
+                const std::vector<Difference> row = row_difference(p, links[link]);
+                const auto own = std::ranges::find(row, c, &Difference::coarse);
+                for (const Difference& other : row) {
+                    const float factor = -own->value * other.value;
+                    if (other.coarse > c && std::abs(factor) > least_factor)
+                        terms.push_back({other.coarse, link, factor});
+                }
+            }
+        }
+        std::ranges::sort(terms, [](const Term& a, const Term& b) {
+            return std::pair(a.second, a.fine_link) < std::pair(b.second, b.fine_link);
+        });
+        for (const Term& term : terms) lists.add(c, term);
+    }
+    return in_groups(std::move(lists));
+}
+
+SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
+                              const std::vector<Link>& fine_links, const GalerkinLists& lists) {
+    std::vector<float> fine_stiffness;
+    std::vector<float> length(lists.links.size(), std::numeric_limits<float>::infinity());
+    const auto link_between = [&](std::uint32_t a, std::uint32_t b) {
+        const std::pair<std::uint32_t, std::uint32_t> wanted = std::minmax(a, b);
+        const auto at = std::ranges::lower_bound(
+            lists.links, wanted, {}, [](const Link& link) { return std::pair(link.first, link.second); });
+        const bool found =
+            at != lists.links.end() && at->first == wanted.first && at->second == wanted.second;
+        return found ? at - lists.links.begin() : -1;
+    };
+    std::uint32_t e_first = 0;
+    for (const Link& link : fine_links) {
+        e_first = fine.offsets[link.first];
+        while (fine.neighbours[e_first] != link.second) ++e_first;
+        fine_stiffness.push_back(fine.stiffness[e_first]);
+        const std::uint32_t a = coarsening.owner[link.first], b = coarsening.owner[link.second];
+        if (a == b) continue;
+        const auto at = link_between(a, b);
+        if (at < 0) continue;
+        float& shortest = length[static_cast<std::size_t>(at)];
+        shortest = std::min(shortest, coarsening.distance[link.first] + fine.lengths[e_first] +
+                                          coarsening.distance[link.second]);
+    }
+
+    const std::uint32_t nodes = coarsening.interpolation.coarse;
+    SpringGraph graph{.offsets = std::vector<std::uint32_t>(nodes + 1),
+                      .neighbours = std::vector<std::uint32_t>(2 * lists.links.size()),
+                      .stiffness = std::vector<float>(2 * lists.links.size()),
+                      .lengths = std::vector<float>(2 * lists.links.size())};
+    const Incidence touching = incidence(lists.links, nodes);
+    graph.offsets = touching.offsets;
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            const std::uint32_t k = touching.links[e];
+            const Link& link = lists.links[k];
+            float stiffness = 0;
+            const std::uint32_t group = lists.places[k] / Stencil::lanes,
+                                lane = lists.places[k] % Stencil::lanes;
+            for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+                const std::uint32_t term = s * Stencil::lanes + lane;
+                stiffness += lists.factors[term] * fine_stiffness[lists.fine_links[term]];
+            }
+            graph.neighbours[e] = link.first == i ? link.second : link.first;
+            graph.stiffness[e] = std::max(stiffness, 0.0f);
+            graph.lengths[e] = length[k];
+        }
+    }
+    return graph;
+}
+
+}  // namespace weft

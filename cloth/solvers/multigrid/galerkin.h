@@ -1,0 +1,51 @@
+#pragma once
+// Coarse operators by Galerkin's product P^T W P, as springs between coarse nodes: the spring (i, j) with
+// block K adds
+// -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). Which springs add to which is found once; each step
+// sums.
+
+#include <cstdint>
+#include <vector>
+
+#include "cloth/solvers/multigrid/coarsening.h"
+#include "cloth/system/sparse/stencil.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+/// A spring between two nodes, first < second.
+struct Link {
+    std::uint32_t first, second;
+};
+
+/// What the coarse springs are summed from, term by term a factor times a spring of the finer level. Sums are
+/// taken in groups of 16 lanes, as a Stencil's rows are; of each 256 those with the most terms come first, so
+/// that the lanes of a group have about as many.
+struct GalerkinLists {
+    std::vector<Link> links;                   ///< of the coarse level, ascending
+    std::vector<std::uint32_t> places;         ///< of each link: which sum is its, group * lanes + lane
+    AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
+    AlignedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]
+    AlignedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
+
+    [[nodiscard]] std::uint32_t groups() const noexcept {
+        return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return links.size() * sizeof(Link) + places.size() * sizeof(std::uint32_t) + group_slots.bytes() +
+               fine_links.bytes() + factors.bytes();
+    }
+};
+
+/// Links of a graph, ascending: each spring once.
+[[nodiscard]] std::vector<Link> links_of(const SpringGraph& graph);
+
+/// `links`: the springs of the fine level.
+[[nodiscard]] GalerkinLists make_galerkin_lists(const std::vector<Link>& links,
+                                                const Interpolation& interpolation);
+
+/// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
+[[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
+                                            const std::vector<Link>& fine_links, const GalerkinLists& lists);
+
+}  // namespace weft

@@ -1,0 +1,30 @@
+#pragma once
+// Where positional methods work: where the particles were at the start of the step, and how far each has
+// moved since. Displacements keep what positions would round away: at 64 substeps a particle moves some ten
+// thousandths of its coordinate, and its velocity is that over h.
+
+#include "cloth/solvers/solver.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+class Displacements {
+  public:
+    /// With `stand_ins` particles behind the last one, in places of their own, for lanes that have nothing to
+    /// do.
+    Displacements(std::uint32_t particles, std::uint32_t stand_ins);
+
+    /// Moves all particles as if nothing but external forces acted.
+    void predict(const SolverStep& step);
+    /// The velocity change that ends where they have been moved to; 0 for pinned particles.
+    void find_velocity_change(const SolverStep& step) const;
+
+    [[nodiscard]] std::span<const Vec4> start() const { return start_.span(); }
+    [[nodiscard]] std::span<Vec4> moved() { return moved_.span(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return start_.bytes() + moved_.bytes(); }
+
+  private:
+    AlignedBuffer<Vec4> start_, moved_;  // [m], w 0
+};
+
+}  // namespace weft

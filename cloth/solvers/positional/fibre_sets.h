@@ -1,0 +1,60 @@
+#pragma once
+// Fibres and sets, made from any mesh's springs when a cloth gets its solver.
+//
+// A fibre is a chain of springs of one kind, each the straightest continuation of the one before. Invariants:
+// every spring belongs to exactly one fibre; a fibre visits no particle twice (a ring is cut); no two fibres
+// of a set share a particle. So the fibres of a set may be solved in any order, by any threads.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cloth/mesh/cook.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+enum class FibreKind : std::uint8_t { vertical, horizontal, shear };
+
+struct Fibre {
+    FibreKind kind;
+    SpringKind springs;
+    std::vector<std::uint32_t> particles;   ///< one more than springs
+    std::vector<std::uint32_t> half_edges;  ///< where the model has the springs
+};
+
+/// On a grid: rows, columns and diagonals. Structural fibres are vertical if they go further up or down,
+/// where the cloth starts, than across; up is +z for cloth that starts level. Diagonals and second neighbours
+/// are shear.
+[[nodiscard]] std::vector<Fibre> find_fibres(const CookedCloth& model);
+
+/// A set's groups [groups_begin, groups_end), in blocks of about equal work.
+struct FibreSet {
+    FibreKind kind;
+    SpringKind springs;
+    std::uint32_t groups_begin, groups_end;
+    std::vector<std::uint32_t> blocks;  ///< groups of block b: [blocks[b], blocks[b + 1])
+};
+
+/// The sets in the order in which they are solved: what carries the weight comes last, and has the last word.
+/// Fibres lie side by side in groups of 16 lanes, the longest first. Group g has springs in rows [rows[g],
+/// rows[g + 1]) and particles in rows [rows[g] + g, rows[g + 1] + g + 1). Behind the end of a shorter fibre
+/// follow a stand-in of the group's own, behind the cloth's last particle, and rest lengths `no_spring`.
+struct FibreSets {
+    static constexpr std::uint32_t lanes = 16;
+    static constexpr float no_spring = -1;
+
+    std::vector<FibreSet> sets;
+    std::vector<std::uint32_t> rows;
+    AlignedBuffer<std::uint32_t> particles;  ///< [row * lanes + lane]
+    AlignedBuffer<float> rest_lengths;       ///< [m], likewise
+    std::uint32_t stand_ins = 0;             ///< groups of the set that has most
+
+    [[nodiscard]] std::uint32_t particle_row(std::uint32_t group) const { return rows[group] + group; }
+    [[nodiscard]] std::uint32_t rows_of(std::uint32_t group) const { return rows[group + 1] - rows[group]; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+[[nodiscard]] FibreSets make_fibre_sets(const CookedCloth& model);
+
+}  // namespace weft

@@ -1,0 +1,90 @@
+#include "cloth/solvers/positional/fibres.h"
+
+#include <algorithm>
+
+#include "cloth/system/springs/springs.h"
+
+namespace weft {
+
+namespace {
+
+Fibres::SetSolver solver_of(const Fibres& method, FibreKind kind) {
+    switch (kind) {
+        case FibreKind::vertical:
+            return method.vertical;
+        case FibreKind::horizontal:
+            return method.horizontal;
+        case FibreKind::shear:
+            break;
+    }
+    return method.shear;
+}
+
+}  // namespace
+
+FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& /*settings*/)
+    : sets_(make_fibre_sets(model)),
+      displacements_(model.particle_count, sets_.stand_ins),
+      weights_(sets_.particles.size()),
+      multipliers_(sets_.rest_lengths.size()) {}
+
+void FibresSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
+                           std::span<const Vec4> positions) {
+    for (std::size_t at = 0; at < weights_.size(); ++at) {
+        const std::uint32_t particle = sets_.particles[at];
+        weights_[at] = particle < model.particle_count ? positions[particle].w : 0.0f;
+    }
+    const Fibres& method = std::get<Fibres>(settings.method);
+    std::size_t rows = 0;
+    for (const FibreSet& set : sets_.sets) {
+        if (solver_of(method, set.kind) == Fibres::SetSolver::ldlt)
+            rows = std::max<std::size_t>(rows, sets_.rows[set.groups_end] - sets_.rows[set.groups_begin]);
+    }
+    const std::size_t floats = rows * FibreGroup::scratch_rows * FibreSets::lanes;
+    if (scratch_.size() != floats) scratch_ = AlignedBuffer<float>(floats);
+}
+
+void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
+    const Fabric& fabric = step.settings.fabric;
+    const float h = step.equation.h;
+    const float kappa = stiffnesses(fabric)[static_cast<std::size_t>(set.springs)] * h * h;
+    if (kappa == 0) return;
+    const bool factorised =
+        solver_of(std::get<Fibres>(step.settings.method), set.kind) == Fibres::SetSolver::ldlt;
+    const auto blocks = static_cast<std::uint32_t>(set.blocks.size()) - 1;
+    step.parallel.blocks(blocks, [&](std::uint32_t block) {
+        for (std::uint32_t g = set.blocks[block]; g < set.blocks[block + 1]; ++g) {
+            constexpr std::size_t lanes = FibreSets::lanes;
+            const std::size_t row = sets_.rows[g], row_in_set = row - sets_.rows[set.groups_begin];
+            const FibreGroup group{.rows = sets_.rows_of(g),
+                                   .particles = &sets_.particles[sets_.particle_row(g) * lanes],
+                                   .weights = &weights_[sets_.particle_row(g) * lanes],
+                                   .rest_lengths = &sets_.rest_lengths[row * lanes],
+                                   .multipliers = &multipliers_[row * lanes],
+                                   .scratch = scratch_.data() + row_in_set * FibreGroup::scratch_rows * lanes,
+                                   .kappa = kappa,
+                                   .gamma = fabric.damping / h,
+                                   .start = displacements_.start().data(),
+                                   .moved = displacements_.moved().data()};
+            factorised ? solve_by_ldlt(group) : solve_by_gauss_seidel(group);
+        }
+    });
+}
+
+float FibresSolver::solve(const SolverStep& step) {
+    const auto timer = step.timed(Stage::solve);
+    displacements_.predict(step);
+    std::ranges::fill(multipliers_.span(), 0.0f);
+    const int iterations = std::get<Fibres>(step.settings.method).iterations;
+    for (int k = 0; k < iterations; ++k)
+        for (const FibreSet& set : sets_.sets) solve_set(step, set);
+    displacements_.find_velocity_change(step);
+    return 0;
+}
+
+std::size_t FibresSolver::bytes() const noexcept {
+    return sets_.bytes() + displacements_.bytes() + weights_.bytes() + multipliers_.bytes() +
+           scratch_.bytes();
+}
+
+}  // namespace weft

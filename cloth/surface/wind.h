@@ -1,0 +1,21 @@
+#pragma once
+// Air forces on triangles.
+
+#include <span>
+
+#include "cloth/surface/grid_cells.h"
+#include "cloth/surface/triangle_groups.h"
+#include "engine/parallel_blocks.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// See Surface. `triangle_rows`: the area normals of the present positions, which are overwritten.
+void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
+                        const Wind& wind, std::span<const Vec4> air_velocities, std::span<Vec4> triangle_rows,
+                        std::span<Vec4> particle_forces);
+void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
+                        std::span<const Vec4> velocities, const Wind& wind,
+                        std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces);
+
+}  // namespace weft

@@ -1,0 +1,202 @@
+#include "cloth/system/contacts.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/system/contacts.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/system/external_row-inl.h"
+#include "cloth/system/sparse/stencil-inl.h"
+#include "collision/block_lanes-inl.h"
+#include "engine/simd/symmetric3-inl.h"
+
+#ifndef WEFT_CLOTH_SYSTEM_CONTACTS_TYPES
+#define WEFT_CLOTH_SYSTEM_CONTACTS_TYPES
+namespace weft {
+
+/// What the kernel needs of a block.
+struct ContactBlock {
+    const NearSurfaces& near;
+    const Vec4* velocities;  // from the block's first particle on
+    float gamma;
+    Vector3 fall;            // that gravity will add yet [m]
+    float hold;              // particles that pressed and end nearer than this are in contact [m]
+    float stick_per_spring;  // of a particle that does not slide
+    float per_mass;          // the spring's stiffness is gamma^-2 (per_mass m + least) [N/m]
+    float least;             // [kg]
+    float* blocks;
+    Vec4 *impulses, *normals;
+};
+
+struct PressedGroup {
+    const float* blocks;
+    const Vec4* velocities;
+    const Vec4* changes;  // null: none
+    Vec4* impulses;
+    Vec4* normals;
+};
+
+}  // namespace weft
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// Which lanes, from `i` on, press or are going to.
+HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
+    const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
+    const Lanes4 surface = load_lanes(block.near.surfaces, i);
+    const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
+    const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
+    const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
+    return hn::And(hn::Or(falls_in, is_held), hn::Gt(w, zero));
+}
+
+void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
+    const Lanes zero = set(0);
+    const Lanes4 surface = load_lanes(block.near.surfaces, i), motion = load_lanes(block.near.motions, i);
+    const auto contact = in_contact(block, i);
+    const Lanes stored = load_rows(block.normals + i).w;
+    const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
+
+    const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
+    const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+    // What did not press yet is not drawn to the surface.
+    const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
+    const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
+
+    // Of all that presses collide() bears the small rest.
+    const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored, hn::Div(mass, spring), stored));
+    const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
+    const Lanes3 relative = v - xyz(motion);
+    const Lanes3 sliding = relative - dot(relative, n) * n;
+    const Lanes speed = hn::Sqrt(dot(sliding, sliding));
+    // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
+    // sooner.
+    const Lanes took = load_rows(block.impulses + i).w;
+    const Lanes again =
+        hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
+    // What is not a number, after a failed step, holds as a limit without end does.
+    const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
+    const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
+
+    SymmetricLanes g = add_square(zero_symmetric(), n);
+    g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
+    store_symmetric(g, blocks);
+    store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
+    store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
+}
+
+/// Rows of one group, if any of it is in contact; returns whether.
+bool linearise_group(const ContactBlock& block, std::uint32_t first) {
+    bool touching = false;
+    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
+        touching = touching || !hn::AllFalse(Tag(), in_contact(block, i));
+    if (!touching) return false;
+    for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
+        linearise_part(block, i, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
+    return true;
+}
+
+/// The impulses at velocities + changes, along the normals and across them.
+void press_group(const PressedGroup& group) {
+    for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
+        const Lanes3 n = xyz(load_rows(group.normals + i));
+        Lanes3 v = xyz(load_rows(group.velocities + i));
+        if (group.changes != nullptr) v = v + xyz(load_rows(group.changes + i));
+        const Lanes3 at_rest = xyz(load_rows(group.impulses + i));
+        const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
+        const Lanes pressed = dot(impulse, n);
+        const Lanes3 rubbed = impulse - pressed * n;
+        store_rows(at_rest, hn::Sqrt(dot(rubbed, rubbed)), group.impulses + i);
+        store_rows(n, hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed), group.normals + i);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace weft {
+
+HWY_EXPORT(linearise_group);
+HWY_EXPORT(press_group);
+
+namespace {
+
+// Somewhat more than a free step falls: what may come into contact is nearer than this [m].
+constexpr float reach = 4e-3f;
+// A particle presses its own weight a fiftieth of a free step's fall into the collider. cloth/README.md says
+// why these are neither softer nor stiffer.
+constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
+constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
+
+float stiffness_of(const ClothSettings& settings) {
+    const FiniteElements& elements = settings.finite_elements;
+    return elements.enabled ? std::max(elements.warp, elements.weft) : settings.fabric.stretch;
+}
+
+}  // namespace
+
+Contacts::Contacts(std::uint32_t particles) : normals_(particles) {
+    const std::uint32_t groups = (particles + Stencil::lanes - 1) / Stencil::lanes;
+    rows_.blocks = AlignedBuffer<float>(std::size_t{6} * groups * Stencil::lanes);
+    rows_.impulses = AlignedBuffer<Vec4>(particles);
+    rows_.touching = AlignedBuffer<std::uint32_t>(groups);
+}
+
+void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> velocities,
+                         const BlockRange& range) {
+    const bool is_first = passes_ == 1;
+    if (!is_first) press(range, velocities, {});
+    const ClothSettings& settings = equation.settings;
+    const float gamma = equation.gamma;
+    const std::uint32_t size = range.end - range.begin;
+    const std::span<const Vec4> v = velocities.subspan(range.begin, size);
+    NearSurfaces surfaces;
+    const bool near =
+        find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
+                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
+    const ContactBlock block{.near = surfaces,
+                             .velocities = v.data(),
+                             .gamma = gamma,
+                             .fall = (is_first ? gamma * gamma : 0.0f) * equation.external.gravity,
+                             .hold = is_first ? reach : 0.0f,
+                             .stick_per_spring = stick_per_spring,
+                             .per_mass = spring_per_mass,
+                             .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
+                             .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
+                             .impulses = rows_.impulses.data() + range.begin,
+                             .normals = normals_.data() + range.begin};
+    for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+        std::uint32_t& touching = rows_.touching[i / Stencil::lanes];
+        const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);
+        if (touching != 0 && !touches) std::fill_n(normals_.data() + i, Stencil::lanes, Vec4{});
+        touching = touches ? 1 : 0;
+    }
+}
+
+void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes) {
+    parallel.ranges(static_cast<std::uint32_t>(changes.size()),
+                    [&](const BlockRange& range) { press(range, equation.velocities, changes); });
+}
+
+void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities,
+                     std::span<const Vec4> changes) {
+    for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+        if (!rows_.touches(i)) continue;
+        HWY_DYNAMIC_DISPATCH(press_group)
+        ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
+          .velocities = velocities.data() + i,
+          .changes = changes.empty() ? nullptr : changes.data() + i,
+          .impulses = rows_.impulses.data() + i,
+          .normals = normals_.data() + i});
+    }
+}
+
+}  // namespace weft
+#endif

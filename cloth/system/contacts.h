@@ -1,0 +1,79 @@
+#pragma once
+// Colliders as forces in the implicit step. Met only after it, they would hold up nothing but the particles
+// that touch them: tension would draw these into the collider instead of holding what hangs from them.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/system/sparse/stencil.h"
+#include "cloth/system/step_equation.h"
+#include "collision/collider_contacts.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+#include "engine/simd/symmetric3.h"
+
+namespace weft {
+
+/// Contact gives particle i, at the velocity v_i, the impulse c_i - G_i v_i [kg m/s].
+struct ContactRows {
+    AlignedBuffer<float> blocks;            ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
+    AlignedBuffer<Vec4> impulses;           ///< c; w what the damper took when last looked at [kg m/s]
+    AlignedBuffer<std::uint32_t> touching;  ///< per group: whether a particle of it is in contact; else the
+                                            ///< group's blocks and impulses may hold anything
+
+    [[nodiscard]] bool touches(std::uint32_t i) const { return touching[i / Stencil::lanes] != 0; }
+    /// Of a particle in a group that touches.
+    [[nodiscard]] Symmetric3 block(std::uint32_t i) const {
+        const auto value = [&](std::uint32_t k) { return blocks[lane_index(i, k, 6)]; };
+        return {value(0), value(1), value(2), value(3), value(4), value(5)};
+    }
+};
+
+/// Null: there are no colliders.
+[[nodiscard]] inline bool touches(const ContactRows* contacts, std::uint32_t i) {
+    return contacts != nullptr && contacts->touches(i);
+}
+
+/// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
+/// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
+/// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
+/// far. What the spring yields, a fiftieth of a free step's fall under a particle's own weight, collide()
+/// takes back afterwards.
+class Contacts {
+  public:
+    explicit Contacts(std::uint32_t particles);
+
+    /// A substep begins, in which colliders move so. They must outlive it.
+    void begin(std::span<const ColliderMotion> colliders) {
+        colliders_ = colliders;
+        passes_ = 0;
+    }
+    /// Another linearisation begins, in which every block is to be linearised before its rows are read.
+    const ContactRows* begin_pass() {
+        ++passes_;
+        return &rows_;
+    }
+    /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
+    /// near.
+    void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
+    /// The substep ends with the equation's velocities + changes: keeps how hard particles press, for the
+    /// next one's friction.
+    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes);
+    /// Normals of contact, 0 without it; w the impulse along it [kg m/s].
+    [[nodiscard]] std::span<const Vec4> normals() const noexcept { return normals_.span(); }
+
+    [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.touching.bytes() + normals_.bytes();
+    }
+
+  private:
+    void press(const BlockRange& range, std::span<const Vec4> velocities, std::span<const Vec4> changes);
+
+    ContactRows rows_;
+    AlignedBuffer<Vec4> normals_;
+    std::span<const ColliderMotion> colliders_;
+    int passes_ = 0;  // of this substep
+};
+
+}  // namespace weft

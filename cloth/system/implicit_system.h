@@ -1,0 +1,134 @@
+#pragma once
+// The linear system of one implicit step, W dv = b, as solvers see it. Springs and finite elements each have
+// their own.
+
+#include <memory>
+#include <span>
+
+#include "cloth/mesh/cook.h"
+#include "cloth/system/contacts.h"
+#include "cloth/system/grid/grid_windows.h"
+#include "cloth/system/sparse/stencil.h"
+#include "cloth/system/sparse/transfers.h"
+#include "cloth/system/step_equation.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// Which point of the equation a system is linearised about.
+enum class LinearisedAbout {
+    base,     ///< x_base, as Kang does: the present positions, for backward Euler
+    iterate,  ///< x_base + gamma v, as Newton's method does
+};
+
+/// next_i = x_i + step D_i^-1 (b_i - (W x)_i) + momentum (x_i - next_i), next holding the iterate before x
+/// (anything, without momentum). Block Jacobi has step 1 and momentum 0; every semi-iteration of it is a
+/// sequence of such steps.
+struct Relaxation {
+    float step = 1;
+    float momentum = 0;
+};
+
+/// What multiply() sums on its way: b . x, x . x and x . W x.
+struct Products {
+    double b_x = 0, x_x = 0, x_wx = 0;
+
+    friend Products operator+(const Products& l, const Products& r) {
+        return {l.b_x + r.b_x, l.x_x + r.x_x, l.x_wx + r.x_wx};
+    }
+};
+
+/// Vectors are one Vec4 a particle, w 0, in AlignedBuffers (kernels read whole groups of 16). W is symmetric
+/// positive definite on the free particles; rows of pinned ones (inverse mass 0) are as if they were not
+/// there: 0 comes out.
+class ImplicitSystem {
+  public:
+    explicit ImplicitSystem(std::uint32_t particles)
+        : right_side_(particles), partial_sums_(block_count(particles)) {}
+    virtual ~ImplicitSystem() = default;
+
+    /// Makes W and b such that W dv = b is the equation, linearised, for v + dv. Precondition: `velocities`
+    /// are those of the equation if it is linearised about its base.
+    virtual void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                           LinearisedAbout about) = 0;
+    /// residual = gamma f - M (v - v_base): what b is about the iterate, without making W.
+    virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                          std::span<Vec4> residual) = 0;
+
+    /// product = W x, unless it is empty.
+    Products multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                      std::span<Vec4> product);
+    /// product = W x. Returns x . W x.
+    double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
+        return multiply(parallel, x, x, product).x_wx;
+    }
+    /// One step of relaxation on W x = b.
+    void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
+               std::span<Vec4> next);
+    /// x = step D^-1 b: relaxation from 0.
+    void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
+    /// remainder = b - W x for the same x, which is stored only if relax_corrected needs it.
+    virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
+                                     std::span<Vec4> x, std::span<Vec4> remainder);
+    /// One step of relaxation from x + P e; x may change. Precondition: b, step and x are as
+    /// subtract_first_step had and left them.
+    virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                                 const Correction& correction, std::span<Vec4> next);
+
+    /// Who has a block off the diagonal.
+    [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
+    /// Where the block between two neighbours is kept; that of row i, where both rows keep theirs.
+    /// Precondition: they are neighbours.
+    [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
+    [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
+    /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots, which are 16 entries
+    /// each; the block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of
+    /// slots[k]: d [sqrt(kg)], w a [kg]. Blocks of pinned particles' own rows may hold anything.
+    virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                               std::span<Vec4> blocks) = 0;
+    /// Of all slots: one for each entry. Allocates; not for the steady step.
+    [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
+
+    /// What colliders add to the diagonal, or null: there are none.
+    [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
+
+    /// Whether coarse levels may do without the spring between two particles, since others hold what it
+    /// holds.
+    [[nodiscard]] virtual bool is_minor(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return false; }
+
+    /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
+    [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }
+    [[nodiscard]] const AlignedBuffer<Vec4>& right_side() const noexcept { return right_side_; }
+    [[nodiscard]] virtual std::size_t bytes() const noexcept {
+        return right_side_.bytes() + partial_sums_.bytes() + windows_.bytes();
+    }
+
+  protected:
+    // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
+    // are empty.
+    /// Returns their shares.
+    virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                                   GridWindow* window) const = 0;
+    virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
+                                       GridWindow* window) const = 0;
+    virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
+    virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
+                            Vec4* next, GridWindow* window) const = 0;
+
+    /// The rows of the equation's contacts; null if there are no colliders. A linearisation begins.
+    static const ContactRows* begin_contacts(const StepEquation& equation) {
+        return equation.contacts == nullptr ? nullptr : equation.contacts->begin_pass();
+    }
+    /// Makes those of a block, before the system's own.
+    static void linearise_contacts(const StepEquation& equation, std::span<const Vec4> velocities,
+                                   const BlockRange& range) {
+        if (equation.contacts != nullptr) equation.contacts->linearise(equation, velocities, range);
+    }
+
+    AlignedBuffer<Vec4> right_side_;
+    GridWindows windows_;  // empty unless the matrix is kept by diagonals
+    AlignedBuffer<Products> partial_sums_;
+};
+
+}  // namespace weft

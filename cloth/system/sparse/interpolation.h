@@ -1,0 +1,32 @@
+#pragma once
+// How a fine level's vectors hang on a coarse level's.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+/// x_fine = P x_coarse, at most `width` weights a row. Rows sum to 1, so that rigid translations are kept; a
+/// node without springs has weights 0.
+struct Interpolation {
+    static constexpr std::uint32_t width = 3;
+
+    Interpolation() = default;
+    /// All weights 0.
+    Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
+
+    std::uint32_t fine = 0, coarse = 0;
+    AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes
+    AlignedBuffer<float> weights;
+    std::vector<std::uint32_t> kept;  ///< the fine node that each coarse one is, ascending
+
+    /// P^T by rows, ascending, for gathering.
+    AlignedBuffer<std::uint32_t> offsets, fine_nodes;
+    AlignedBuffer<float> fine_weights;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+}  // namespace weft

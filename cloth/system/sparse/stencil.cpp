@@ -1,0 +1,92 @@
+#include "cloth/system/sparse/stencil.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+namespace weft {
+
+namespace {
+
+/// The compressed rows that a stencil is made from.
+struct Rows {
+    std::span<const std::uint32_t> offsets, neighbours;
+
+    [[nodiscard]] std::uint32_t nodes() const { return static_cast<std::uint32_t>(offsets.size()) - 1; }
+    [[nodiscard]] std::uint32_t degree(std::uint32_t node) const {
+        return node < nodes() ? offsets[node + 1] - offsets[node] : 0;
+    }
+    /// Neighbour minus node, of half-edge e of the node.
+    [[nodiscard]] std::int64_t difference(std::uint32_t node, std::uint32_t e) const {
+        return std::int64_t{neighbours[e]} - node;
+    }
+};
+
+std::uint32_t most_neighbours(const Rows& rows, std::uint32_t group) {
+    std::uint32_t most = 0;
+    for (std::uint32_t lane = 0; lane < Stencil::lanes; ++lane)
+        most = std::max(most, rows.degree(group * Stencil::lanes + lane));
+    return most;
+}
+
+/// Every difference that occurs in a group, ascending.
+std::vector<std::int64_t> differences_in(const Rows& rows, std::uint32_t group) {
+    std::vector<std::int64_t> result;
+    const std::uint32_t end = std::min((group + 1) * Stencil::lanes, rows.nodes());
+    for (std::uint32_t node = group * Stencil::lanes; node < end; ++node)
+        for (std::uint32_t e = rows.offsets[node]; e < rows.offsets[node + 1]; ++e)
+            result.push_back(rows.difference(node, e));
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+/// Where a slot of this difference is read, if it may be: rows up to the end of the last group exist.
+std::uint32_t run_at(std::int64_t difference, std::uint32_t group, std::uint32_t groups) {
+    const std::int64_t first = std::int64_t{group} * Stencil::lanes + difference;
+    const std::int64_t last = std::int64_t{groups - 1} * Stencil::lanes;
+    return first >= 0 && first <= last ? static_cast<std::uint32_t>(first) : Stencil::no_run;
+}
+
+}  // namespace
+
+Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> row_neighbours)
+    : nodes(static_cast<std::uint32_t>(offsets.size()) - 1),
+      group_slots(groups() + 1),
+      entries(row_neighbours.size()) {
+    const Rows rows{offsets, row_neighbours};
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        for (std::uint32_t e = offsets[node]; e < offsets[node + 1]; ++e)
+            reach = std::max(reach, static_cast<std::uint32_t>(std::abs(rows.difference(node, e))));
+    for (std::uint32_t g = 0; g < groups(); ++g)
+        group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
+    neighbours = AlignedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
+    runs = AlignedBuffer<std::uint32_t>(slots());
+    for (std::uint32_t g = 0; g < groups(); ++g) {
+        const std::vector<std::int64_t> differences = differences_in(rows, g);
+        const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;
+        const bool by_difference = differences.size() == slot_count;
+        for (std::uint32_t s = 0; s < slot_count; ++s)
+            runs[first_slot + s] = by_difference ? run_at(differences[s], g, groups()) : no_run;
+        for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+            const std::uint32_t node = std::min(g * lanes + lane, nodes - 1);
+            std::uint32_t next = offsets[node];
+            const std::uint32_t end = next + rows.degree(g * lanes + lane);
+            for (std::uint32_t s = 0; s < slot_count; ++s) {
+                const std::uint32_t entry = (first_slot + s) * lanes + lane;
+                const bool used =
+                    next < end && (!by_difference || rows.difference(node, next) == differences[s]);
+                neighbours[entry] = used ? row_neighbours[next] : node;
+                if (used) entries[next++] = entry;
+            }
+        }
+    }
+}
+
+std::uint32_t Stencil::node_of(std::uint32_t slot, std::uint32_t lane) const noexcept {
+    const auto next_group = std::ranges::upper_bound(group_slots.span(), slot);
+    const auto group = static_cast<std::uint32_t>(next_group - group_slots.span().begin()) - 1;
+    return std::min(group * lanes + lane, nodes - 1);
+}
+
+}  // namespace weft

@@ -1,0 +1,394 @@
+#include "cloth/system/springs/spring_forces.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/separating_direction.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/system/springs/spring_forces.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/system/external_row-inl.h"
+#include "cloth/system/grid/grid_windows-inl.h"
+#include "cloth/system/sparse/stencil-inl.h"
+#include "engine/simd/half_precision-inl.h"
+#include "engine/simd/symmetric3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// spring_terms, lane by lane: the force is stiffness x extension n, K = (stiffness - axial) I + axial n n^T.
+struct Springs {
+    Lanes3 direction;  ///< n
+    Lanes extension;   ///< [m]
+    Lanes stiffness, axial;
+};
+
+/// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
+struct Ends {
+    Lanes3 separation;
+    Lanes squared, length, inverse_length;
+};
+
+HWY_INLINE Ends ends_apart(const Lanes3& separation) {
+    const Lanes squared = dot(separation, separation), length = hn::Sqrt(squared);
+    return {separation, squared, length, hn::Div(set(1), length)};
+}
+
+/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. Of the
+/// entries from one on, which are those of the lanes from particle `i` on. By value, so that the loops keep
+/// theirs in registers.
+template <class Mask>
+HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask apart,
+                                               const SpringState& state, std::uint32_t entry,
+                                               std::uint32_t i) {
+    alignas(64) float xs[part_lanes], ys[part_lanes], zs[part_lanes], is_apart[part_lanes];
+    const Tag d;
+    hn::Store(x, d, xs);
+    hn::Store(y, d, ys);
+    hn::Store(z, d, zs);
+    hn::Store(hn::IfThenElseZero(apart, set(1)), d, is_apart);
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        if (is_apart[lane] != 0) continue;
+        const Vector3 n = separating_direction(state.matrix.neighbour(entry + lane, i + lane), i + lane);
+        xs[lane] = n.x();
+        ys[lane] = n.y();
+        zs[lane] = n.z();
+    }
+    return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
+}
+
+/// Where a state has its springs' lengths and kinds. A kernel's own: through the state they would be looked
+/// up anew after each store.
+class SpringTables {
+  public:
+    HWY_INLINE explicit SpringTables(const SpringState& state)
+        : rest_lengths_(state.rest_lengths.data()),
+          of_slots_(state.kinds.of_slots.data()),
+          of_entries_(state.kinds.of_entries.data()) {}
+
+    /// Of the entries from one on.
+    HWY_INLINE Lanes rest_length(std::uint32_t entry) const { return load_lanes(rest_lengths_ + entry); }
+    HWY_INLINE Lanes stiffness(std::uint32_t entry, const SpringStiffness& of_kind) const {
+        const std::uint8_t of_slot = of_slots_[entry / Stencil::lanes];
+        if (of_slot != SpringKinds::mixed) return set(of_kind.values[of_slot]);
+        const Tag d;
+        const hn::RebindToSigned<Tag> numbers;
+        const hn::Rebind<std::uint8_t, Tag> bytes;
+        const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, of_entries_ + entry));
+        return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
+    }
+
+  private:
+    const float* rest_lengths_;
+    const std::uint8_t *of_slots_, *of_entries_;
+};
+
+/// Of the entries from one on, which are those of the lanes from particle `i` on.
+HWY_INLINE Springs springs_in(const SpringState& state, const SpringTables& tables, std::uint32_t entry,
+                              std::uint32_t i, const SpringStiffness& of_kind, const Ends& ends) {
+    const auto& [separation, squared, length, inverse_length] = ends;
+    const Lanes rest_length = tables.rest_length(entry), stiffness = tables.stiffness(entry, of_kind);
+
+    const auto apart = hn::Gt(squared, set(1e-24f));
+    Lanes3 direction = keep_where(apart, inverse_length * separation);
+    // Where ends coincide there is no spring, mostly.
+    if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)) &&
+        !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
+        direction = with_separating_directions(direction.x, direction.y, direction.z, apart, state, entry, i);
+
+    const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
+    return {direction, hn::Sub(length, rest_length), stiffness, axial};
+}
+
+/// What springs add up to in rows.
+struct RowSums {
+    Lanes3 force;  ///< pulls
+    Lanes a;
+    SymmetricLanes squares;
+
+    HWY_INLINE void add(const SpringBlockLanes& block) {
+        a = hn::Add(a, block.a);
+        squares = add_square(squares, block.d);
+    }
+};
+HWY_INLINE RowSums no_sums() {
+    return {zero3(), set(0), zero_symmetric()};
+}
+
+// Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
+// implicitly too:
+//   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
+//   iterate).
+// Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
+struct Linearisation {
+    Linearisation(const SpringState& state, LinearisedAbout about)
+        : about_base(about == LinearisedAbout::base),
+          uses_velocities(about_base || state.equation.settings.fabric.damping > 0),
+          squared(state.matrix.unit * state.matrix.unit),
+          of_kind(state.stiffness.times(state.equation.gamma * state.equation.gamma / squared)),
+          per_gamma(1 / state.equation.gamma),
+          viscosity(state.equation.settings.fabric.damping / state.equation.gamma) {}
+
+    /// Adds what springs pull to `force`; their blocks. relative() is how fast their other ends move.
+    template <class Relative>
+    HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Relative& relative,
+                                          Lanes3& force) const {
+        const Lanes a = hn::Sub(springs.stiffness, springs.axial);
+        const Lanes along = hn::MulAdd(set(viscosity), springs.stiffness, springs.axial);
+        Lanes push = hn::Mul(springs.stiffness, hn::Mul(set(per_gamma), springs.extension));
+        if (uses_velocities) {
+            const Lanes3 v = relative();
+            const Lanes resisted = about_base ? along : hn::Mul(set(viscosity), springs.stiffness);
+            push = hn::MulAdd(resisted, dot(springs.direction, v), push);
+            if (about_base) force = mul_add(a, v, force);
+        }
+        force = mul_add(push, springs.direction, force);
+        return {a, hn::Sqrt(along) * springs.direction};
+    }
+
+    /// Rows of W and b, for the lanes from particle `i` on.
+    HWY_INLINE void finish(const SpringState& state, std::uint32_t i, const Lanes3& v_i, const RowSums& sums,
+                           SpringMatrix& matrix, Vec4* right_side) const {
+        const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
+        const Lanes squared_unit = set(squared);
+        const auto free = hn::Ne(row.row_sum, set(0));
+        store_rows(keep_where(free, mul_add(squared_unit, sums.force, row.impulse)), row.row_sum,
+                   right_side + i);
+        hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
+        SymmetricLanes diagonal =
+            add_identity(squared_unit * add_identity(sums.squares, sums.a), row.row_sum);
+        if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
+        store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
+                        &matrix.inverse_diagonal[lane_index(i, 0, 6)]);
+    }
+
+    bool about_base, uses_velocities;
+    float squared;
+    SpringStiffness of_kind;
+    float per_gamma, viscosity;
+};
+
+/// What springs pull with; see Linearisation::add_force.
+template <class Relative>
+HWY_INLINE Lanes push_of(const SpringState& state, const Springs& springs, const Relative& relative) {
+    const float viscosity = state.equation.settings.fabric.damping;
+    Lanes pull = springs.extension;
+    if (viscosity > 0) pull = hn::MulAdd(set(viscosity), dot(springs.direction, relative()), pull);
+    return hn::Mul(springs.stiffness, pull);
+}
+
+HWY_INLINE void finish_residual(const SpringState& state, std::uint32_t i, const Lanes3& v_i,
+                                const Lanes3& force, Vec4* residual) {
+    const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
+    const auto free = hn::Ne(row.row_sum, set(0));
+    store_rows(keep_where(free, mul_add(set(state.equation.gamma), force, row.impulse)), set(0),
+               residual + i);
+}
+
+/// Any mesh: each particle looks at all its springs.
+class SpringsOfMesh {
+    // Deduced, so before those who use it.
+    HWY_INLINE auto relative(std::uint32_t s, std::uint32_t i, const Lanes3& v_i) const {
+        return [this, s, i, &v_i]() HWY_ATTR { return velocities_.neighbours(s, i % Stencil::lanes) - v_i; };
+    }
+
+  public:
+    explicit SpringsOfMesh(const SpringState& state)
+        : state_(state),
+          tables_(state),
+          stencil_(state.matrix.stencil),
+          positions_{stencil_, state.positions.data()},
+          velocities_{stencil_, state.velocities.data()} {}
+
+    void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+                   Vec4* right_side) const {
+        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+            const Lanes3 v_i = velocities_.own(i);
+            RowSums sums = no_sums();
+            for_each_slot(i, equations.of_kind, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
+                const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
+                const auto block = equations.add_force(springs, relative(s, i, v_i), sums.force);
+                sums.add(store_block(block, &matrix.coefficients[lane_index(entry, 0, 4)]));
+            });
+            equations.finish(state_, i, v_i, sums, matrix, right_side);
+        }
+    }
+
+    void residual(const BlockRange& range, Vec4* residual) const {
+        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
+            const Lanes3 v_i = velocities_.own(i);
+            Lanes3 force = zero3();
+            for_each_slot(i, state_.stiffness, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
+                force = mul_add(push_of(state_, springs, relative(s, i, v_i)), springs.direction, force);
+            });
+            finish_residual(state_, i, v_i, force, residual);
+        }
+    }
+
+  private:
+    /// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
+    /// while the one before is, else a processor would spend half its time on waiting for one root after the
+    /// other.
+    template <class Body>
+    HWY_INLINE void for_each_slot(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) const {
+        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        const std::uint32_t begin = stencil_.group_slots[group], end = stencil_.group_slots[group + 1];
+        if (begin == end) return;
+        const Lanes3 x_i = positions_.own(i);
+        Ends next = ends_apart(positions_.neighbours(begin, lane) - x_i);
+        for (std::uint32_t s = begin; s < end; ++s) {
+            const Ends ends = next;
+            if (s + 1 < end) next = ends_apart(positions_.neighbours(s + 1, lane) - x_i);
+            body(s, springs_in(state_, tables_, s * Stencil::lanes + lane, i, of_kind, ends));
+        }
+    }
+
+    const SpringState& state_;
+    const SpringTables tables_;
+    const Stencil& stencil_;
+    RowsInMemory positions_, velocities_;
+};
+
+/// A grid: each particle looks at its springs to later ones, and gives these what they have of them.
+template <std::uint32_t exchanged>
+class SpringsOfGrid {
+    static constexpr std::uint32_t position = 0, velocity = 1;  // of the loop's vectors
+
+    HWY_INLINE auto relative(std::uint32_t d, const Lanes3& v_i) const {
+        return [this, d, &v_i]() HWY_ATTR { return loop_.later(velocity, d) - v_i; };
+    }
+
+  public:
+    HWY_INLINE SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
+        : state_(state),
+          tables_(state),
+          diagonals_(state.matrix.diagonals),
+          loop_(window, diagonals_, range) {}
+
+    HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
+                              Vec4* right_side) {
+        constexpr std::size_t slot = 4 * Stencil::lanes;
+        alignas(64) std::uint16_t not_stored[Diagonals::most * slot];  // in the halo, which is another tile's
+        for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
+            read_ahead();
+            const Lanes3 v_i = loop_.own(velocity);
+            RowSums sums = no_sums();
+            const auto take = [&sums](const Given& given) HWY_ATTR {
+                sums.force = sums.force - given.xyz(0);
+                sums.add({given[6], given.xyz(3)});
+            };
+            loop_.take_from_far(take);
+            std::uint16_t* const coefficients =
+                i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
+            for_each_later(i, equations.of_kind, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
+                Lanes3 force = zero3();
+                const auto block = equations.add_force(springs, relative(d, v_i), force);
+                const SpringBlockLanes stored = store_block(block, coefficients + d * slot);
+                loop_.give(d, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z, stored.a);
+                sums.force = sums.force + force;
+                sums.add(stored);
+            });
+            if (i < range.begin) continue;
+            loop_.take_from_near(take);
+            equations.finish(state_, i, v_i, sums, matrix, right_side);
+        }
+    }
+
+    HWY_INLINE void residual(const BlockRange& range, Vec4* residual) {
+        for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
+            read_ahead();
+            const Lanes3 v_i = loop_.own(velocity);
+            Lanes3 sum = zero3();
+            const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+            loop_.take_from_far(take);
+            for_each_later(i, state_.stiffness, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
+                const Lanes3 force = push_of(state_, springs, relative(d, v_i)) * springs.direction;
+                loop_.give(d, force.x, force.y, force.z);
+                sum = sum + force;
+            });
+            if (i < range.begin) continue;
+            loop_.take_from_near(take);
+            finish_residual(state_, i, v_i, sum, residual);
+        }
+    }
+
+  private:
+    HWY_INLINE void read_ahead() {
+        loop_.read_ahead([this](std::uint32_t j) HWY_ATTR {
+            const Lanes3 x = xyz(load_rows(&state_.positions[j])), v = xyz(load_rows(&state_.velocities[j]));
+            return std::array<Lanes3, 2>{state_.time_ahead == 0 ? x : mul_add(set(state_.time_ahead), v, x),
+                                         v};
+        });
+    }
+    /// body(d, springs) for the diagonals; see SpringsOfMesh.
+    template <class Body>
+    HWY_INLINE void for_each_later(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) {
+        const Lanes3 x_i = loop_.own(position);
+        Ends next = ends_apart(loop_.later(position, 0) - x_i);
+        std::uint32_t entry = diagonals_.entry(i, 0);
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, entry += Stencil::lanes) {
+            const Ends ends = next;
+            if (d + 1 < loop_.diagonals()) next = ends_apart(loop_.later(position, d + 1) - x_i);
+            body(d, springs_in(state_, tables_, entry, i, of_kind, ends));
+        }
+    }
+
+    const SpringState& state_;
+    const SpringTables tables_;
+    const Diagonals& diagonals_;
+    GridLoop<2, exchanged> loop_;
+};
+
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow* window,
+               SpringMatrix& matrix, Vec4* right_side) {
+    const Linearisation equations(state, about);
+    if (window == nullptr)
+        SpringsOfMesh(state).linearise(equations, range, matrix, right_side);
+    else
+        SpringsOfGrid<7>(state, range, *window).linearise(equations, range, matrix, right_side);
+}
+
+void residual(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
+    if (window == nullptr)
+        SpringsOfMesh(state).residual(range, residual);
+    else
+        SpringsOfGrid<3>(state, range, *window).residual(range, residual);
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(linearise);
+HWY_EXPORT(residual);
+
+SpringKinds::SpringKinds(std::size_t entries) : of_entries(entries), of_slots(entries / Stencil::lanes) {
+    std::ranges::fill(of_entries.span(), none);
+}
+
+void SpringKinds::sum_up() {
+    for (std::uint32_t s = 0; s < of_slots.size(); ++s) {
+        const auto slot = of_entries.span().subspan(s * Stencil::lanes, Stencil::lanes);
+        const bool all = slot[0] != none && std::ranges::count(slot, slot[0]) == Stencil::lanes;
+        of_slots[s] = all ? slot[0] : mixed;
+    }
+}
+
+void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
+                     GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {
+    HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, window, matrix, right_side);
+}
+
+void residual_block(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
+    HWY_DYNAMIC_DISPATCH(residual)(state, range, window, residual);
+}
+
+}  // namespace weft
+#endif

@@ -1,0 +1,265 @@
+#include "cloth/system/springs/spring_matrix.h"
+
+#include <array>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/system/springs/spring_matrix.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/system/external_row-inl.h"
+#include "cloth/system/grid/grid_windows-inl.h"
+#include "cloth/system/row_loops-inl.h"
+#include "cloth/system/sparse/stencil-inl.h"
+#include "cloth/system/sparse/transfers-inl.h"
+#include "engine/simd/half_precision-inl.h"
+#include "engine/simd/symmetric3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+// Found by the loops through their vectors' namespace, so not in the file's own.
+/// (a I + d d^T) v.
+HWY_INLINE Lanes3 times(const SpringBlockLanes& block, const Lanes3& v) {
+    return mul_add(dot(block.d, v), block.d, block.a * v);
+}
+
+/// D_i^-1 v for the lanes from particle `i` on.
+HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, const Lanes3& v) {
+    return load_symmetric(&matrix.inverse_diagonal[lane_index(i, 0, 6)]) * v;
+}
+
+// Vectors, as a loop over a grid comes to their rows.
+
+struct InMemory {
+    const Vec4* rows;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return xyz(load_rows(rows + i)); }
+};
+
+/// step D^-1 b.
+struct FirstStep {
+    const SpringMatrix& matrix;
+    const Vec4* b;
+    float step;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return first_step(matrix, i, b, step); }
+};
+
+/// step D^-1 b + P e.
+struct CorrectedFirstStep {
+    FirstStep first;
+    const Correction& correction;
+
+    HWY_INLINE Lanes3 operator()(std::uint32_t i) const {
+        const Rows rows = rows_from(
+            [&](std::uint32_t k) HWY_ATTR { return corrected(correction, i + k, hn::Zero(RowTag())); });
+        return first(i) + lanes_of(rows);
+    }
+};
+
+/// A vector's rows in a grid, to be multiplied by the matrix in ascending order.
+template <class Vector>
+class RowsOfGrid {
+  public:
+    HWY_INLINE RowsOfGrid(const SpringMatrix& matrix, const BlockRange& range, const Vector& vector,
+                          GridWindow& window)
+        : matrix_(matrix), vector_(vector), loop_(window, matrix.diagonals, range) {
+        for (std::uint32_t i = loop_.first(); i < range.begin; i += part_lanes) {
+            come_to(i);
+            add_later(i, own(i), zero3());
+            loop_.go_on();
+        }
+    }
+    HWY_INLINE void come_to(std::uint32_t /*i*/) {
+        loop_.read_ahead([this](std::uint32_t j) HWY_ATTR { return std::array<Lanes3, 1>{vector_(j)}; });
+    }
+    HWY_INLINE Lanes3 own(std::uint32_t /*i*/) const { return loop_.own(0); }
+
+    /// sum_j A_ij (x_i - x_j) in square units, for the lanes from particle `i` on; then it goes on.
+    HWY_INLINE Lanes3 sum_of_springs(std::uint32_t i, const Lanes3& x_i) {
+        Lanes3 sum = zero3();
+        const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+        loop_.take_from_far(take);
+        sum = add_later(i, x_i, sum);
+        loop_.take_from_near(take);
+        loop_.go_on();
+        return sum;
+    }
+
+  private:
+    HWY_INLINE Lanes3 add_later(std::uint32_t i, const Lanes3& x_i, Lanes3 sum) const {
+        const std::uint16_t* block = &matrix_.coefficients[lane_index(matrix_.diagonals.entry(i, 0), 0, 4)];
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, block += std::size_t{4} * Stencil::lanes) {
+            const Lanes3 term = times(load_block(block), x_i - loop_.later(0, d));
+            loop_.give(d, term.x, term.y, term.z);
+            sum = sum + term;
+        }
+        return sum;
+    }
+
+    const SpringMatrix& matrix_;
+    const Vector vector_;
+    GridLoop<1, 3> loop_;
+};
+
+template <class Vector>
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& /*matrix*/, std::uint32_t i, RowsOfGrid<Vector>& x,
+                                 const Lanes3& x_i) {
+    return x.sum_of_springs(i, x_i);
+}
+
+HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
+                                 const Lanes3& x_i) {
+    Lanes3 sum = zero3();
+    const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+    for (std::uint32_t s = x.stencil.group_slots[group]; s < x.stencil.group_slots[group + 1]; ++s) {
+        const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
+        const Lanes3 difference = x_i - x.neighbours(s, lane);
+        sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
+    }
+    return sum;
+}
+
+/// (W x)_i for the lanes from particle `i` on.
+template <class Rows>
+HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, Rows& x, const Lanes3& x_i) {
+    const Lanes3 sum = sum_of_springs(matrix, i, x, x_i);
+    const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
+    const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
+    Lanes3 own = row_sum * x_i;
+    if (touches(matrix.contacts, i)) own = own + contact_blocks(*matrix.contacts, i) * x_i;
+    return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), mul_add(squared_unit, sum, own));
+}
+
+namespace {
+
+/// loop(rows of x).
+template <class Loop>
+HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x,
+                          GridWindow* window, const Loop& loop) {
+    if (window == nullptr) {
+        RowsInMemory rows{matrix.stencil, x};
+        return loop(rows);
+    }
+    RowsOfGrid rows(matrix, range, InMemory{x}, *window);
+    return loop(rows);
+}
+
+Products multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                  Vec4* product, GridWindow* window) {
+    return with_rows(matrix, range, x, window,
+                     [&](auto& rows) HWY_ATTR { return multiply_rows(matrix, range, b, rows, product); });
+}
+
+void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                      Vec4* remainder, GridWindow* window) {
+    with_rows(matrix, range, x, window,
+              [&](auto& rows) HWY_ATTR { subtract_product_rows(matrix, range, b, rows, remainder); });
+}
+
+void relax(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+           const Relaxation& relaxation, Vec4* next, GridWindow* window) {
+    with_rows(matrix, range, x, window,
+              [&](auto& rows) HWY_ATTR { relax_rows(matrix, range, b, rows, relaxation, next); });
+}
+
+void subtract_first_step(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                         Vec4* remainder, GridWindow& window) {
+    RowsOfGrid rows(matrix, range, FirstStep{matrix, b, step}, window);
+    subtract_product_rows(matrix, range, b, rows, remainder);
+}
+
+void relax_corrected(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                     const Correction& correction, Vec4* next, GridWindow& window) {
+    RowsOfGrid rows(matrix, range, CorrectedFirstStep{{matrix, b, step}, correction}, window);
+    relax_rows(matrix, range, b, rows, {.step = step}, next);
+}
+
+void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step, Vec4* x) {
+    precondition_rows(matrix, range, b, step, x);
+}
+
+void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots, Vec4* blocks) {
+    const Lanes unit = hn::Set(Tag(), matrix.unit), squared_unit = hn::Mul(unit, unit);
+    for (std::uint32_t k = range.begin; k < range.end; ++k) {
+        for (std::uint32_t lane = 0; lane < Stencil::lanes; lane += part_lanes) {
+            const std::size_t at = lane_index(slots[k] * Stencil::lanes + lane, 0, 4);
+            const auto [a, d] = load_block(&matrix.coefficients[at]);
+            store_rows(unit * d, hn::Mul(squared_unit, a), blocks + k * Stencil::lanes + lane);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(multiply);
+HWY_EXPORT(subtract_product);
+HWY_EXPORT(relax);
+HWY_EXPORT(subtract_first_step);
+HWY_EXPORT(relax_corrected);
+HWY_EXPORT(precondition);
+HWY_EXPORT(unpack);
+
+SpringMatrix::SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours)
+    : stencil(offsets, neighbours),
+      diagonals(offsets, neighbours),
+      coefficients(4 * entries()),
+      row_sums(stencil.nodes),
+      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+
+std::uint32_t SpringMatrix::entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const {
+    if (diagonals.empty()) return stencil.entries[e];
+    return neighbour > i ? diagonals.entry_between(i, neighbour) : no_entry;
+}
+
+// Halves reach from 2^-14 (2^-24 with fewer digits) to 2^16. With |d| of at most 2^7 units, a is at most 2^14
+// square units, and the softest spring that keeps its digits is 2^28 times softer than the stiffest.
+void SpringMatrix::set_unit(float largest_block) {
+    int exponent = 0;
+    std::frexp(std::sqrt(largest_block), &exponent);
+    unit = largest_block > 0 ? std::ldexp(1.0f, exponent - 7) : 1.0f;
+}
+
+Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                        Vec4* product, GridWindow* window) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product, window);
+}
+
+void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder, GridWindow* window) {
+    HWY_DYNAMIC_DISPATCH(subtract_product)(matrix, range, b, x, remainder, window);
+}
+
+void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next, GridWindow* window) {
+    HWY_DYNAMIC_DISPATCH(relax)(matrix, range, b, x, relaxation, next, window);
+}
+
+void subtract_first_step_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                               Vec4* remainder, GridWindow& window) {
+    HWY_DYNAMIC_DISPATCH(subtract_first_step)(matrix, range, b, step, remainder, window);
+}
+
+void relax_corrected_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                           const Correction& correction, Vec4* next, GridWindow& window) {
+    HWY_DYNAMIC_DISPATCH(relax_corrected)(matrix, range, b, step, correction, next, window);
+}
+
+void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x) {
+    HWY_DYNAMIC_DISPATCH(precondition)(matrix, range, b, step, x);
+}
+
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots,
+                  Vec4* blocks) {
+    HWY_DYNAMIC_DISPATCH(unpack)(matrix, range, slots, blocks);
+}
+
+}  // namespace weft
+#endif

@@ -1,0 +1,75 @@
+#pragma once
+// The matrix of springs, and the loops over its rows: a block of particles at a time, with the widest vectors
+// that the machine has.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/system/contacts.h"
+#include "cloth/system/grid/diagonals.h"
+#include "cloth/system/implicit_system.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// W by rows, in groups of 16 particles: (W x)_i = (r_i + G_i) x_i + sum_j A_ij (x_i - x_j), A = a I + d d^T.
+///
+/// a and d are kept in half precision, since a sweep takes as long as these bytes do. Invariant: both ends of
+/// a spring and the diagonal are made of the cut values, so that W is symmetric, keeps momentum, and is
+/// positive definite.
+///
+/// Entries are a stencil's, each spring at both its ends; in a grid those of diagonals, each at its first
+/// end.
+struct SpringMatrix {
+    /// From compressed rows, as a Stencil.
+    SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
+    /// Of A's that are at most this [kg].
+    void set_unit(float largest_block);
+
+    [[nodiscard]] std::size_t entries() const noexcept {
+        return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
+    }
+    /// Of half-edge e of node i, or no_entry: it is kept at the other end.
+    [[nodiscard]] std::uint32_t entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const;
+    static constexpr std::uint32_t no_entry = ~0u;
+    /// Of particle i, at one of its entries.
+    [[nodiscard]] std::uint32_t neighbour(std::uint32_t entry, std::uint32_t i) const {
+        return diagonals.empty() ? stencil.neighbours[entry]
+                                 : i + diagonals.differences[entry / Stencil::lanes % diagonals.count];
+    }
+
+    Stencil stencil;
+    Diagonals diagonals;                        ///< empty for what is no grid
+    float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
+    AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z
+    AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    const ContactRows* contacts = nullptr;      ///< G; null: there are no colliders
+    AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return stencil.bytes() + coefficients.bytes() + row_sums.bytes() + inverse_diagonal.bytes();
+    }
+};
+
+/// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
+/// Invariant: `window` is null but for matrices with diagonals.
+Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                        Vec4* product, GridWindow* window);
+void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder, GridWindow* window);
+void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next, GridWindow* window);
+/// In a grid: remainder = b - W x, x = step D^-1 b, whose rows are made where they are read.
+void subtract_first_step_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                               Vec4* remainder, GridWindow& window);
+/// In a grid: a step from x + P e.
+void relax_corrected_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                           const Correction& correction, Vec4* next, GridWindow& window);
+void precondition_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x);
+/// As ImplicitSystem::spring_blocks, for the slots [range.begin, range.end) of the list.
+void unpack_block(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots,
+                  Vec4* blocks);
+
+}  // namespace weft

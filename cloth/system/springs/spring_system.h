@@ -1,0 +1,56 @@
+#pragma once
+// Springs as the linear system of an implicit step.
+
+#include <array>
+
+#include "cloth/system/implicit_system.h"
+#include "cloth/system/springs/spring_forces.h"
+#include "cloth/system/springs/spring_matrix.h"
+
+namespace weft {
+
+/// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + G_i + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c
+/// n n^T = a I + d d^T.
+class SpringSystem final : public ImplicitSystem {
+  public:
+    explicit SpringSystem(const CookedCloth& model);
+
+    void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                   LinearisedAbout about) override;
+    void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                  std::span<Vec4> residual) override;
+    void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                             std::span<Vec4> remainder) override;
+    void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
+                         const Correction& correction, std::span<Vec4> next) override;
+    [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
+    [[nodiscard]] std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const override;
+    [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
+    void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                       std::span<Vec4> blocks) override;
+    [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  protected:
+    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                           GridWindow* window) const override;
+    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
+                               GridWindow* window) const override;
+    void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
+    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation, Vec4* next,
+                    GridWindow* window) const override;
+
+  private:
+    [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
+                                       std::span<const Vec4> velocities, LinearisedAbout about);
+
+    const CookedCloth& model_;
+    SpringMatrix matrix_;
+    SpringKinds kinds_;
+    AlignedBuffer<float> rest_lengths_;         // per entry; 1 where there is no spring
+    std::array<float, 3> stiffness_of_kind_{};  // of the last linearise
+    AlignedBuffer<Vec4> positions_;             // x_base + gamma v; in a grid added up on the way
+};
+
+}  // namespace weft

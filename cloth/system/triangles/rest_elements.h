@@ -1,0 +1,58 @@
+#pragma once
+// The rest shape as finite elements see it: triangles in the pattern's axes, and pairs of them that share an
+// edge.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cloth/mesh/cook.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+/// Sides of a triangle from its corner 0 to corners 1 and 2, in the pattern's axes [m].
+struct RestSides {
+    Eigen::Vector2f to1, to2;
+};
+
+/// In the panel's own axes for a mesh with a pattern. Else the mesh is the rest shape, and warp runs along
+/// the rows of a grid, or upwards in a general mesh, where triangles that lie flat take +X for it.
+[[nodiscard]] RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle);
+
+/// Two triangles about their shared edge: (0, 1, 2) and (1, 0, 3), in the order in which the first is wound.
+struct Hinge {
+    std::array<std::uint32_t, 4> particles;
+    /// Bergou et al. 2006: |sum_k q_k x_k| is the edge's length times its angle, while that is small. From
+    /// each triangle's own panel; sum_k q_k is 0.
+    std::array<float, 4> q;
+    float length;        ///< of the edge, mean of both panels' [m]
+    float least_height;  ///< of the two triangles over the edge, about [m]
+    float angle;         ///< at rest; 0 on a flat pattern
+    float weight;        ///< see Bending
+};
+
+/// A triangle's curvature is the mean over it of what its edges bend (Grinspun et al. 2006, discrete shape
+/// operators), each edge's bend shared between its two triangles by their areas: Lambda = sum_e phi_e / (A +
+/// A') m_e m_e^T, m_e being the edge's normal in the plane and phi_e its length times its angle. The energy
+/// B/2 sum_T A |Lambda|^2 is thus
+///
+///     B/2 ( sum_e w_e phi_e^2 + 2 sum_ef w_ef phi_e phi_f )
+///     w_e = 1 / (A + A'),   w_ef = A (m_e . m_f)^2 w_e w_f
+///
+/// over hinges e and pairs of them in one triangle. Equilateral meshes bend to any cylinder as the plate
+/// does, grids of right triangles to those along their threads (to diagonal ones half as stiff again);
+/// irregular meshes are too stiff, by a part that goes with the square of their irregularity. Hinges by
+/// themselves (w_ef = 0) make a grid with chessboard diagonals a sixth too soft along its threads, because
+/// its particles of four and of eight neighbours give way between one another.
+struct HingePair {
+    std::uint32_t first, second;
+    float weight;
+};
+struct Bending {
+    std::vector<Hinge> hinges;     ///< in ascending order of their edges
+    std::vector<HingePair> pairs;  ///< by triangles
+};
+[[nodiscard]] Bending bending_elements(const CookedCloth& model);
+
+}  // namespace weft

@@ -1,0 +1,61 @@
+#pragma once
+// From elements to rows: what each particle gathers of its triangles, a block of particles at a time, with
+// the widest vectors that the machine has.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cloth/system/implicit_system.h"
+#include "cloth/system/step_equation.h"
+#include "cloth/system/triangles/element_rows.h"
+#include "cloth/system/triangles/triangle_elements.h"
+#include "cloth/system/triangles/triangle_matrix.h"
+
+namespace weft {
+
+/// An edge's block at particle i is the sum of two sides of triangles. Where the triangle runs from i to the
+/// neighbour its block is taken as it is, with the force on i; where it runs the other way, transposed.
+struct TriangleSources {
+    TriangleSources(const CookedCloth& model, const TriangleElements& elements, const Stencil& stencil,
+                    const ElementRows& rows);
+
+    struct Source {
+        AlignedBuffer<std::uint32_t>
+            sides;  ///< per entry of the stencil: TriangleElements::side, or zero_side
+        AlignedBuffer<float>
+            runs_along;  ///< 1 where the triangle runs from the particle to the neighbour, else 0
+    };
+    std::array<Source, 2> sources;
+
+    /// Rest area of the triangles that an edge's two ends share [m^2]; 0 where they share none.
+    [[nodiscard]] float shared_area(const TriangleElements& elements, std::uint32_t entry) const;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+};
+
+/// What is added to the rows of elements, for which not every cloth has a use.
+struct RowAdditions {
+    AlignedBuffer<Vec4> impulses;    ///< to b [kg m/s]
+    AlignedBuffer<float> diagonals;  ///< to what relaxation divides by: per group 16 xx, yy, zz, xy, xz, yz
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return impulses.bytes() + diagonals.bytes(); }
+};
+
+/// The elements' results, and the state of the cloth that they are of. Vectors as in ImplicitSystem.
+struct TriangleState {
+    const StepEquation& equation;
+    const TriangleElements& elements;
+    const TriangleSources& sources;
+    const RowAdditions& additions;    ///< with them, blocks are added to those in the matrix
+    std::span<const Vec4> positions;  ///< w inverse mass
+    std::span<const Vec4> velocities;
+    std::span<const float> quadratic;  ///< the diagonal of quadratic bending of rigidity 1 [1/m^2], or empty
+};
+
+/// The rows of W and b of one block; see ImplicitSystem::linearise.
+void linearise_block(const TriangleState& state, LinearisedAbout about, const BlockRange& range,
+                     TriangleMatrix& matrix, Vec4* right_side);
+void residual_block(const TriangleState& state, const BlockRange& range, const TriangleMatrix& matrix,
+                    Vec4* residual);
+
+}  // namespace weft

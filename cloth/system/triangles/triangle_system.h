@@ -1,0 +1,79 @@
+#pragma once
+// Triangle finite elements, with bending, as the linear system of an implicit step.
+
+#include <algorithm>
+#include <optional>
+
+#include "cloth/system/implicit_system.h"
+#include "cloth/system/triangles/element_rows.h"
+#include "cloth/system/triangles/hinge_elements.h"
+#include "cloth/system/triangles/triangle_elements.h"
+#include "cloth/system/triangles/triangle_matrix.h"
+#include "cloth/system/triangles/triangle_rows.h"
+
+namespace weft {
+
+/// W = M + gamma^2 K + gamma C. K is the elements' Hessian, made positive semi-definite element by element; C
+/// is the damping times what of K resists strain, so that it lets the cloth turn.
+///
+/// Elements of p particles have K_e <= p diag(K_e): p = 3 for triangles, 4 for hinges, 6 for hinges of one
+/// triangle together. The diagonal that relaxation divides by is half of that sum, so that 2 D - W is
+/// positive definite, as it is for springs.
+class TriangleSystem final : public ImplicitSystem {
+  public:
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings);
+
+    void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                   LinearisedAbout about) override;
+    void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                  std::span<Vec4> residual) override;
+    [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
+    void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
+                       std::span<Vec4> blocks) override;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
+
+  protected:
+    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+                           GridWindow* window) const override;
+    void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
+                               GridWindow* window) const override;
+    void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const override;
+    void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation, Vec4* next,
+                    GridWindow* window) const override;
+
+  private:
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending);
+    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending,
+                   const ElementRows& rows);
+    void store_quadratic_bending(const Bending& bending);
+    void store_dihedral_bending(const Bending& bending, const ElementRows& rows);
+
+    /// Where the elements are: x_base, or x_base + gamma v.
+    void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+               LinearisedAbout about);
+    /// Fills the elements' results. Stiffness: linearised; else forces alone, viscous ones among them.
+    void compute_elements(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                          bool viscous, bool stiffness);
+    [[nodiscard]] TriangleState state_at(const StepEquation& equation,
+                                         std::span<const Vec4> velocities) const;
+
+    /// What not every cloth has: dihedral bending and a consistent mass matrix. Fills the additions and, when
+    /// linearised, what they have in the blocks.
+    void make_additions(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
+                        bool linearised, LinearisedAbout about);
+    void add_bending(const StepEquation& equation, std::uint32_t i, bool linearised);
+    void add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities, std::uint32_t i,
+                             bool linearised, LinearisedAbout about);
+
+    const CookedCloth& model_;
+    TriangleElements elements_;
+    TriangleMatrix matrix_;
+    TriangleSources sources_;
+    RowAdditions additions_;
+    AlignedBuffer<float> quadratic_;       // see TriangleState
+    std::optional<HingeElements> hinges_;  // only with dihedral bending
+    AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about
+};
+
+}  // namespace weft
