@@ -146,7 +146,7 @@ struct Kernels::Work {
 
 std::vector<KernelName> Kernels::names() {
     std::vector<KernelName> names;
-    for (const char* name : {"linearise", "residual", "multiply", "relax", "relax by threes", "precondition",
+    for (const char* name : {"linearise", "residual", "multiply", "relax", "precondition",
                              "coarse operators", "V-cycle", "xpbd sweep", "place patches"})
         names.push_back({name, false});
     for (const char* name :
