@@ -23,13 +23,12 @@ HWY_INLINE PackedRows limited(const PackedRows& velocities, float max_speed) {
 void advance_block(const StepEquation& equation, const Advance& change, const BlockRange& range) {
     const Lanes gamma = hn::Set(Tag(), equation.gamma);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const PackedRows v_before = load_packed(&equation.velocities[i]);
-        const PackedRows v = limited(v_before + load_packed(&change.velocity_changes[i]), change.max_speed);
+        const PackedRows v = limited(load_packed(&change.solved[i]), change.max_speed);
         const PackedRows x = mul_add(gamma, v, load_packed(&equation.base_positions[i]));  // w stays: 0 in v
         if (change.history != nullptr) {
             const HistoryRows record = change.history->rows(i);
             store_packed(x - load_packed(&equation.positions[i]), record.displacements);
-            store_packed(v - v_before, record.velocity_changes);
+            store_packed(v - load_packed(&equation.velocities[i]), record.velocity_changes);
             store_packed(x, record.arrivals);
         }
         store_packed(v, &change.velocities[i]);

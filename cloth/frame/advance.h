@@ -1,5 +1,5 @@
 #pragma once
-// The end of a substep: from the change of velocities to new velocities and positions.
+// The end of a substep: from the velocities that a solver found to new velocities and positions.
 
 #include <span>
 
@@ -12,14 +12,14 @@ namespace weft {
 
 /// What a substep changes; all in AlignedBuffers.
 struct Advance {
-    std::span<const Vec4> velocity_changes;  ///< [m/s], w 0
-    float max_speed;                         ///< what is faster is slowed down to it [m/s]
-    std::span<Vec4> velocities;              ///< those of the equation, which are overwritten
-    std::span<Vec4> positions;               ///< the new ones
-    History* history;                        ///< null without BDF2
+    std::span<const Vec4> solved;  ///< a solver's velocities [m/s], w 0
+    float max_speed;               ///< what is faster is slowed down to it [m/s]
+    std::span<Vec4> velocities;    ///< those of the equation, which are overwritten
+    std::span<Vec4> positions;     ///< the new ones
+    History* history;              ///< null without BDF2
 };
 
-/// v += dv, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h).
+/// x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h).
 void advance(Parallel& parallel, const StepEquation& equation, const Advance& change);
 
 }  // namespace weft

@@ -9,14 +9,6 @@ namespace weft {
 
 namespace {
 
-/// Whether what a solver is made from differs; all else it reads at each step.
-bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
-    const FiniteElements &from = a.finite_elements, &to = b.finite_elements;
-    return a.method.index() != b.method.index() || from.enabled != to.enabled ||
-           from.dihedral != to.dihedral || from.consistent_mass != to.consistent_mass ||
-           (from.bending > 0) != (to.bending > 0);
-}
-
 std::size_t bytes_of(const CookedCloth& model) {
     return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
@@ -33,7 +25,7 @@ std::size_t bytes_of(const CookedCloth& model) {
 Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
       state(model.particle_count),
-      velocity_change(model.particle_count),
+      next_velocities(model.particle_count),
       surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
@@ -44,7 +36,7 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
 
 void Cloth::apply(const ClothSettings& changed) {
     // Memory first: if there is none, nothing has changed yet.
-    if (!solver || needs_another_solver(settings, changed)) solver = make_solver(model, changed);
+    if (!solver || !solver->serves(changed)) solver = make_solver(model, changed, state.positions.span());
     if (changed.tethers.enabled && !tethers) tethers.emplace(model);
     if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.positions.span());
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
@@ -63,6 +55,7 @@ void Cloth::apply(const ClothSettings& changed) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         set_inverse_mass(i, find_pin(i) == nullptr ? inverse_mass_when_free(i) : 0.0f);
     }
+    solver->inverse_masses_changed(state.positions.span());
 }
 
 void Cloth::set_colliders(bool any) {
@@ -89,7 +82,6 @@ float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
 void Cloth::set_inverse_mass(std::uint32_t particle, float inverse_mass) {
     state.positions[particle].w = inverse_mass;
     state.previous_positions[particle].w = inverse_mass;
-    solver_is_prepared = false;
 }
 
 Pin* Cloth::find_pin(std::uint32_t particle) {
@@ -99,17 +91,20 @@ Pin* Cloth::find_pin(std::uint32_t particle) {
 
 void Cloth::pin(std::uint32_t particle) {
     if (find_pin(particle) != nullptr) return;
+    solver->reserve_pins(pins.size() + 1);
     const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
     pins.insert(at, {particle, xyz(state.positions[particle])});
     tethers_are_attached = false;
     state.velocities[particle] = {};
     set_inverse_mass(particle, 0);
+    solver->inverse_mass_changed(particle, state.positions.span());
 }
 
 void Cloth::unpin(std::uint32_t particle) {
     std::erase_if(pins, [&](const Pin& pin) { return pin.particle == particle; });
     tethers_are_attached = false;
     set_inverse_mass(particle, inverse_mass_when_free(particle));
+    solver->inverse_mass_changed(particle, state.positions.span());
     // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
     if (history) history->forget();
 }
@@ -130,7 +125,7 @@ ClothInfo Cloth::info() const {
     double mass_sum = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
-    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
+    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
                  (self_contacts ? self_contacts->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  surface.bytes() + air_velocities.bytes() + air_forces.bytes() + partial_counts.bytes() +

@@ -55,8 +55,7 @@ struct Cloth {
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;
-    bool solver_is_prepared = false;              ///< for the present pins and masses
-    AlignedBuffer<Vec4> velocity_change;          ///< of the present substep [m/s], w 0
+    AlignedBuffer<Vec4> next_velocities;          ///< that the solver found in the last substep [m/s], w 0
     std::optional<History> history;               ///< only with BDF2
     std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
     bool tethers_are_attached = false;            ///< to the present pins

@@ -124,22 +124,16 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
 }
 
 void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.solver_is_prepared) {
-        cloth.solver->prepare(cloth.model, cloth.settings, cloth.state.positions.span());
-        cloth.solver_is_prepared = true;
-    }
     if (cloth.contacts) cloth.contacts->begin(worker.motions);
-    const float residual = cloth.solver->solve({.parallel = worker.parallel,
-                                                .profiler = profiler,
-                                                .model = cloth.model,
-                                                .settings = cloth.settings,
-                                                .equation = equation,
-                                                .touches_collider = cloth.collider_contacts > 0,
-                                                .velocity_change = cloth.velocity_change.span()});
-    if (cloth.contacts)
-        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.velocity_change).span());
-    cloth.solver_failed |= std::isnan(residual);
-    cloth.residual = std::max(cloth.residual, residual);
+    const SolveResult result = cloth.solver->solve({.parallel = worker.parallel,
+                                                    .profiler = profiler,
+                                                    .model = cloth.model,
+                                                    .settings = cloth.settings,
+                                                    .equation = equation,
+                                                    .velocities = cloth.next_velocities.span()});
+    if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
+    cloth.solver_failed |= !result.ok;
+    cloth.residual = std::max(cloth.residual, result.residual);
 }
 
 // The first substep writes the new positions over the previous ones and swaps the two, so that the start of
@@ -148,7 +142,7 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     const auto timer = timed(Stage::advance);
     ClothState& state = cloth.state;
     weft::advance(worker.parallel, equation,
-                  {.velocity_changes = std::as_const(cloth.velocity_change).span(),
+                  {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
                    .velocities = state.velocities.span(),
                    .positions = (first_substep ? state.previous_positions : state.positions).span(),

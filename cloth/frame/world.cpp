@@ -41,7 +41,7 @@ Error stale_id(const char* type, Id id) {
                                      "} is of an object that was removed, or of another World"};
 }
 
-/// With all the memory that its steps will need, but what depends on pins.
+/// With all the memory that its steps will need.
 Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
                                           const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
@@ -49,8 +49,6 @@ Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& me
     if (!cooked) return cooked.error();
     auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
     simulation.prepare(*cloth);
-    cloth->solver->prepare(cloth->model, cloth->settings, cloth->state.positions.span());
-    cloth->solver_is_prepared = true;
     return cloth;
 }
 

@@ -33,7 +33,6 @@ struct ContactBlock {
 struct PressedGroup {
     const float* blocks;
     const Vec4* velocities;
-    const Vec4* changes;  // null: none
     Vec4* impulses;
     Vec4* normals;
 };
@@ -101,12 +100,11 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     return true;
 }
 
-/// The impulses at velocities + changes, along the normals and across them.
+/// The impulses at the velocities, along the normals and across them.
 void press_group(const PressedGroup& group) {
     for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
         const Lanes3 n = xyz(load_rows(group.normals + i));
-        Lanes3 v = xyz(load_rows(group.velocities + i));
-        if (group.changes != nullptr) v = v + xyz(load_rows(group.changes + i));
+        const Lanes3 v = xyz(load_rows(group.velocities + i));
         const Lanes3 at_rest = xyz(load_rows(group.impulses + i));
         const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
         const Lanes pressed = dot(impulse, n);
@@ -152,7 +150,7 @@ Contacts::Contacts(std::uint32_t particles) : normals_(particles) {
 void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> velocities,
                          const BlockRange& range) {
     const bool is_first = passes_ == 1;
-    if (!is_first) press(range, velocities, {});
+    if (!is_first) press(range, velocities);
     const ClothSettings& settings = equation.settings;
     const float gamma = equation.gamma;
     const std::uint32_t size = range.end - range.begin;
@@ -180,19 +178,17 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     }
 }
 
-void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes) {
-    parallel.ranges(static_cast<std::uint32_t>(changes.size()),
-                    [&](const BlockRange& range) { press(range, equation.velocities, changes); });
+void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
+                    [&](const BlockRange& range) { press(range, velocities); });
 }
 
-void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities,
-                     std::span<const Vec4> changes) {
+void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         if (!rows_.touches(i)) continue;
         HWY_DYNAMIC_DISPATCH(press_group)
         ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
           .velocities = velocities.data() + i,
-          .changes = changes.empty() ? nullptr : changes.data() + i,
           .impulses = rows_.impulses.data() + i,
           .normals = normals_.data() + i});
     }

@@ -56,9 +56,8 @@ class Contacts {
     /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
     /// near.
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
-    /// The substep ends with the equation's velocities + changes: keeps how hard particles press, for the
-    /// next one's friction.
-    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes);
+    /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
+    void finish(Parallel& parallel, std::span<const Vec4> velocities);
     /// Normals of contact, 0 without it; w the impulse along it [kg m/s].
     [[nodiscard]] std::span<const Vec4> normals() const noexcept { return normals_.span(); }
 
@@ -68,7 +67,7 @@ class Contacts {
     }
 
   private:
-    void press(const BlockRange& range, std::span<const Vec4> velocities, std::span<const Vec4> changes);
+    void press(const BlockRange& range, std::span<const Vec4> velocities);
 
     ContactRows rows_;
     AlignedBuffer<Vec4> normals_;
