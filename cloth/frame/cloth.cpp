@@ -193,6 +193,9 @@ void Cloth::restore(const ClothState& saved) {
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
     state = std::move(copy);
     solver->inverse_masses_changed(state.positions.span());
+    // A step begins with the triangles' normals that the last one ended with.
+    Parallel serial(1);
+    surface.compute_normals(serial, state.positions.span(), state.normals.span());
 }
 
 void Cloth::restore_start_of_step() {

@@ -287,7 +287,9 @@ Result<void> World::write_trace(const std::filesystem::path& file) const {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
-    const auto add = [&](auto part) { hash.add(part); };
+    const auto add = [&]<class T, std::size_t size>(std::span<T, size> part) {
+        hash.add(std::span<const T>(part));
+    };
     for_each_part(std::as_const(impl_->simulation.state), add);
     impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
         for_each_part(std::as_const(cloth->state), add);

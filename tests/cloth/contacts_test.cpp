@@ -21,7 +21,9 @@ constexpr float h = 1.0f / 60;
 /// A crumpled cloth that lies half in a floor which rises, and slides on it.
 struct LyingCloth {
     explicit LyingCloth(bool elements = false)
-        : cloth(crumpled(sheet(6, 7), 0.04f, 60.0f)), contacts(cloth.model.particle_count), held(cloth.model.particle_count) {
+        : cloth(crumpled(sheet(6, 7), 0.04f, 60.0f)),
+          contacts(cloth.model.particle_count),
+          held(cloth.model.particle_count) {
         if (elements) {
             ClothSettings settings = cloth.settings;
             settings.finite_elements = {.enabled = true, .warp = 60, .weft = 40};

@@ -67,8 +67,8 @@ TEST(Islands, AreThoseOfBruteForce) {
     }
 }
 
-/// Particles of two cloths that are nearer than a radius are pushed apart along the line between them, each by
-/// its share of the mass, and lose the speed at which they approach: every pair, one after the other.
+/// Particles of two cloths that are nearer than a radius are pushed apart along the line between them, each
+/// by its share of the mass, and lose the speed at which they approach: every pair, one after the other.
 class StandIn final : public Meeting {
   public:
     static constexpr float radius = 0.06f;

@@ -1,5 +1,5 @@
-// The state is all that a step goes on from: a copy of it put back, and nothing else, gives the same bytes; and
-// no history of settings shows.
+// The state is all that a step goes on from: a copy of it put back, and nothing else, gives the same bytes;
+// and no history of settings shows.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@ struct Case {
 std::vector<Case> cases() {
     std::vector<Case> result;
     const auto add = [&](const char* name, const Method& method, const auto& change) {
-        Case made{.name = name, .settings = {.method = method}};
+        Case made{.name = name, .settings = {}};
+        made.settings.method = method;
         change(made);
         result.push_back(made);
     };
@@ -66,7 +67,8 @@ struct Scene {
         simulation.prepare(*cloth);
         simulation.cloths.insert(std::move(made));
         for (const Collider& collider :
-             {Collider{Plane{}, 0.6f}, Collider{Capsule{{-0.3f, 0.1f, 0.1f}, {0.3f, 0.1f, 0.1f}, 0.08f}, 0.4f}})
+             {Collider{Plane{}, 0.6f},
+              Collider{Capsule{{-0.3f, 0.1f, 0.1f}, {0.3f, 0.1f, 0.1f}, 0.08f}, 0.4f}})
             simulation.state.colliders.insert({collider, collider});
         simulation.expect_colliders(2);
         for (const std::uint32_t v : {0u, 14u}) cloth->pin(cloth->model.vertex_to_particle[v]);
@@ -166,29 +168,37 @@ std::vector<ClothSettings> detours(const ClothSettings& from) {
     add([](ClothSettings& s) { s.fabric.areal_density *= 7; });
     add([](ClothSettings& s) { s.fabric.damping = 0.01f; });
     add([](ClothSettings& s) { s.method = Jacobi{}; });
-    add([](ClothSettings& s) { s.method = Xpbd{}; s.finite_elements = {}; });
-    add([](ClothSettings& s) { s.method = Fibres{.shear = Fibres::SetSolver::ldlt}; s.finite_elements = {}; });
+    add([](ClothSettings& s) {
+        s.method = Xpbd{};
+        s.finite_elements = {};
+    });
+    add([](ClothSettings& s) {
+        s.method = Fibres{.shear = Fibres::SetSolver::ldlt};
+        s.finite_elements = {};
+    });
     add([](ClothSettings& s) { s.method = Multilevel{.passes = 7}; });
     add([](ClothSettings& s) { s.tethers.enabled = !s.tethers.enabled; });
     return result;
 }
 
 TEST_P(SavedState, NoHistoryOfSettingsShows) {
-    Scene plain(GetParam()), roundabout(GetParam());
+    Scene plain(GetParam());
     plain.run(5);
-    roundabout.run(5);
-    const WorldState world = roundabout.simulation.state;
-    const ClothState cloth = roundabout.cloth->state;
-    for (const ClothSettings& detour : detours(GetParam().settings)) {
-        roundabout.cloth->apply(detour);
-        roundabout.run(2);
-        roundabout.cloth->apply(GetParam().settings);
-        roundabout.simulation.state = world;
-        roundabout.cloth->restore(cloth);
+    const WorldState world = plain.simulation.state;
+    const ClothState cloth = plain.cloth->state;
+    plain.run(5);
+    const std::vector<std::byte> expected = plain.bytes();
+    const std::vector<ClothSettings> ways = detours(GetParam().settings);
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+        Scene scene(GetParam());
+        scene.cloth->apply(ways[k]);
+        scene.run(2);
+        scene.cloth->apply(GetParam().settings);
+        scene.simulation.state = world;
+        scene.cloth->restore(cloth);
+        scene.run(5);
+        EXPECT_TRUE(scene.bytes() == expected) << "detour " << k;
     }
-    plain.run(5);
-    roundabout.run(5);
-    EXPECT_TRUE(plain.bytes() == roundabout.bytes());
 }
 
 }  // namespace

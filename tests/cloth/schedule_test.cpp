@@ -86,8 +86,7 @@ TEST(Schedule, TakesTheClothsOfAnIslandTogetherInTheirOrder) {
     const Schedule& schedule = cloths.on(4, first_of);
     std::map<std::vector<const Cloth*>, int> islands;
     for (const auto groups : {schedule.side_by_side(), schedule.in_turn()})
-        for (const Schedule::Group& group : groups)
-            ++islands[{group.cloths.begin(), group.cloths.end()}];
+        for (const Schedule::Group& group : groups) ++islands[{group.cloths.begin(), group.cloths.end()}];
     const std::map<std::vector<const Cloth*>, int> expected{
         {{cloths.cloth(0), cloths.cloth(2), cloths.cloth(5)}, 1},
         {{cloths.cloth(1), cloths.cloth(4)}, 1},

@@ -134,12 +134,12 @@ TEST(Bdf2, PinsReachTheirTargetsWhateverTheSubsteps) {
 }
 
 TEST(Bdf2, IsBackwardEulerWhereEveryStepHasAnotherLength) {
-    const auto hash = [](TimeScheme scheme) {
+    const auto end = [](TimeScheme scheme) {
         Membrane membrane(7, undamped(100, converged, scheme));
         for (int k = 0; k < 20; ++k) membrane.world.step(k % 2 == 0 ? 0.01f : 0.02f);
-        return membrane.world.state_hash();
+        return flat(membrane.world.cloth(membrane.id).value().positions);
     };
-    EXPECT_EQ(hash(TimeScheme::bdf2), hash(TimeScheme::backward_euler));
+    EXPECT_EQ(end(TimeScheme::bdf2), end(TimeScheme::backward_euler));
 }
 
 TEST(Bdf2, TakesItsSecondOrderUpAgainAfterAChangeOfStep) {

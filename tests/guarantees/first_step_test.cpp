@@ -1,5 +1,5 @@
-// The first step after a change allocates no more than any other: what a change needs is made by the call that
-// makes it.
+// The first step after a change allocates no more than any other: what a change needs is made by the call
+// that makes it.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,8 @@ TEST_P(FirstStep, AllocatesNothingAfterAnyChange) {
 
     std::vector<std::uint32_t> border;
     for (std::uint32_t i = 0; i < Hung::side; ++i)
-        for (const std::uint32_t v : {i, (Hung::side - 1) * Hung::side + i, i * Hung::side}) border.push_back(v);
+        for (const std::uint32_t v : {i, (Hung::side - 1) * Hung::side + i, i * Hung::side})
+            border.push_back(v);
     ASSERT_TRUE(world.pin(hung.cloth, border));
     EXPECT_EQ(hung.allocations_of_a_step(), 0u) << "many pins";
     ASSERT_TRUE(world.unpin(hung.cloth, 5));
