@@ -45,8 +45,8 @@ struct Simulation {
     WorldSettings settings;
     Parallel parallel;
     Profiler profiler;
-    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths;
-    SlotMap<ColliderId, ColliderSlot> colliders;
+    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
+    SlotMap<ColliderId, ColliderSlot> colliders{new_first_generation()};
     double time = 0;                    ///< [s] since the start
     std::array<double, 3> wind_path{};  ///< path of the mean wind since the start [m]
     StepReport report;

@@ -225,7 +225,7 @@ Result<Collider> World::collider(ColliderId id) const {
 const StepReport& World::step(float dt) noexcept {
     StepReport& report = impl_->simulation.report;
     if (dt > 0 && dt <= 1) {
-        impl_->simulation.step(dt);
+        impl_->simulation.parallel.lend([&] { impl_->simulation.step(dt); });
     } else {
         report = {.flags = StepFlags::invalid_dt, .step = report.step};
     }
@@ -240,8 +240,8 @@ std::span<const StageTime> World::profile() const {
     return impl_->simulation.profiler.stages();
 }
 
-void World::start_trace(std::size_t max_events) {
-    impl_->simulation.profiler.start_trace(max_events);
+Result<void> World::start_trace(std::size_t max_events) {
+    return without_exceptions([&] { return impl_->simulation.profiler.start_trace(max_events); });
 }
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
