@@ -58,7 +58,9 @@ class App {
     }
 
     [[nodiscard]] int run() {
-        if (!options_.trace.empty()) simulation_.world().start_trace();
+        if (!options_.trace.empty()) {
+            if (const auto started = simulation_.world().start_trace(); !started) complain(started.error());
+        }
         GLFWwindow* const window = context_.window_handle();
         for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
             if (options_.frames && frame == *options_.frames) break;

@@ -85,7 +85,7 @@ int run_headless(const Options& options, Simulation& simulation) {
         failures.note(Error{made.error().code, "no pictures: " + made.error().message});
     }
 
-    if (!options.trace.empty()) simulation.world().start_trace();
+    if (!options.trace.empty()) failures.note(simulation.world().start_trace());
     const int frames = options.frames.value_or(Options::default_frames);
     FrameTable table;
     Troubles troubles;

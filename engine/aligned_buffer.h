@@ -4,8 +4,10 @@
 // Invariant: behind the last element lie as many of value T{} as fill its group of 16. Kernels that work on
 // groups read and write them, and nobody else does.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -16,14 +18,14 @@ namespace weft {
 
 template <class T>
 class AlignedBuffer {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);
 
   public:
     static constexpr std::size_t alignment = 64;
     static constexpr std::size_t group = 16;
 
     AlignedBuffer() = default;
-    /// `size` elements, all of value T{}.
+    /// `size` elements, all of value T{}. Throws std::bad_alloc where there is no memory for them.
     explicit AlignedBuffer(std::size_t size) : data_(allocate(padded(size))), size_(size) {
         std::uninitialized_fill_n(data_.get(), padded(size), T{});
     }
@@ -41,6 +43,18 @@ class AlignedBuffer {
         return *this;
     }
 
+    AlignedBuffer(const AlignedBuffer& other) : data_(allocate(padded(other.size_))), size_(other.size_) {
+        std::uninitialized_copy_n(other.data(), padded(size_), data());
+    }
+    /// Between buffers of one size nothing is allocated and data() stays. A copy that throws changes nothing.
+    AlignedBuffer& operator=(const AlignedBuffer& other) {
+        if (this == &other) return *this;
+        if (size_ != other.size_) return *this = AlignedBuffer(other);
+        std::copy_n(other.data(), padded(size_), data());
+        return *this;
+    }
+    ~AlignedBuffer() = default;
+
     [[nodiscard]] T* data() noexcept { return data_.get(); }
     [[nodiscard]] const T* data() const noexcept { return data_.get(); }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -51,7 +65,13 @@ class AlignedBuffer {
     [[nodiscard]] std::span<const T> span() const noexcept { return {data(), size_}; }
 
   private:
-    static constexpr std::size_t padded(std::size_t size) { return (size + group - 1) / group * group; }
+    static constexpr std::size_t most =
+        std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // elements that can be named
+
+    static constexpr std::size_t padded(std::size_t size) {
+        if (size > most) throw std::bad_array_new_length();
+        return (size + group - 1) / group * group;
+    }
     static T* allocate(std::size_t count) {
         if (count == 0) return nullptr;
         return static_cast<T*>(::operator new[](count * sizeof(T), std::align_val_t{alignment}));

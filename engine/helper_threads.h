@@ -14,15 +14,21 @@ namespace weft {
 
 class HelperThreads {
   public:
-    explicit HelperThreads(std::shared_ptr<LoopTeam> team, int threads);
+    HelperThreads(std::shared_ptr<LoopTeam> team, int threads, LoopTeam::Duration patience);
     ~HelperThreads();
     HelperThreads(const HelperThreads&) = delete;
     HelperThreads& operator=(const HelperThreads&) = delete;
 
     /// Has the thread of a place, 1 to threads - 1, help.
-    void send(std::uint32_t place) { wanted_[place - 1]->release(); }
+    bool send(std::uint32_t place) noexcept {
+        wanted_[place - 1]->release();
+        return true;
+    }
 
   private:
+    void start(int threads, LoopTeam::Duration patience);
+    void stop() noexcept;
+
     std::shared_ptr<LoopTeam> team_;
     std::atomic<bool> stopping_ = false;
     std::vector<std::unique_ptr<std::binary_semaphore>> wanted_;

@@ -11,9 +11,8 @@ namespace weft {
 
 namespace {
 
-// Of a helper, from one loop to the next: at first it watches, then others may have its core meanwhile, then
-// it leaves.
-constexpr std::chrono::microseconds watching{20}, patience{200};
+// A helper that has waited this long for the next loop lets others have its core.
+constexpr std::chrono::microseconds watching{20};
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -32,9 +31,9 @@ thread_local bool LoopTeam::inside_body_ = false;
 void LoopTeam::begin(const Loop& loop) {
     ++number_;
     Posted& posted = posted_[number_ % 2];
-    posted.block_count.store(loop.block_count, std::memory_order_relaxed);
-    posted.body.store(loop.body, std::memory_order_relaxed);
-    posted.context.store(loop.context, std::memory_order_relaxed);
+    posted.block_count.store(loop.block_count, std::memory_order_release);
+    posted.body.store(loop.body, std::memory_order_release);
+    posted.context.store(loop.context, std::memory_order_release);
     finished_.store(0, std::memory_order_relaxed);
     for (std::uint32_t place = 0; place < width(); ++place) {
         const std::uint64_t first = first_block(place, loop.block_count);
@@ -45,9 +44,9 @@ void LoopTeam::begin(const Loop& loop) {
 
 void LoopTeam::take_blocks(std::uint32_t number, std::uint32_t own_place) {
     const Posted& posted = posted_[number % 2];
-    const std::uint32_t block_count = posted.block_count.load(std::memory_order_relaxed);
-    const Executor::Body body = posted.body.load(std::memory_order_relaxed);
-    void* const context = posted.context.load(std::memory_order_relaxed);
+    const std::uint32_t block_count = posted.block_count.load(std::memory_order_acquire);
+    const Executor::Body body = posted.body.load(std::memory_order_acquire);
+    void* const context = posted.context.load(std::memory_order_acquire);
     std::uint32_t taken = 0;
     for (std::uint32_t k = 0; k < width(); ++k) {
         const std::uint32_t place = (own_place + k) % width(), end = first_block(place + 1, block_count);
@@ -75,7 +74,7 @@ void LoopTeam::await_end(std::uint32_t block_count) const {
     }
 }
 
-void LoopTeam::help(std::uint32_t place) {
+void LoopTeam::help(std::uint32_t place, Duration patience) {
     using Clock = std::chrono::steady_clock;
     std::uint32_t seen = 0;
     Clock::time_point last = Clock::now();

@@ -3,6 +3,7 @@
 // instead of being sent for, so that a loop costs a fraction of a microsecond.
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -14,11 +15,14 @@ namespace weft {
 /// helper that has not begun a block, so helpers may come late, leave, or never come.
 class LoopTeam {
   public:
+    using Duration = std::chrono::steady_clock::duration;
+
     /// `width` >= 2 threads, the runner's among them, which has place 0.
     explicit LoopTeam(std::uint32_t width) : places_(width) {}
 
     /// Runs all blocks. From within a body: on the calling thread. `send(place)` is called for each helper
-    /// that the loop can use and that is not there: it shall have some thread call help(place), soon.
+    /// that the loop can use and that is not there: it has some thread call help(place) soon and returns
+    /// true, or false if none can come.
     template <class Send>
     void run(std::uint32_t block_count, Executor::Body body, void* context, const Send& send) {
         if (inside_body_) {
@@ -31,16 +35,18 @@ class LoopTeam {
             std::atomic<bool>& is_taken = places_[place].is_taken;  // set by this thread alone
             if (is_taken.load(std::memory_order_acquire)) continue;
             is_taken.store(true, std::memory_order_relaxed);
-            send(place);
+            if (!send(place)) is_taken.store(false, std::memory_order_relaxed);
         }
         take_blocks(number_, 0);
         await_end(block_count);
     }
 
-    /// Takes blocks of loop after loop, until none has begun for a while, or close().
-    void help(std::uint32_t place);
+    /// Takes blocks of loop after loop, until close(), or until none has begun for longer than `patience`.
+    void help(std::uint32_t place, Duration patience);
     /// Helpers leave, and those that come later leave at once.
     void close() { is_closed_.store(true, std::memory_order_relaxed); }
+    /// Takes close() back. Precondition: all helpers have left.
+    void open() { is_closed_.store(false, std::memory_order_relaxed); }
 
   private:
     struct Loop {
@@ -54,8 +60,8 @@ class LoopTeam {
         std::atomic<std::uint64_t> next = 0;  // number of the loop << 32 | next of the place's blocks
         std::atomic<bool> is_taken = false;
     };
-    /// Of the loop in work, by parity of its number. Atomic, since a helper that comes too late may read one
-    /// while the next but one is written; it finds out before it takes a block.
+    /// Of the loop in work, by parity of its number. A helper that comes too late may read one while the next
+    /// but one is written. It then finds another loop's tags at all places: these were written before.
     struct Posted {
         std::atomic<std::uint32_t> block_count;
         std::atomic<Executor::Body> body;

@@ -1,15 +1,19 @@
 #include "engine/parallel_blocks.h"
 
+#include <algorithm>
 #include <chrono>
+#include <new>
 #include <thread>
 #include <utility>
 
+#include "engine/host_team.h"
 #include "engine/loop_team.h"
 #include "engine/tracy_zones.h"
 
 #ifdef WEFT_STD_THREADS
 #include "engine/helper_threads.h"
 #else
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -17,12 +21,22 @@ namespace weft {
 
 namespace {
 
+constexpr int max_threads = 256;
+
+// Of a helper that waits for the next loop. Between steps it leaves, so that oneTBB's threads can sleep.
+constexpr std::chrono::microseconds patience{200};
+
 #ifdef WEFT_STD_THREADS
 using Helpers = HelperThreads;
+
+int available_threads() {
+    return max_threads;
+}
 #else
 class Helpers {
   public:
-    Helpers(std::shared_ptr<LoopTeam> team, int threads) : team_(std::move(team)), arena_(threads) {
+    Helpers(std::shared_ptr<LoopTeam> team, int threads, LoopTeam::Duration waiting)
+        : team_(std::move(team)), waiting_(waiting), arena_(threads) {
         arena_.initialize();
     }
     // Late helpers leave at once, but oneTBB has to start them first: a task that never ran would be lost
@@ -36,14 +50,27 @@ class Helpers {
     Helpers(const Helpers&) = delete;
     Helpers& operator=(const Helpers&) = delete;
 
-    void send(std::uint32_t place) {
-        arena_.enqueue([team = team_, place] { team->help(place); });
+    bool send(std::uint32_t place) noexcept {
+        try {
+            arena_.enqueue([team = team_, place, waiting = waiting_] { team->help(place, waiting); });
+        } catch (const std::bad_alloc&) {
+            return false;
+        }
+        return true;
     }
 
   private:
     std::shared_ptr<LoopTeam> team_;
+    LoopTeam::Duration waiting_;
     tbb::task_arena arena_;
 };
+
+// Asked for more than it allows, oneTBB starts none of them and says so on standard error.
+int available_threads() {
+    using tbb::global_control;
+    return static_cast<int>(std::min<std::size_t>(
+        global_control::active_value(global_control::max_allowed_parallelism), max_threads));
+}
 #endif
 
 }  // namespace
@@ -51,11 +78,12 @@ class Helpers {
 class Parallel::Arena {
   public:
     explicit Arena(int threads)
-        : team_(std::make_shared<LoopTeam>(static_cast<std::uint32_t>(threads))), helpers_(team_, threads) {}
+        : team_(std::make_shared<LoopTeam>(static_cast<std::uint32_t>(threads))),
+          helpers_(team_, threads, patience) {}
     ~Arena() { team_->close(); }
 
     void run(std::uint32_t block_count, Executor::Body body, void* context) {
-        team_->run(block_count, body, context, [this](std::uint32_t place) { helpers_.send(place); });
+        team_->run(block_count, body, context, [this](std::uint32_t place) { return helpers_.send(place); });
     }
 
   private:
@@ -63,20 +91,25 @@ class Parallel::Arena {
     Helpers helpers_;
 };
 
-Parallel::Parallel(int threads) {
-    executor_.width = threads;
-    if (threads == 1) return;
-    arena_ = std::make_unique<Arena>(threads);
-    executor_.user = arena_.get();
-    executor_.run = [](void* arena, std::uint32_t block_count, Executor::Body body, void* context) {
-        static_cast<Arena*>(arena)->run(block_count, body, context);
-    };
+Parallel::Parallel(int threads) : width_(std::min(threads, available_threads())) {
+    if (width_ > 1) arena_ = std::make_unique<Arena>(width_);
+}
+
+Parallel::Parallel(const Executor& executor) : width_(executor.width) {
+    if (width_ > 1) host_ = std::make_unique<HostTeam>(executor);
+}
+
+void Parallel::lend(void (*step)(void* context), void* context) noexcept {
+    if (host_ && !host_->is_lent())
+        host_->lend(step, context);
+    else
+        step(context);
 }
 
 void Parallel::run(std::uint32_t block_count, Executor::Body body, void* context) {
     TraceLog* const log = log_ != nullptr && log_->is_on() ? log_ : nullptr;
     if (log == nullptr && !with_tracy) {
-        executor_.run(executor_.user, block_count, body, context);
+        spread(block_count, body, context);
         return;
     }
     struct Traced {
@@ -86,8 +119,8 @@ void Parallel::run(std::uint32_t block_count, Executor::Body body, void* context
         Executor::Body body;
         void* context;
     } traced{log, TraceLog::new_loop(), NamedActivity::current(), body, context};
-    executor_.run(
-        executor_.user, block_count,
+    spread(
+        block_count,
         [](void* of, std::uint32_t block) noexcept {
             const Traced& loop = *static_cast<const Traced*>(of);
             const TracyZone zone(loop.name);
@@ -99,7 +132,12 @@ void Parallel::run(std::uint32_t block_count, Executor::Body body, void* context
         &traced);
 }
 
-Parallel::Parallel(const Executor& executor) : executor_(executor) {}
+void Parallel::spread(std::uint32_t block_count, Executor::Body body, void* context) {
+    if (arena_)
+        arena_->run(block_count, body, context);
+    else
+        host_->run(block_count, body, context);
+}
 
 Parallel::~Parallel() = default;
 Parallel::Parallel(Parallel&&) noexcept = default;

@@ -16,6 +16,8 @@
 
 namespace weft {
 
+class HostTeam;
+
 /// Elements per block. 256 particles of 16 bytes are 4 KiB of each buffer: small enough to balance 4 000
 /// particles over 8 threads, large enough to hide the cost of handing a block out.
 inline constexpr std::uint32_t block_size = 256;
@@ -31,26 +33,35 @@ struct BlockRange {
 
 class Parallel {
   public:
-    /// A oneTBB arena of `threads` threads, the caller's among them; 1 runs everything on the caller's
-    /// thread. Precondition: 1 <= threads <= 256.
+    /// A oneTBB arena of `threads` threads, the caller's among them, or of as many as oneTBB has: one per
+    /// core, unless the host has set another limit. One thread runs everything on the caller's. Precondition:
+    /// 1 <= threads <= 256.
     explicit Parallel(int threads);
-    /// The host's threads. Precondition: executor.run is set, 1 <= executor.width <= 256.
+    /// The host's threads, which run loops within lend() only. Precondition: executor.run is set,
+    /// 1 <= executor.width <= 256.
     explicit Parallel(const Executor& executor);
     ~Parallel();
     Parallel(Parallel&&) noexcept;
     Parallel& operator=(Parallel&&) noexcept;
 
     /// Threads that work is spread over: for sizing partitions whose cut cannot show in a result.
-    [[nodiscard]] int width() const noexcept { return executor_.width; }
+    [[nodiscard]] int width() const noexcept { return width_; }
 
     /// While `log` is on, keeps there which thread ran blocks when, under the NamedActivity of the thread
     /// that began the loop. Null: no more. The log must outlive the loops.
     void trace_to(TraceLog* log) noexcept { log_ = log; }
 
+    /// Runs step(). A host's executor is called for it, once: the step runs on one of its threads, and its
+    /// loops on all of them. A lend() within a step is a part of that step. Neither may throw.
+    template <class Step>
+    void lend(const Step& step) noexcept {
+        lend([](void* context) { (*static_cast<const Step*>(context))(); }, const_cast<Step*>(&step));
+    }
+
     /// body(block) for every block in [0, count). Bodies must not throw.
     template <class Body>
     void blocks(std::uint32_t count, const Body& body) {
-        if (count <= 1 || executor_.width == 1) {
+        if (count <= 1 || width_ == 1) {
             for (std::uint32_t block = 0; block < count; ++block) body(block);
             return;
         }
@@ -81,10 +92,13 @@ class Parallel {
   private:
     class Arena;
 
+    void lend(void (*step)(void* context), void* context) noexcept;
     void run(std::uint32_t block_count, Executor::Body body, void* context);
+    void spread(std::uint32_t block_count, Executor::Body body, void* context);
 
-    std::unique_ptr<Arena> arena_;  // null when the host brought its own threads, or for one thread
-    Executor executor_;
+    int width_ = 1;
+    std::unique_ptr<Arena> arena_;  // one of the two, unless one thread does all
+    std::unique_ptr<HostTeam> host_;
     TraceLog* log_ = nullptr;
 };
 

@@ -79,8 +79,8 @@ StageTime Profiler::summary(const Row& row) const {
     return time;
 }
 
-void Profiler::start_trace(std::size_t max_events) {
-    trace_.start(max_events);
+Result<void> Profiler::start_trace(std::size_t max_events) {
+    return trace_.start(max_events);
 }
 
 Result<void> Profiler::write_trace(const std::filesystem::path& file) const {

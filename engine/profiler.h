@@ -62,7 +62,8 @@ class Profiler {
     [[nodiscard]] float last_step_ms() const noexcept { return rows_[stage_count_].last; }
 
     /// Keeps every scope and the blocks of parallel loops from here on, up to `max_events`, for write_trace.
-    void start_trace(std::size_t max_events);
+    /// Errors: those of TraceLog::start.
+    Result<void> start_trace(std::size_t max_events);
     /// For the loops that run in this profiler's stages.
     [[nodiscard]] TraceLog& trace() noexcept { return trace_; }
     /// Writes the kept scopes in Chrome's trace event format, which Perfetto and chrome://tracing open.

@@ -1,6 +1,7 @@
 #pragma once
 // Objects named by generation-checked ids: an id outlives its object without ever reaching another one.
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,15 +10,35 @@
 
 namespace weft {
 
-/// `Id` is an aggregate {std::uint32_t index, generation}; all-zero is null, so generations start at 1.
+/// Where a map's generations start: another number at each call in this process, never 0. Any n numbers in a
+/// row, n up to 2^15, lie at least 2^32 / (3 n) apart: they are the multiples of the golden ratio.
+[[nodiscard]] inline std::uint32_t new_first_generation() noexcept {
+    static std::atomic<std::uint32_t> calls = 0;
+    constexpr std::uint32_t golden_ratio = 0x9E3779B9u;  // its fraction times 2^32 (Knuth 1973, section 6.4)
+    std::uint32_t first = 0;
+    while (first == 0) first = golden_ratio * ++calls;
+    return first;
+}
+
+/// `Id` is an aggregate {index, generation} of unsigned numbers; all-zero is null, so no generation is 0.
 /// Iteration visits live objects in index order. insert() may move the objects; ids stay, pointers do not.
+///
+/// A slot's generations count up from `first_generation`, with 1 after the largest, until all are used up.
+/// Two maps refuse each other's ids until a slot has been reused as often as their first generations lie
+/// apart.
 template <class Id, class T>
 class SlotMap {
   public:
+    using Generation = decltype(Id::generation);
+
+    /// Precondition: first_generation is not 0.
+    explicit SlotMap(Generation first_generation = 1) : first_generation_(first_generation) {}
+
     Id insert(T value) {
         if (free_.empty()) {
-            free_.reserve(slots_.size() + 1);  // so that erase never allocates
-            slots_.emplace_back();
+            if (free_.capacity() <= slots_.size())
+                free_.reserve(2 * slots_.size() + 1);  // so that erase never allocates
+            slots_.push_back({first_generation_, std::nullopt});
             free_.push_back(static_cast<std::uint32_t>(slots_.size() - 1));
         }
         const std::uint32_t index = free_.back();
@@ -39,7 +60,8 @@ class SlotMap {
         slot.value.reset();
         // A slot whose generations are used up is never handed out again: its first id would come back to
         // life.
-        if (++slot.generation != 0)
+        if (++slot.generation == 0) slot.generation = 1;
+        if (slot.generation != first_generation_)
             free_.push_back(id.index);
         else
             ++retired_;
@@ -61,7 +83,7 @@ class SlotMap {
 
   private:
     struct Slot {
-        std::uint32_t generation = 1;
+        Generation generation;
         std::optional<T> value;
     };
 
@@ -70,6 +92,7 @@ class SlotMap {
                slots_[id.index].generation == id.generation;
     }
 
+    Generation first_generation_;
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> free_;
     std::size_t retired_ = 0;

@@ -1,6 +1,8 @@
 #include "engine/trace_log.h"
 
 #include <algorithm>
+#include <new>
+#include <string>
 #include <utility>
 
 namespace weft {
@@ -17,9 +19,18 @@ std::uint32_t thread_number() noexcept {
     return number;
 }
 
-void TraceLog::start(std::size_t max_events) {
-    events_.assign(max_events, {});
+Result<void> TraceLog::start(std::size_t max_events) {
+    if (max_events < 1 || max_events > most_events)
+        return Error{ErrorCode::invalid_argument, "max_events is " + std::to_string(max_events) +
+                                                      "; it must be 1 to " + std::to_string(most_events)};
+    try {
+        events_ = std::vector<TraceEvent>(max_events);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_memory,
+                     "no memory for " + std::to_string(max_events) + " events of a trace; ask for fewer"};
+    }
     appended_ = 0;
+    return {};
 }
 
 TraceEvent* TraceLog::append(const TraceEvent& event) noexcept {

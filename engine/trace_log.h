@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "weft/error.h"
+
 namespace weft {
 
 /// Something that ran from `begin` to `end` on one thread.
@@ -24,9 +26,12 @@ class TraceLog {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
+    static constexpr std::size_t most_events = std::size_t{1} << 26;
+
     /// Forgets what it holds and keeps up to `max_events` from here on; what comes later is dropped.
-    /// Allocates; nothing may be added meanwhile.
-    void start(std::size_t max_events);
+    /// Allocates; nothing may be added meanwhile. Error, which leaves the log as it was: max_events beyond
+    /// [1, most_events], or no memory.
+    Result<void> start(std::size_t max_events);
     [[nodiscard]] bool is_on() const noexcept { return !events_.empty(); }
 
     void add(const char* name, Time begin, Time end) noexcept;

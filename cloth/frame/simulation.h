@@ -55,8 +55,8 @@ struct Simulation {
     WorldSettings settings;
     Parallel parallel;
     Profiler profiler;
-    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths;
-    WorldState state;
+    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
+    WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     std::unique_ptr<Meeting> meeting;  ///< null: cloths do not meet
     StepReport report;
 

@@ -262,7 +262,7 @@ Result<Collider> World::collider(ColliderId id) const {
 const StepReport& World::step(float dt) noexcept {
     StepReport& report = impl_->simulation.report;
     if (dt > 0 && dt <= 1) {
-        impl_->simulation.step(dt);
+        impl_->simulation.parallel.lend([&] { impl_->simulation.step(dt); });
     } else {
         report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
     }
@@ -277,8 +277,8 @@ std::span<const StageTime> World::profile() const {
     return impl_->simulation.profiler.stages();
 }
 
-void World::start_trace(std::size_t max_events) {
-    impl_->simulation.profiler.start_trace(max_events);
+Result<void> World::start_trace(std::size_t max_events) {
+    return without_exceptions([&] { return impl_->simulation.profiler.start_trace(max_events); });
 }
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
@@ -287,9 +287,7 @@ Result<void> World::write_trace(const std::filesystem::path& file) const {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
-    const auto add = [&]<class T, std::size_t size>(std::span<T, size> part) {
-        hash.add(std::span<const T>(part));
-    };
+    const auto add = [&](auto part) { hash.add(part); };
     for_each_part(std::as_const(impl_->simulation.state), add);
     impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
         for_each_part(std::as_const(cloth->state), add);

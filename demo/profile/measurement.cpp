@@ -88,7 +88,7 @@ Result<void> trace(const ProfileOptions& options) {
     auto simulation = build_simulation(options);
     if (!simulation) return simulation.error();
     warm_up(options, *simulation);
-    simulation->world().start_trace();
+    if (auto started = simulation->world().start_trace(); !started) return started;
     for (int frame = 0; frame < std::min(options.frames, traced_frames); ++frame)
         simulation->step(frame_seconds);
     return simulation->world().write_trace(options.trace);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <numeric>
+
 #include "weft/types.h"
 
 namespace weft {
@@ -38,6 +43,57 @@ TEST(AlignedBuffer, IsEmptyOnceMovedFrom) {
     AlignedBuffer<int> from(5);
     const AlignedBuffer<int> to = std::move(from);
     EXPECT_TRUE(from.span().empty());  // NOLINT(bugprone-use-after-move): what is left is the subject
+}
+
+TEST(AlignedBuffer, CopiesShareNothing) {
+    for (const std::size_t size : {0u, 1u, 16u, 37u}) {
+        AlignedBuffer<int> from(size);
+        std::iota(from.span().begin(), from.span().end(), 1);
+        AlignedBuffer<int> copy = from;
+        ASSERT_EQ(copy.size(), size);
+        EXPECT_TRUE(std::ranges::equal(copy.span(), from.span()));
+        EXPECT_EQ(copy.bytes(), from.bytes());
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(copy.data()) % 64, 0u);
+        for (int& x : copy.span()) x = -1;
+        EXPECT_EQ(std::ranges::count(from.span(), -1), 0);
+        EXPECT_EQ(std::count(copy.data() + size, copy.data() + copy.bytes() / sizeof(int), 0),
+                  static_cast<std::ptrdiff_t>(copy.bytes() / sizeof(int) - size))
+            << "what fills the last group";
+    }
+}
+
+TEST(AlignedBuffer, IsAssignedAnySize) {
+    for (const std::size_t before : {0u, 5u, 37u}) {
+        for (const std::size_t after : {0u, 5u, 36u, 1000u}) {
+            AlignedBuffer<int> from(after), to(before);
+            std::iota(from.span().begin(), from.span().end(), 1);
+            const int* const memory = to.data();
+            to = from;
+            EXPECT_TRUE(std::ranges::equal(to.span(), from.span())) << before << " to " << after;
+            EXPECT_EQ(to.data() == memory, before == after) << "memory is kept where the size is";
+        }
+    }
+}
+
+TEST(AlignedBuffer, MayBeAssignedToItself) {
+    AlignedBuffer<int> buffer(5);
+    buffer[4] = 7;
+    AlignedBuffer<int>& same = buffer;
+    buffer = same;
+    ASSERT_EQ(buffer.size(), 5u);
+    EXPECT_EQ(buffer[4], 7);
+    buffer = std::move(same);
+    ASSERT_EQ(buffer.size(), 5u);
+    EXPECT_EQ(buffer[4], 7);
+}
+
+// Sizes whose bytes, or whose whole groups, are more than a size_t holds must not become small ones.
+TEST(AlignedBuffer, OfMoreThanThereCanBeIsRefused) {
+    constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
+    for (const std::size_t size : {largest, largest - 14, largest / 16 + 1, largest / 16 + 2, largest / 32})
+        EXPECT_THROW(AlignedBuffer<Vec4>{size}, std::bad_alloc) << size;
+    EXPECT_THROW(AlignedBuffer<char>{largest}, std::bad_alloc);
+    EXPECT_THROW(AlignedBuffer<char>{largest - 14}, std::bad_alloc);
 }
 
 }  // namespace

@@ -31,14 +31,17 @@ class Loops {
             const_cast<Body*>(&body),
             [&](std::uint32_t place) {
                 ++sent_;
-                if (!has_helpers_) return;
+                if (!has_helpers_) return true;
                 if (threads_[place].joinable()) threads_[place].join();  // it has left
-                threads_[place] = std::thread([this, place] { team_.help(place); });
+                threads_[place] = std::thread([this, place] { team_.help(place, patience); });
+                return true;
             });
     }
     [[nodiscard]] int sent() const { return sent_; }
 
   private:
+    static constexpr std::chrono::microseconds patience{200};
+
     LoopTeam team_;
     bool has_helpers_;
     std::vector<std::thread> threads_;  // by place
@@ -92,6 +95,21 @@ TEST(LoopTeam, HelpersThatLeftAreSentForAgain) {
         loops.run(2, [](std::uint32_t) {});
     }
     EXPECT_EQ(loops.sent(), 2);
+}
+
+TEST(LoopTeam, SendsAgainForAHelperThatCouldNotBeHad) {
+    LoopTeam team(2);
+    int sent = 0, visits = 0;
+    for (int loop = 0; loop < 3; ++loop) {
+        team.run(
+            5, [](void* count, std::uint32_t) noexcept { ++*static_cast<int*>(count); }, &visits,
+            [&](std::uint32_t) {
+                ++sent;
+                return false;
+            });
+    }
+    EXPECT_EQ(sent, 3);
+    EXPECT_EQ(visits, 15);
 }
 
 TEST(LoopTeam, RunsALoopWithinABodyOnItsThread) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -81,7 +82,7 @@ TEST(Profiler, PutsPartsBelowTheirStage) {
 TEST(Profiler, AddsUpWhatSeveralThreadsDoAtOnce) {
     constexpr int threads = 4, runs = 500;
     Profiler profiler(two_stages);
-    profiler.start_trace(threads * runs);
+    ASSERT_TRUE(profiler.start_trace(threads * runs).ok());
     profiler.begin_step();
     {
         std::vector<std::jthread> workers;
@@ -172,7 +173,7 @@ class Trace : public testing::Test {
 
 TEST_F(Trace, HoldsEveryScopeInsideItsStep) {
     Profiler profiler(two_stages);
-    profiler.start_trace(100);
+    ASSERT_TRUE(profiler.start_trace(100).ok());
     for (int step = 0; step < 5; ++step) {
         profiler.begin_step();
         { const auto scope = profiler.time(forces); }
@@ -224,7 +225,7 @@ TEST_F(Trace, HasATrackPerThreadWhoseEventsNest) {
     Profiler profiler(two_stages);
     Parallel parallel(3);
     parallel.trace_to(&profiler.trace());
-    profiler.start_trace(10'000);
+    ASSERT_TRUE(profiler.start_trace(10'000).ok());
     const auto work = [](std::uint32_t) { spin(std::chrono::microseconds(5)); };
     for (int step = 0; step < 20; ++step) {
         profiler.begin_step();
@@ -261,14 +262,14 @@ TEST_F(Trace, HoldsNoBlocksOfALoopThatIsNotTracedAnyMore) {
     Parallel parallel(2);
     parallel.trace_to(&profiler.trace());
     parallel.trace_to(nullptr);
-    profiler.start_trace(100);
+    ASSERT_TRUE(profiler.start_trace(100).ok());
     parallel.blocks(16, [](std::uint32_t) {});
     EXPECT_EQ(profiler.trace().events().size(), 0u);
 }
 
 TEST_F(Trace, NamesItsProcessAndThread) {
     Profiler profiler(two_stages);
-    profiler.start_trace(2);
+    ASSERT_TRUE(profiler.start_trace(2).ok());
     run_step(profiler);
     const auto events = written(profiler);
     ASSERT_EQ(events.size(), 4u);
@@ -280,18 +281,35 @@ TEST_F(Trace, NamesItsProcessAndThread) {
 
 TEST_F(Trace, StopsWhenItIsFull) {
     Profiler profiler(two_stages);
-    profiler.start_trace(7);
+    ASSERT_TRUE(profiler.start_trace(7).ok());
     for (int step = 0; step < 10; ++step) run_step(profiler);
     EXPECT_EQ(complete_events(written(profiler)).size(), 7u);
 }
 
 TEST_F(Trace, StartsAfreshWhenStartedAgain) {
     Profiler profiler(two_stages);
-    profiler.start_trace(100);
+    ASSERT_TRUE(profiler.start_trace(100).ok());
     run_step(profiler);
-    profiler.start_trace(100);
+    ASSERT_TRUE(profiler.start_trace(100).ok());
     run_step(profiler);
     EXPECT_EQ(complete_events(written(profiler)).size(), 2u);
+}
+
+TEST_F(Trace, RefusesMoreEventsThanItsLimitAndKeepsWhatItHas) {
+    Profiler profiler(two_stages);
+    ASSERT_TRUE(profiler.start_trace(100).ok());
+    run_step(profiler);
+    constexpr std::size_t limit = std::size_t{1} << 26;
+    for (const std::size_t max_events :
+         {std::size_t{0}, limit + 1, std::size_t{1} << 63, std::numeric_limits<std::size_t>::max()}) {
+        const auto result = profiler.start_trace(max_events);
+        ASSERT_FALSE(result.ok()) << max_events;
+        EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
+        EXPECT_EQ(result.error().message,
+                  "max_events is " + std::to_string(max_events) + "; it must be 1 to 67108864");
+    }
+    run_step(profiler);
+    EXPECT_EQ(complete_events(written(profiler)).size(), 4u);
 }
 
 TEST_F(Trace, SaysThatItWasNotStarted) {
@@ -304,7 +322,7 @@ TEST_F(Trace, SaysThatItWasNotStarted) {
 
 TEST_F(Trace, NamesTheFileThatCannotBeWritten) {
     Profiler profiler(two_stages);
-    profiler.start_trace(1);
+    ASSERT_TRUE(profiler.start_trace(1).ok());
     const auto result = profiler.write_trace("/no/such/folder/trace.json");
     ASSERT_FALSE(result.ok());
     EXPECT_NE(result.error().message.find("/no/such/folder/trace.json"), std::string::npos);

@@ -5,7 +5,9 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace weft {
 namespace {
@@ -105,6 +107,85 @@ TEST(SlotMap, AgreesWithADictionaryOverRandomUse) {
         ASSERT_EQ(found != nullptr, expected != live.end());
         ASSERT_TRUE(!found || *found == expected->second);
         ASSERT_EQ(map.size(), live.size());
+    }
+}
+
+TEST(SlotMap, FirstGenerationsLieFarApart) {
+    std::set<std::uint32_t> firsts;
+    constexpr std::uint32_t maps = 1000;
+    while (firsts.size() < maps) {
+        const std::uint32_t first = new_first_generation();
+        ASSERT_NE(first, 0u);
+        ASSERT_TRUE(firsts.insert(first).second);
+    }
+    std::uint32_t last = *firsts.rbegin();
+    for (const std::uint32_t first : firsts) {
+        EXPECT_GE(first - last, 0xFFFFFFFFu / (3 * maps));  // the last of all stands before the first
+        last = first;
+    }
+}
+
+TEST(SlotMap, RefusesTheIdsOfAnotherMap) {
+    std::mt19937 random(5);
+    std::vector<Map> maps;
+    for (int i = 0; i < 8; ++i) maps.emplace_back(new_first_generation());
+    std::vector<std::vector<Id>> given(maps.size());
+    for (int i = 0; i < 8000; ++i) {
+        const std::size_t m = random() % maps.size();
+        if (given[m].empty() || random() % 3 > 0)
+            given[m].push_back(maps[m].insert("x"));
+        else
+            maps[m].erase(given[m][random() % given[m].size()]);
+    }
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        for (std::size_t other = 0; other < maps.size(); ++other) {
+            if (other == m) continue;
+            const std::size_t size = maps[m].size();
+            for (const Id id : given[other]) {
+                ASSERT_EQ(maps[m].find(id), nullptr);
+                ASSERT_FALSE(maps[m].erase(id));
+            }
+            ASSERT_EQ(maps[m].size(), size);
+        }
+    }
+}
+
+// Ids of a byte, so that all generations can be used: each once, and then the slot never again.
+TEST(SlotMap, RetiresASlotWhoseGenerationsAreUsedUp) {
+    struct SmallId {
+        std::uint32_t index = 0;
+        std::uint8_t generation = 0;
+    };
+    for (const int first : {1, 2, 100, 255}) {
+        SlotMap<SmallId, int> map(static_cast<std::uint8_t>(first));
+        std::set<int> used;
+        for (int life = 0; life < 255; ++life) {
+            const SmallId id = map.insert(life);
+            ASSERT_EQ(id.index, 0u);
+            ASSERT_NE(id.generation, 0);
+            ASSERT_TRUE(used.insert(id.generation).second);
+            ASSERT_TRUE(map.erase(id));
+        }
+        EXPECT_EQ(map.size(), 0u);
+        EXPECT_EQ(map.insert(0).index, 1u);
+        EXPECT_EQ(map.size(), 1u);
+        for (const int generation : used)
+            EXPECT_EQ(map.find({0, static_cast<std::uint8_t>(generation)}), nullptr);
+    }
+}
+
+// A map that starts three before the largest number: its second life goes on from 1, and null stays null.
+TEST(SlotMap, GoesOnFromOneAfterTheLargestGeneration) {
+    Map map(0xFFFFFFFDu);
+    const std::uint32_t expected[] = {0xFFFFFFFDu, 0xFFFFFFFEu, 0xFFFFFFFFu, 1, 2};
+    std::vector<Id> stale;
+    for (const std::uint32_t generation : expected) {
+        const Id id = map.insert("x");
+        EXPECT_EQ(id, (Id{0, generation}));
+        for (const Id old : stale) EXPECT_EQ(map.find(old), nullptr);
+        EXPECT_EQ(map.find(Id{}), nullptr);
+        EXPECT_TRUE(map.erase(id));
+        stale.push_back(id);
     }
 }
 

@@ -17,16 +17,16 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clo
 /// not. Vertices at the same position (split for a renderer at texture seams, say) are welded into one
 /// particle.
 struct Mesh {
-    std::vector<Vec3> positions;  ///< where the cloth starts [m], one per vertex
-    std::vector<Triangle> triangles;
+    std::vector<Vec3> positions{};  ///< where the cloth starts [m], one per vertex
+    std::vector<Triangle> triangles{};
 
     /// Optional: the flat pattern that is the rest shape, one point per vertex [m] (at a seam the two panels'
     /// vertices lie at one position in space and at two places of the pattern). Empty: the mesh itself is the
     /// rest shape.
-    std::vector<Vec2> pattern;
+    std::vector<Vec2> pattern{};
 
     /// Optional: texture coordinates, one per vertex, for renderers. Weft only carries them.
-    std::vector<Vec2> texcoords;
+    std::vector<Vec2> texcoords{};
 
     /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], and springs run along
     /// the threads (structural, shear, bend). 0: a general mesh, with springs on edges and across shared

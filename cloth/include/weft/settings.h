@@ -41,16 +41,16 @@ struct Tethers {
 
 /// One cloth. All of it can be changed between steps.
 struct ClothSettings {
-    Fabric fabric;
-    FiniteElements finite_elements;
-    Method method;  ///< Multilevel unless another is set
+    Fabric fabric{};
+    FiniteElements finite_elements{};
+    Method method{};  ///< Multilevel unless another is set
     TimeScheme time_scheme = TimeScheme::backward_euler;
     /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for the default;
     /// methods that are not implicit meet colliders after their step, and want 4 and more where cloth lies
     /// on them.
     int substeps = 1;
-    Tethers tethers;
-    SelfCollision self_collision;
+    Tethers tethers{};
+    SelfCollision self_collision{};
     float air_damping = 0.2f;  ///< rate at which velocity decays [1/s], >= 0
     float thickness = 0.005f;  ///< distance kept from colliders [m], >= 0
     float friction = 1.0f;     ///< multiplies the colliders' friction, >= 0
@@ -58,7 +58,7 @@ struct ClothSettings {
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.
 struct Wind {
-    Vec3 velocity;             ///< mean velocity [m/s]
+    Vec3 velocity{};           ///< mean velocity [m/s]
     float gust = 0;            ///< strength of the gusts relative to the mean speed, >= 0; 0.3 is a gusty day
     float gust_length = 0.8f;  ///< size of an eddy [m], > 0
     float air_density = 1.2f;  ///< [kg/m^3], >= 0; 0 switches all air forces on triangles off, at no cost
@@ -69,14 +69,14 @@ struct Wind {
 
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2]
-    Wind wind;
+    Wind wind{};
     /// No particle is faster after any stage of a step [m/s], > 0: a pin or a collider that jumps cannot
     /// shoot the cloth off.
     float max_speed = 100.0f;
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
     int threads = 0;
-    Executor executor;  ///< the host's own threads instead, where `run` is set
+    Executor executor{};  ///< the host's own threads instead, where `run` is set
 };
 
 }  // namespace weft

@@ -113,8 +113,8 @@ class World {
     /// computed by this call.
     [[nodiscard]] std::span<const StageTime> profile() const;
     /// Keeps from here on when stages and blocks of parallel loops ran on which thread, up to `max_events`
-    /// (40 bytes each), for write_trace.
-    void start_trace(std::size_t max_events = 1u << 20);
+    /// (40 bytes each; 1 to 2^26), for write_trace. An error leaves the trace as it was.
+    Result<void> start_trace(std::size_t max_events = 1u << 20);
     /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
 
