@@ -17,28 +17,11 @@ MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings
       vectors_(model.particle_count),
       partials_(block_count(model.particle_count)) {}
 
-// Levels depend on the mesh and on how stiff its springs are against each other, which a step at rest tells.
 void MultilevelSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
                                std::span<const Vec4> positions) {
-    if (!multigrid_) {
-        Parallel serial(1);
-        const AlignedBuffer<Vec4> at_rest(model.particle_count);
-        AlignedBuffer<Vec4> free(model.particle_count);
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            const float mass = settings.fabric.areal_density * model.rest_area[i];
-            free[i] = to_vec4(xyz(model.positions[i]), mass > 0 ? 1.0f / mass : 0.0f);
-        }
-        const StepEquation equation{.settings = settings,
-                                    .h = 1.0f / 60,
-                                    .gamma = 1.0f / 60,
-                                    .positions = free.span(),
-                                    .velocities = at_rest.span(),
-                                    .base_positions = free.span(),
-                                    .base_velocities = at_rest.span(),
-                                    .external = {}};
-        system_->linearise(serial, equation, at_rest.span(), LinearisedAbout::base);
-        multigrid_ = std::make_unique<Multigrid>(serial, *system_, free.span());
-    }
+    const LevelsKey key = levels_key(settings);
+    if (!multigrid_ || levels_key_ != key) multigrid_ = make_levels(model, key, *system_);
+    levels_key_ = key;
     multigrid_->set_pins(positions);
 }
 

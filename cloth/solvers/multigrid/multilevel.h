@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
+#include "cloth/solvers/multigrid/levels.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/system/implicit_system.h"
@@ -27,6 +28,7 @@ class MultilevelSolver final : public Solver {
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
     std::unique_ptr<ImplicitSystem> system_;
+    LevelsKey levels_key_;
     std::unique_ptr<Multigrid> multigrid_;  // made by the first prepare
     AlignedBuffer<Vec4> velocities_;        // the iterate
     CgVectors vectors_;
