@@ -109,7 +109,7 @@ void hold(const NamedMethod& method, std::uint32_t side, bool grid) {
         for (std::size_t k = 0; step < 3 && k < all.size(); ++k) {
             for (const std::uint32_t pin : all[k].pins) {
                 const Vector3 moved = to_vector(mesh.positions[pin]) +
-                                      method.h * static_cast<float>(step + 1) * Vector3(0.1f, 0.2f, -0.3f);
+                                      method.h * static_cast<float>(step + 1) * Vector3(0.03f, 0.06f, -0.09f);
                 targets[pin] = to_vec3(moved);
                 ASSERT_TRUE(world.move_pin(cloths[k], pin, targets[pin]));
             }

@@ -86,7 +86,7 @@ float MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) 
         rho = new_rho;
         scale_and_add(parallel, 1.0f, preconditioned.span(), static_cast<float>(beta), direction.span());
         const Products along = system_->multiply(parallel, residual.span(), direction.span(), product.span());
-        if (!(along.x_wx > 0)) break;
+        if (!(along.x_wx > 0 && along.b_x > 0)) break;  // solved to rounding
         const double slope = along.b_x, length = slope / along.x_wx;
         std::swap(residual, product);
         move(length);
