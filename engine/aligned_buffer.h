@@ -30,11 +30,6 @@ class AlignedBuffer {
         std::uninitialized_fill_n(data_.get(), padded(size), T{});
     }
 
-    AlignedBuffer(const AlignedBuffer& other)
-        : data_(allocate(padded(other.size_))), size_(other.size_) {
-        std::uninitialized_copy_n(other.data(), padded(size_), data_.get());
-    }
-    AlignedBuffer& operator=(const AlignedBuffer& other) { return *this = AlignedBuffer(other); }
     AlignedBuffer(AlignedBuffer&& other) noexcept
         : data_(std::move(other.data_)), size_(std::exchange(other.size_, 0)) {}
     AlignedBuffer& operator=(AlignedBuffer&& other) noexcept {

@@ -84,7 +84,7 @@ class ImplicitSystem {
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
     /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots, which are 16 entries
     /// each; the block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of
-    /// slots[k]: d [sqrt(kg)], w a [kg]. Blocks of pinned particles' own rows may hold anything.
+    /// slots[k]: d [sqrt(kg)], w a [kg]. They are there as well in the rows of pinned particles.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
     /// Of all slots: one for each entry. Allocates; not for the steady step.

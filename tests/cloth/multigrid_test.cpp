@@ -12,6 +12,7 @@
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
 #include "cloth/solvers/multigrid/multilevel.h"
+#include "cloth/system/sparse/vectors.h"
 #include "dense_algebra.h"
 #include "fixtures.h"
 #include "meshes.h"
@@ -242,6 +243,81 @@ TEST(Multigrid, NeedsFewIterationsAtAnySizeAndStiffness) {
     EXPECT_LE(iterations_needed(waving(loose_sheet(40, 40), corners)), 12);
 }
 
+// A cycle treats all levels alike from either side: also those between the first and the last, which only
+// large cloths have.
+TEST(Multigrid, CyclesOfManyLevelsAreSymmetric) {
+    Levels levels(waving(sheet(130, 130), {{0, 129}}));
+    const std::uint32_t n = 130 * 130;
+    ASSERT_GE(levels.multigrid->levels(), 3u);
+    const auto smooth_rows = [&](float waves) {
+        AlignedBuffer<Vec4> rows(n);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const float x = static_cast<float>(i % 130) / 129, y = static_cast<float>(i / 130) / 129;
+            if (i != 0 && i != 129) rows[i] = {std::cos(waves * x), std::cos(waves * (x - y)), x * y, 0};
+        }
+        return rows;
+    };
+    std::vector<double> partials(block_count(n));
+    const AlignedBuffer<Vec4> a = smooth_rows(3), b = smooth_rows(14);
+    AlignedBuffer<Vec4> z_a(n), z_b(n);
+    levels.multigrid->cycle(levels.serial, *levels.system, a.span(), z_a.span());
+    levels.multigrid->cycle(levels.serial, *levels.system, b.span(), z_b.span());
+    const double ab = dot(levels.serial, z_a.span(), b.span(), partials),
+                 ba = dot(levels.serial, a.span(), z_b.span(), partials);
+    EXPECT_NEAR(ab / ba, 1, 1e-4);
+}
+
+/// `count` meshes side by side in one.
+Mesh many(const Mesh& one, std::uint32_t count) {
+    Mesh result;
+    const auto n = static_cast<std::uint32_t>(one.positions.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+        for (const Vec3& x : one.positions)
+            result.positions.push_back({x.x + 2.0f * static_cast<float>(k), x.y, x.z});
+        for (const Triangle& t : one.triangles)
+            result.triangles.push_back({t[0] + k * n, t[1] + k * n, t[2] + k * n});
+    }
+    return result;
+}
+
+TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
+    const auto bytes_a_particle = [&](std::uint32_t side, std::uint32_t count) {
+        const Levels levels(waving(many(loose_sheet(side, side), count), {}));
+        return static_cast<double>(levels.multigrid->bytes()) / (count * side * side);
+    };
+    for (const std::uint32_t side : {2u, 4u, 12u}) {  // the largest have a level of 16 nodes
+        const double one = bytes_a_particle(side, 1), most = bytes_a_particle(side, 5000 / (side * side));
+        EXPECT_LT(bytes_a_particle(side, 200 / side), 1.05 * one) << side;
+        EXPECT_LT(most, 1.05 * one) << side;
+        EXPECT_LT(most, 700) << side;
+    }
+    EXPECT_LT(bytes_a_particle(2, 5000), 1.01 * bytes_a_particle(2, 1000));
+}
+
+TEST(Multigrid, ComponentsHaveTheLevelsThatTheyWouldHaveAlone) {
+    const Mesh alone = loose_sheet(20, 23);
+    const Mesh mixed = joined(alone, many(loose_sheet(2, 2), 300), {0, 3, 0});
+    const Levels one(waving(alone, {{0}})), all(waving(mixed, {{0}}));
+    const Interpolation &p = one.multigrid->level(0).interpolation(),
+                        &q = all.multigrid->level(0).interpolation();
+    ASSERT_GT(q.coarse, p.coarse);
+    for (std::uint32_t c = 0; c < p.coarse; ++c) EXPECT_EQ(p.kept[c], q.kept[c]);
+    for (std::uint32_t e = 0; e < Interpolation::width * p.fine; ++e) {
+        EXPECT_EQ(p.nodes[e], q.nodes[e]);
+        EXPECT_NEAR(p.weights[e], q.weights[e], 1e-6f);
+    }
+}
+
+TEST(Multigrid, ConvergesOnManyComponentsAsOnTheLargestAlone) {
+    const Mesh large = loose_sheet(30, 30);
+    const int alone = iterations_needed(waving(large, {{0, 29}}));
+    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(2, 2), 500), {0, 3, 0}), {{0, 29}})),
+              alone + 1);
+    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(7, 5), 60), {0, 3, 0}), {{0, 29}})),
+              alone + 1);
+    EXPECT_LE(iterations_needed(waving(many(loose_sheet(2, 2), 2000), {})), 8);
+}
+
 /// One step by the multilevel solver from a cloth's state.
 Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1) {
     cloth.settings.method = method;
@@ -308,6 +384,20 @@ TEST(MultilevelSolver, NonlinearConjugateGradientsFindTheSameStep) {
     EXPECT_LT((found - newton).norm() / newton.norm(), 1e-3);
 }
 
+// Springs that are squeezed are soft, and turn stiff on the way: W, made where the step begins, says too
+// little.
+TEST(MultilevelSolver, NonlinearConjugateGradientsTurnBackWhereTheClothGetsStiffer) {
+    const Multilevel method{.use = Multilevel::Use::nonlinear_conjugate_gradient, .iterations = 8};
+    for (const float stiffness : {40.0f, 400.0f}) {
+        for (const float squeezed : {0.7f, 0.3f}) {
+            Cloth cloth = crumpled(sheet(20, 20), 0, stiffness);
+            for (Vec4& x : cloth.state.positions.span()) set_xyz(x, squeezed * xyz(x));
+            cloth.pin(0);
+            EXPECT_LT(equation_left(cloth, stepped(cloth, method)), 1) << stiffness << " N/m, " << squeezed;
+        }
+    }
+}
+
 TEST(MultilevelSolver, GivesTheSameBytesForAnyNumberOfThreads) {
     const std::uint32_t corners[] = {0, 47};
     for (const auto use : {Multilevel::Use::passes, Multilevel::Use::nonlinear_conjugate_gradient}) {
@@ -347,7 +437,70 @@ TEST(MultilevelSolver, FollowsPinsThatComeAndGo) {
     EXPECT_EQ(world.report().flags, StepFlags::none);
 }
 
-TEST(MultilevelSolver, TakesClothTooSmallForLevels) {
+/// Positions of `count` quads that hang by a corner each, after half a second.
+std::vector<Vector3> swung(std::uint32_t count) {
+    ClothSettings settings = stiff();
+    settings.method = Multilevel{};
+    World world = World::create(still_air()).value();
+    const ClothId id = world.add_cloth(many(loose_sheet(2, 2), count), settings).value();
+    for (std::uint32_t k = 0; k < count; ++k) EXPECT_TRUE(world.pin(id, 4 * k));
+    for (int k = 0; k < 30; ++k) world.step(h);
+    EXPECT_EQ(world.report().flags, StepFlags::none);
+    std::vector<Vector3> result;
+    const ClothView view = world.cloth(id).value();
+    for (const Vec4& x : view.positions) result.push_back(xyz(x));
+    return result;
+}
+
+TEST(MultilevelSolver, MovesEachOfManyPiecesAsItWouldAlone) {
+    const std::vector<Vector3> alone = swung(1);
+    EXPECT_GT((alone[3] - Vector3(alone[3].x(), 0, alone[3].z())).norm(), 0.1f) << "it swings";
+    for (const std::uint32_t count : {2u, 200u, 1000u, 5000u}) {
+        const std::vector<Vector3> all = swung(count);
+        float farthest = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Vector3 offset(2.0f * static_cast<float>(i / 4), 0, 0);
+            farthest = std::max(farthest, (all[i] - offset - alone[i % 4]).norm());
+        }
+        // Coordinates of up to 2 count metres are rounded.
+        EXPECT_LT(farthest, 1e-4f + 1e-5f * static_cast<float>(count)) << count;
+    }
+}
+
+TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
+    const auto settings_of = [](float shear, float bend) {
+        ClothSettings settings = stiff();
+        settings.method = Multilevel{};
+        settings.fabric.shear = shear;
+        settings.fabric.bend = bend;
+        return settings;
+    };
+    const std::uint32_t corners[] = {0, 19};
+    const auto step_after = [&](std::initializer_list<ClothSettings> history) {
+        Cloth cloth = waving(sheet(20, 20), corners, *history.begin());
+        Profiler profiler(stage_names);
+        Parallel serial(1);
+        for (const ClothSettings& settings : history) {
+            cloth.apply(settings);
+            const StepEquation equation = equation_of(cloth, h);
+            cloth.solver->solve({.parallel = serial,
+                                 .profiler = profiler,
+                                 .model = cloth.model,
+                                 .settings = cloth.settings,
+                                 .equation = equation,
+                                 .velocities = cloth.next_velocities.span()});
+        }
+        return flat(cloth.next_velocities.span());
+    };
+    const ClothSettings last = settings_of(50, 2);
+    const Eigen::VectorXd expected = step_after({last});
+    for (const ClothSettings& before : {settings_of(1, 2), settings_of(800, 300), settings_of(0, 0)})
+        EXPECT_EQ(step_after({before, last}), expected);
+    const ClothSettings stiff_bending = settings_of(50, 300);
+    EXPECT_EQ(step_after({last, stiff_bending}), step_after({stiff_bending}));
+}
+
+TEST(MultilevelSolver, TakesTheSmallestCloth) {
     ClothSettings settings = stiff();
     settings.method = Multilevel{};
     World world = World::create(still_air()).value();

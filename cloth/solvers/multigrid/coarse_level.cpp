@@ -7,10 +7,12 @@
 
 namespace weft {
 
-CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph)
+CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
+                         const Components& components)
     : lists_(std::move(lists)),
       interpolation_(std::move(interpolation)),
       matrix_(graph, lists_),
+      small_components_(components, lists_),
       b_(graph.nodes()),
       x_(graph.nodes()),
       before_(graph.nodes()) {}
@@ -41,6 +43,11 @@ void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
 
 void CoarseLevel::finish(Parallel& parallel) {
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
+    small_components_.factorise(parallel, matrix_);
+}
+
+void CoarseLevel::solve_small_components(Parallel& parallel) {
+    small_components_.solve(parallel, b_.span(), x_.span());
 }
 
 void CoarseLevel::subtract_product(Parallel& parallel, std::span<Vec4> remainder) const {
@@ -64,8 +71,8 @@ void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
 }
 
 std::size_t CoarseLevel::bytes() const noexcept {
-    return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + b_.bytes() + x_.bytes() +
-           before_.bytes();
+    return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + small_components_.bytes() +
+           b_.bytes() + x_.bytes() + before_.bytes();
 }
 
 }  // namespace weft

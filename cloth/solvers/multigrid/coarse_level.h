@@ -5,6 +5,7 @@
 
 #include "cloth/solvers/multigrid/coarse_matrix.h"
 #include "cloth/solvers/multigrid/coarsening.h"
+#include "cloth/solvers/multigrid/component_solver.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "cloth/system/sparse/transfers.h"
 #include "engine/aligned_buffer.h"
@@ -14,8 +15,10 @@ namespace weft {
 
 class CoarseLevel {
   public:
-    /// Lists of the springs between this level's nodes; P leads from here to the finer level.
-    CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph);
+    /// The springs between this level's nodes: as lists, as a graph, and the components of that. P leads from
+    /// here to the finer level.
+    CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
+                const Components& components);
 
     /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
     /// place.
@@ -24,7 +27,7 @@ class CoarseLevel {
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Links and ground from another coarse level's.
     void sum(Parallel& parallel, const CoarseLevel& finer);
-    /// After links and ground: the matrix.
+    /// After links and ground: the matrix, and the factors of its small components.
     void finish(Parallel& parallel);
 
     /// remainder = b - W x.
@@ -33,6 +36,12 @@ class CoarseLevel {
     void relax_from_zero(Parallel& parallel, float step);
     /// As ImplicitSystem::relax, on x; the iterate before it is where a remainder may be put.
     void relax(Parallel& parallel, Relaxation relaxation);
+    /// x = W^-1 b at the nodes of small components.
+    void solve_small_components(Parallel& parallel);
+    /// Whether these are all nodes.
+    [[nodiscard]] bool has_small_components_only() const noexcept {
+        return small_components_.nodes() == nodes();
+    }
 
     [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
     [[nodiscard]] const Interpolation& interpolation() const noexcept { return interpolation_; }
@@ -48,6 +57,7 @@ class CoarseLevel {
     GalerkinLists lists_;
     Interpolation interpolation_;
     CoarseMatrix matrix_;
+    ComponentSolver small_components_;
     AlignedBuffer<Vec4> b_, x_, before_;
 };
 

@@ -40,9 +40,21 @@ void claim(const SpringGraph& graph, std::uint32_t source, Voronoi& voronoi) {
     }
 }
 
-/// Farthest-point sampling (Gonzalez 1985): each next node is the one farthest from those before. Nodes that
-/// none of them reaches come first, so that every component gets one.
-Voronoi sample_farthest(const SpringGraph& graph, std::uint32_t wanted, std::vector<std::uint32_t>& kept) {
+/// How many nodes of each component stay.
+std::vector<std::uint32_t> wanted_of(const Components& components, float ratio, std::uint32_t most_direct) {
+    std::vector<std::uint32_t> wanted(components.count());
+    for (std::uint32_t c = 0; c < components.count(); ++c) {
+        const std::uint32_t size = components.size(c);
+        if (size > most_direct)
+            wanted[c] = static_cast<std::uint32_t>(std::ceil(static_cast<float>(size) / ratio));
+    }
+    return wanted;
+}
+
+/// Farthest-point sampling (Gonzalez 1985) in each component by itself: its next node is the one farthest
+/// from those before. Nodes that none of them reaches come first.
+Voronoi sample_farthest(const SpringGraph& graph, const Components& components,
+                        std::vector<std::uint32_t> wanted, std::vector<std::uint32_t>& kept) {
     Voronoi voronoi{std::vector<float>(graph.nodes(), infinity),
                     std::vector<std::uint32_t>(graph.nodes(), 0)};
     // Distances only fall: an entry that is out of date is put back with the present one. Ties go to the
@@ -50,7 +62,8 @@ Voronoi sample_farthest(const SpringGraph& graph, std::uint32_t wanted, std::vec
     using Candidate = std::pair<float, std::int64_t>;
     std::priority_queue<Candidate> candidates;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (graph.degree(i) > 0) candidates.emplace(infinity, -std::int64_t{i});
+        if (graph.degree(i) > 0 && wanted[components.of_node[i]] > 0)
+            candidates.emplace(infinity, -std::int64_t{i});
     }
     while (!candidates.empty()) {
         const auto [distance, negative] = candidates.top();
@@ -60,7 +73,9 @@ Voronoi sample_farthest(const SpringGraph& graph, std::uint32_t wanted, std::vec
             candidates.emplace(voronoi.distance[node], negative);
             continue;
         }
-        if (kept.size() >= wanted && distance < infinity) break;
+        std::uint32_t& wanted_here = wanted[components.of_node[node]];
+        if (wanted_here == 0 && distance < infinity) continue;
+        if (wanted_here > 0) --wanted_here;
         kept.push_back(node);
         claim(graph, node, voronoi);
     }
@@ -142,13 +157,35 @@ void store_transpose(Interpolation& p) {
 
 }  // namespace
 
+Components components_of(const SpringGraph& graph) {
+    constexpr std::uint32_t none = ~0u;
+    Components result{
+        .of_node = std::vector<std::uint32_t>(graph.nodes(), none), .offsets = {0}, .nodes = {}};
+    for (std::uint32_t first = 0; first < graph.nodes(); ++first) {
+        if (result.of_node[first] != none) continue;
+        const std::uint32_t component = result.count();
+        const auto reach = [&](std::uint32_t node) {
+            if (std::exchange(result.of_node[node], component) != component) result.nodes.push_back(node);
+        };
+        reach(first);
+        for (std::size_t k = result.offsets.back(); k < result.nodes.size(); ++k) {
+            const std::uint32_t node = result.nodes[k];
+            for (std::uint32_t e = graph.offsets[node]; e < graph.offsets[node + 1]; ++e)
+                reach(graph.neighbours[e]);
+        }
+        std::sort(result.nodes.begin() + result.offsets.back(), result.nodes.end());
+        result.offsets.push_back(static_cast<std::uint32_t>(result.nodes.size()));
+    }
+    return result;
+}
+
 // Weights start as the nearest kept node's and are smoothed towards harmonic ones: energy-minimising as far
 // as four sweeps go (after Mandel, Brezina, Vanek 1999).
-Coarsening coarsen(const SpringGraph& graph, float ratio) {
+Coarsening coarsen(const SpringGraph& graph, const Components& components, float ratio,
+                   std::uint32_t most_direct) {
     constexpr int sweeps = 4;
-    const auto wanted = static_cast<std::uint32_t>(std::ceil(static_cast<float>(graph.nodes()) / ratio));
     std::vector<std::uint32_t> kept;
-    Voronoi voronoi = sample_farthest(graph, wanted, kept);
+    Voronoi voronoi = sample_farthest(graph, components, wanted_of(components, ratio, most_direct), kept);
     kept.shrink_to_fit();
     Interpolation p(graph.nodes(), static_cast<std::uint32_t>(kept.size()));
     p.kept = std::move(kept);
@@ -161,8 +198,9 @@ Coarsening coarsen(const SpringGraph& graph, float ratio) {
     }
     Rows rows(graph.nodes());
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        if (voronoi.distance[i] == infinity) continue;  // nobody's
         voronoi.owner[i] = coarse_of[voronoi.owner[i]];
-        if (graph.degree(i) > 0) rows[i] = {{voronoi.owner[i], 1.0f}};
+        rows[i] = {{voronoi.owner[i], 1.0f}};
     }
     for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(graph, is_kept, rows);
     store_rows(rows, p);

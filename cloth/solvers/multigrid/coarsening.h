@@ -24,6 +24,20 @@ struct SpringGraph {
     }
 };
 
+/// Nodes that springs join, directly or by way of others. Components are numbered by their first nodes.
+struct Components {
+    std::vector<std::uint32_t> of_node;
+    std::vector<std::uint32_t> offsets, nodes;  ///< of component c, ascending: [offsets[c], offsets[c + 1])
+
+    [[nodiscard]] std::uint32_t count() const noexcept {
+        return static_cast<std::uint32_t>(offsets.size()) - 1;
+    }
+    [[nodiscard]] std::uint32_t size(std::uint32_t component) const noexcept {
+        return offsets[component + 1] - offsets[component];
+    }
+};
+[[nodiscard]] Components components_of(const SpringGraph& graph);
+
 /// What the next level is made from.
 struct Coarsening {
     Interpolation interpolation;
@@ -31,7 +45,10 @@ struct Coarsening {
     std::vector<float> distance;       ///< to its owner
 };
 
-/// Keeps about nodes / ratio nodes, at least one a component.
-[[nodiscard]] Coarsening coarsen(const SpringGraph& graph, float ratio);
+/// Keeps about nodes / ratio nodes of each component, at least one, whatever other components there are.
+/// Those of at most `most_direct` nodes are solved where they are, and nodes without springs have nothing to
+/// correct: they keep none, and their rows of P are 0.
+[[nodiscard]] Coarsening coarsen(const SpringGraph& graph, const Components& components, float ratio,
+                                 std::uint32_t most_direct);
 
 }  // namespace weft

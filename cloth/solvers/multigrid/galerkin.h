@@ -4,6 +4,7 @@
 // -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). Which springs add to which is found once; each step
 // sums.
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace weft {
 /// A spring between two nodes, first < second.
 struct Link {
     std::uint32_t first, second;
+
+    friend auto operator<=>(const Link&, const Link&) = default;
 };
 
 /// What the coarse springs are summed from, term by term a factor times a spring of the finer level. Sums are

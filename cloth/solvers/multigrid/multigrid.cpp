@@ -1,9 +1,7 @@
 #include "cloth/solvers/multigrid/multigrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "cloth/system/sparse/vectors.h"
@@ -12,8 +10,7 @@ namespace weft {
 
 namespace {
 
-constexpr float ratio = 9;                    // of nodes, from level to level
-constexpr std::uint32_t coarsest_nodes = 16;  // few enough for a dense factorisation
+constexpr float ratio = 9;  // of nodes, from level to level
 
 /// Chebyshev semi-iteration on [low, high] (Golub and Varga 1961), from its first step on.
 struct Chebyshev2 {
@@ -53,102 +50,138 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
 }  // namespace
 
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : system_(&system), smooth_(positions.size()), remainder_(positions.size()) {
+    : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
     links_ = links_of(graph);
     std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
-    for (const Link& link : links_) slots_.push_back(entry_of(link) / Stencil::lanes);
+    for (const Link& link : links_)
+        slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
     std::ranges::sort(slots_);
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
-    slots_of_links_ = slots_.size();
     links_.shrink_to_fit();
     slots_.shrink_to_fit();
+    make_levels(std::move(graph));
+    if (coarse_.empty()) return;
+    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
+    set_pins(positions);
+}
 
+// Until all components are small. Each has a ninth of its nodes on the next level; one that has not lost half
+// of them, since lengths of its springs have overflowed, is left to relaxation.
+void Multigrid::make_levels(SpringGraph graph) {
     std::vector<Link> links = links_;
-    while (graph.nodes() > coarsest_nodes) {
-        Coarsening coarsening = coarsen(graph, ratio);
-        if (coarsening.interpolation.coarse == 0 || coarsening.interpolation.coarse == graph.nodes()) break;
+    Components components = components_of(graph);
+    for (;;) {
+        const std::uint32_t most_direct = coarse_.empty() ? 0 : ComponentSolver::most_nodes;
+        Coarsening coarsening = coarsen(graph, components, ratio, most_direct);
+        const std::uint32_t nodes = coarsening.interpolation.coarse;
+        if (nodes == 0 || nodes > graph.nodes() / 2) break;
         GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation);
         graph = make_coarse_graph(graph, coarsening, links, lists);
         links = lists.links;
+        components = components_of(graph);
         if (coarse_.empty()) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
+            std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
             for (std::uint32_t& link : lists.fine_links.span()) link = spring_of(links_[link]);
         } else {
             const std::vector<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
         }
-        coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph);
+        coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
     }
-    const auto n = static_cast<Eigen::Index>(3 * (coarse_.empty() ? 0 : coarse_.back().nodes()));
-    coarsest_.resize(n, n);
-    factor_.compute(Eigen::MatrixXd::Identity(n, n));  // takes its memory
-    coarsest_x_.resize(n);
-    set_pins(positions);
-}
-
-std::uint32_t Multigrid::entry_of(const Link& link) const {
-    return system_->entry_between(link.first, link.second);
+    coarse_.shrink_to_fit();
 }
 
 std::uint32_t Multigrid::spring_of(const Link& link) const {
-    const std::uint32_t entry = entry_of(link);
-    // Behind the links' slots, which ascend, lie those of ties, which do not.
-    const std::span slots = std::span(slots_).first(slots_of_links_);
-    const auto slot = std::ranges::lower_bound(slots, entry / Stencil::lanes);
-    return static_cast<std::uint32_t>(slot - slots.begin()) * Stencil::lanes + entry % Stencil::lanes;
+    const std::uint32_t entry = system_->entry_between(link.first, link.second);
+    const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
+    return static_cast<std::uint32_t>(slot - slots_.begin()) * Stencil::lanes + entry % Stencil::lanes;
+}
+
+template <class Body>
+void Multigrid::for_each_link_of(std::uint32_t particle, const Body& body) const {
+    const Stencil& stencil = system_->stencil();
+    const std::uint32_t group = particle / Stencil::lanes, lane = particle % Stencil::lanes;
+    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
+        const std::uint32_t neighbour = stencil.neighbours[s * Stencil::lanes + lane];
+        if (neighbour == particle) continue;
+        const Link link{std::min(particle, neighbour), std::max(particle, neighbour)};
+        // Minor springs have no link.
+        if (std::ranges::binary_search(links_, link)) body(neighbour, link);
+    }
+}
+
+std::size_t Multigrid::links_of_particle(std::uint32_t particle) const {
+    std::size_t count = 0;
+    for_each_link_of(particle, [&](std::uint32_t, const Link&) { ++count; });
+    return count;
+}
+
+void Multigrid::hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const {
+    for_each_link_of(particle, [&](std::uint32_t neighbour, const Link& link) {
+        *at++ = {particle, neighbour, spring_of(link)};
+    });
+}
+
+void Multigrid::mark(std::uint32_t particle, bool pinned) noexcept {
+    pinned_[particle] = pinned ? 1 : 0;
+    const Interpolation& p = coarse_.front().interpolation();
+    for (std::uint32_t e = Interpolation::width * particle; e < Interpolation::width * (particle + 1); ++e)
+        weights_[e] = pinned ? 0 : p.weights[e];
+}
+
+void Multigrid::pin(std::uint32_t particle) {
+    if (coarse_.empty() || pinned_[particle] != 0) return;
+    const auto later = std::ranges::upper_bound(held_, particle, {}, &HeldSpring::pinned) - held_.begin();
+    const auto at = held_.insert(held_.begin() + later, links_of_particle(particle), HeldSpring{});
+    hold_springs_of(particle, at);
+    mark(particle, true);
+}
+
+void Multigrid::unpin(std::uint32_t particle) noexcept {
+    if (coarse_.empty() || pinned_[particle] == 0) return;
+    const auto own = std::ranges::equal_range(held_, particle, {}, &HeldSpring::pinned);
+    held_.erase(own.begin(), own.end());
+    mark(particle, false);
 }
 
 void Multigrid::set_pins(std::span<const Vec4> positions) {
     if (coarse_.empty()) return;
-    const Interpolation& p = coarse_.front().interpolation();
-    for (std::uint32_t i = 0; i < p.fine; ++i) {
-        for (std::uint32_t e = Interpolation::width * i; e < Interpolation::width * (i + 1); ++e)
-            weights_[e] = positions[i].w == 0 ? 0 : p.weights[e];
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        if (positions[i].w == 0) count += links_of_particle(i);
+    held_.reserve(count);
+    held_.resize(count);
+    auto at = held_.begin();
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        mark(i, positions[i].w == 0);
+        if (pinned_[i] == 0) continue;
+        hold_springs_of(i, at);
+        at += static_cast<std::ptrdiff_t>(links_of_particle(i));
     }
-    tie_to(positions);
-    if (springs_.size() != slots_.size() * Stencil::lanes)
-        springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
 }
 
-void Multigrid::tie_to(std::span<const Vec4> positions) {
-    slots_.resize(slots_of_links_);
-    held_.clear();
-    ties_.clear();
-    const Interpolation& p = coarse_.front().interpolation();
-    for (const Link& link : links_) {
-        const bool first_is_pinned = positions[link.first].w == 0,
-                   second_is_pinned = positions[link.second].w == 0;
-        if (first_is_pinned || second_is_pinned) held_.push_back(spring_of(link));
-        if (first_is_pinned == second_is_pinned) continue;
-        // The free particle's own half-edge: blocks of pinned rows may hold anything.
-        const Link own = second_is_pinned ? link : Link{link.second, link.first};
-        const std::uint32_t entry = entry_of(own);
-        const auto spring =
-            static_cast<std::uint32_t>(slots_.size()) * Stencil::lanes + entry % Stencil::lanes;
-        slots_.push_back(entry / Stencil::lanes);
-        for (std::uint32_t e = Interpolation::width * own.first; e < Interpolation::width * (own.first + 1);
-             ++e) {
-            if (p.weights[e] != 0) ties_.push_back({p.nodes[e], spring, p.weights[e]});
-        }
-    }
-    std::ranges::sort(ties_, [](const Tie& a, const Tie& b) {
-        return std::tie(a.coarse, a.spring) < std::tie(b.coarse, b.spring);
-    });
+void Multigrid::reserve_pins(std::size_t count) {
+    // All of them where they have the most springs; and each spring has two ends.
+    std::size_t most = 0;
+    const Stencil& stencil = system_->stencil();
+    for (std::uint32_t g = 0; g < stencil.groups(); ++g)
+        most = std::max<std::size_t>(most, stencil.group_slots[g + 1] - stencil.group_slots[g]);
+    held_.reserve(std::min(count * most, 2 * links_.size()));
 }
 
 void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     if (coarse_.empty()) return;
     system.spring_blocks(parallel, slots_, springs_.span());
-    for (const std::uint32_t spring : held_) springs_[spring] = {};
-    coarse_.front().sum_links(parallel, springs_.span());
     sum_first_ground(parallel, system);
+    for (const HeldSpring& held : held_) springs_[held.spring] = {};
+    coarse_.front().sum_links(parallel, springs_.span());
     coarse_.front().finish(parallel);
     for (std::size_t k = 1; k < coarse_.size(); ++k) {
         coarse_[k].sum(parallel, coarse_[k - 1]);
         coarse_[k].finish(parallel);
     }
-    factorise_coarsest();
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
@@ -160,33 +193,20 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
     CoarseLevel& first = coarse_.front();
     first.sum_ground(parallel, smooth_.span(),
                      system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
+    // What holds a free particle holds the coarse nodes that it interpolates from.
+    const Interpolation& p = first.interpolation();
     SymmetricRows& rows = first.matrix().ground_rows;
-    for (const Tie& tie : ties_) {
-        const Vec4& spring = springs_[tie.spring];
-        Symmetric3 ground = rows[tie.coarse];
-        ground.add(tie.weight * spring.w, std::sqrt(tie.weight) * xyz(spring));
-        rows.set(tie.coarse, ground);
+    for (const HeldSpring& held : held_) {
+        if (pinned_[held.neighbour] != 0) continue;
+        const Vec4& spring = springs_[held.spring];
+        for (std::uint32_t k = 0; k < Interpolation::width; ++k) {
+            const std::uint32_t e = Interpolation::width * held.neighbour + k;
+            if (p.weights[e] == 0) continue;
+            Symmetric3 ground = rows[p.nodes[e]];
+            ground.add(p.weights[e] * spring.w, std::sqrt(p.weights[e]) * xyz(spring));
+            rows.set(p.nodes[e], ground);
+        }
     }
-}
-
-void Multigrid::factorise_coarsest() {
-    const CoarseMatrix& matrix = coarse_.back().matrix();
-    const GalerkinLists& lists = coarse_.back().lists();
-    coarsest_.setZero();
-    for (std::uint32_t i = 0; i < matrix.stencil.nodes; ++i)
-        coarsest_.block<3, 3>(3 * i, 3 * i) = matrix.ground_rows[i].full();
-    for (std::size_t k = 0; k < lists.links.size(); ++k) {
-        const Eigen::Matrix3d block = matrix.links[lists.places[k]].full();
-        const Eigen::Index i = 3 * lists.links[k].first, j = 3 * lists.links[k].second;
-        coarsest_.block<3, 3>(i, i) += block;
-        coarsest_.block<3, 3>(j, j) += block;
-        coarsest_.block<3, 3>(i, j) -= block;
-        coarsest_.block<3, 3>(j, i) -= block;
-    }
-    const double largest = coarsest_.diagonal().maxCoeff();
-    // Nodes of pinned particles alone have no rows; and W was summed in single precision.
-    coarsest_.diagonal().array() += 1e-6 * largest;
-    factor_.compute(coarsest_);
 }
 
 void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r,
@@ -206,32 +226,31 @@ void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<cons
 
 void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
     CoarseLevel& level = coarse_[k];
-    if (k + 1 == coarse_.size()) return solve_coarsest();
+    if (!level.has_small_components_only()) relax_and_correct(parallel, k);
+    level.solve_small_components(parallel);
+}
+
+void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
+    CoarseLevel& level = coarse_[k];
     // Once on the largest of them, which costs as much as all others: a second step there gains less.
     const bool once = k == 0;
     level.relax_from_zero(parallel, once ? first_coarse_step : coarse_smoothing.first.step);
     if (!once) level.relax(parallel, coarse_smoothing.second);
-    level.subtract_product(parallel, level.before());
-    const Interpolation& p = coarse_[k + 1].interpolation();
-    restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
-    solve_level(parallel, k + 1);
-    prolong_from(parallel, {p, p.weights.span(), coarse_[k + 1].x()}, level.x());
+    if (k + 1 < coarse_.size()) {
+        level.subtract_product(parallel, level.before());
+        const Interpolation& p = coarse_[k + 1].interpolation();
+        restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
+        solve_level(parallel, k + 1);
+        prolong_from(parallel, {p, p.weights.span(), coarse_[k + 1].x()}, level.x());
+    }
     level.relax(parallel, once ? Relaxation{.step = first_coarse_step} : coarse_smoothing.first);
     if (!once) level.relax(parallel, coarse_smoothing.second);
 }
 
-void Multigrid::solve_coarsest() {
-    CoarseLevel& level = coarse_.back();
-    for (std::uint32_t i = 0; i < level.nodes(); ++i)
-        coarsest_x_.segment<3>(3 * i) = xyz(level.b()[i]).cast<double>();
-    factor_.solveInPlace(coarsest_x_);
-    for (std::uint32_t i = 0; i < level.nodes(); ++i)
-        level.x()[i] = to_vec4(coarsest_x_.segment<3>(3 * i).cast<float>(), 0);
-}
-
 std::size_t Multigrid::bytes() const noexcept {
-    std::size_t sum = links_.size() * sizeof(Link) + (slots_.size() + held_.size()) * sizeof(std::uint32_t) +
-                      springs_.bytes() + weights_.bytes() + ties_.size() * sizeof(Tie) + smooth_.bytes() +
+    std::size_t sum = links_.size() * sizeof(Link) + slots_.size() * sizeof(std::uint32_t) +
+                      springs_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
+                      weights_.bytes() + coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() +
                       remainder_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;

@@ -6,9 +6,6 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-
 #include "cloth/solvers/multigrid/coarse_level.h"
 #include "cloth/system/implicit_system.h"
 
@@ -16,12 +13,22 @@ namespace weft {
 
 class Multigrid {
   public:
-    /// Makes the levels from the system's springs as they are linearised now; `positions` give their lengths.
+    /// Makes the levels from the system's springs as they are linearised now; `positions` give their lengths,
+    /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
-    /// Pinned particles (inverse mass 0) have no part in coarse motions, and springs to them hold the coarse
-    /// nodes.
+    // Pinned particles have no part in coarse motions, and springs to them hold the coarse nodes. What is
+    // kept of pins does not depend on the order in which they came and went. Each call may run out of memory,
+    // and then has changed nothing.
+    /// Does nothing if the particle is pinned.
+    void pin(std::uint32_t particle);
+    /// Takes no memory. Does nothing if the particle is free.
+    void unpin(std::uint32_t particle) noexcept;
+    /// Those of inverse mass 0 are pinned, all others free.
     void set_pins(std::span<const Vec4> positions);
+    /// From then on so many particles can be pinned at a time without taking memory.
+    void reserve_pins(std::size_t count);
+
     /// Sums the coarse operators of the system's present W.
     void build(Parallel& parallel, ImplicitSystem& system);
     /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
@@ -32,37 +39,35 @@ class Multigrid {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// A spring from a free particle to a pinned one, and how much of it a node of the first coarse level
-    /// feels.
-    struct Tie {
-        std::uint32_t coarse, spring;
-        float weight;
+    /// A spring with a pinned end.
+    struct HeldSpring {
+        std::uint32_t pinned, neighbour, spring;
     };
-    /// That of the link's first end.
-    [[nodiscard]] std::uint32_t entry_of(const Link& link) const;
+    using HeldSprings = std::vector<HeldSpring>;
+
+    void make_levels(SpringGraph graph);
     /// The place of a link of the finest level in springs_.
     [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
-    void tie_to(std::span<const Vec4> positions);
+    /// body(neighbour, link) for the links of a particle, neighbours ascending.
+    template <class Body>
+    void for_each_link_of(std::uint32_t particle, const Body& body) const;
+    [[nodiscard]] std::size_t links_of_particle(std::uint32_t particle) const;
+    /// Writes the particle's springs from `at` on.
+    void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
+    void mark(std::uint32_t particle, bool pinned) noexcept;
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
-    void factorise_coarsest();
     void solve_level(Parallel& parallel, std::size_t level);
-    void solve_coarsest();
+    void relax_and_correct(Parallel& parallel, std::size_t level);
 
     const ImplicitSystem* system_;
-    std::vector<Link> links_;  // of the finest level
-    // Slots of the system that hold the links from their first end, and slots of free particles with springs
-    // to pins.
-    std::vector<std::uint32_t> slots_;
-    std::size_t slots_of_links_ = 0;
-    AlignedBuffer<Vec4> springs_;      // of these slots: see ImplicitSystem::spring_blocks
-    std::vector<std::uint32_t> held_;  // springs with a pinned end, which are not summed
-    AlignedBuffer<float> weights_;     // of the first level's P, rows of pinned particles 0
-    std::vector<Tie> ties_;            // ascending by coarse node
+    std::vector<Link> links_;             // of the finest level, ascending
+    std::vector<std::uint32_t> slots_;    // of the system: those with links at their first ends, ascending
+    AlignedBuffer<Vec4> springs_;         // of these slots: see ImplicitSystem::spring_blocks
+    HeldSprings held_;                    // ascending by pinned particle, then by neighbour
+    AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
+    AlignedBuffer<float> weights_;        // of the first level's P, rows of pinned particles 0
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, remainder_;
-    Eigen::MatrixXd coarsest_;
-    Eigen::LLT<Eigen::MatrixXd> factor_;
-    Eigen::VectorXd coarsest_x_;
 };
 
 }  // namespace weft

@@ -4,57 +4,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "cloth/system/sparse/vectors.h"
 
 namespace weft {
 
-// Levels depend on the mesh and on how stiff its springs are against each other, which a step at rest tells.
 MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
                                    std::span<const Vec4> positions)
-    : fabric_(settings.fabric),
-      elements_(settings.finite_elements),
+    : kind_(settings),
+      levels_key_(levels_key(settings)),
       system_(make_system(model, settings)),
+      multigrid_(make_levels(model, levels_key_, *system_)),
       vectors_(model.particle_count),
       partials_(block_count(model.particle_count)) {
-    Parallel serial(1);
-    const AlignedBuffer<Vec4> at_rest(model.particle_count);
-    AlignedBuffer<Vec4> free(model.particle_count);
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        const float mass = settings.fabric.areal_density * model.rest_area[i];
-        free[i] = to_vec4(xyz(model.positions[i]), mass > 0 ? 1.0f / mass : 0.0f);
-    }
-    const StepEquation equation{.settings = settings,
-                                .h = 1.0f / 60,
-                                .gamma = 1.0f / 60,
-                                .positions = free.span(),
-                                .velocities = at_rest.span(),
-                                .base_positions = free.span(),
-                                .base_velocities = at_rest.span(),
-                                .external = {}};
-    system_->linearise(serial, equation, at_rest.span(), LinearisedAbout::base);
-    multigrid_ = std::make_unique<Multigrid>(serial, *system_, free.span());
     multigrid_->set_pins(positions);
 }
 
 bool MultilevelSolver::serves(const ClothSettings& settings) const {
-    const auto levels_of = [](const Fabric& fabric, const FiniteElements& elements) {
-        return elements.enabled
-                   ? std::tuple(elements.warp, elements.weft, elements.shear, elements.poisson,
-                                elements.bending, fabric.damping)
-                   : std::tuple(fabric.stretch, fabric.shear, fabric.bend, 0.0f, 0.0f, fabric.damping);
-    };
-    ClothSettings own = settings;
-    own.finite_elements = elements_;
-    return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == SystemKind(own) &&
-           levels_of(settings.fabric, settings.finite_elements) == levels_of(fabric_, elements_);
+    return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == kind_ &&
+           levels_key(settings) == levels_key_;
 }
 
-void MultilevelSolver::inverse_mass_changed(std::uint32_t /*particle*/,
+void MultilevelSolver::reserve_pins(std::size_t count) {
+    multigrid_->reserve_pins(count);
+}
+
+void MultilevelSolver::inverse_mass_changed(std::uint32_t particle,
                                             std::span<const Vec4> positions) noexcept {
-    multigrid_->set_pins(positions);
+    if (positions[particle].w == 0)
+        multigrid_->pin(particle);
+    else
+        multigrid_->unpin(particle);
 }
 
 void MultilevelSolver::inverse_masses_changed(std::span<const Vec4> positions) noexcept {
@@ -120,7 +101,7 @@ SolveResult MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterat
         rho = new_rho;
         scale_and_add(parallel, 1.0f, preconditioned.span(), static_cast<float>(beta), direction.span());
         const Products along = system_->multiply(parallel, residual.span(), direction.span(), product.span());
-        if (!(along.x_wx > 0)) break;
+        if (!(along.x_wx > 0 && along.b_x > 0)) break;  // solved to rounding
         const double slope = along.b_x, length = slope / along.x_wx;
         std::swap(residual, product);
         move(length);

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
+#include "cloth/solvers/make_system.h"
+#include "cloth/solvers/multigrid/levels.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/system/implicit_system.h"
@@ -17,6 +19,7 @@ class MultilevelSolver final : public Solver {
                      std::span<const Vec4> positions);
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    void reserve_pins(std::size_t count) override;
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
@@ -28,8 +31,8 @@ class MultilevelSolver final : public Solver {
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
-    Fabric fabric_;  // by which the levels were made
-    FiniteElements elements_;
+    SystemKind kind_;       // by which the system was made
+    LevelsKey levels_key_;  // and the levels
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;
     CgVectors vectors_;

@@ -1,0 +1,55 @@
+#pragma once
+// Small components of a coarse level, each solved by a dense factorisation of its own: work and memory are
+// linear in the number of components.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/solvers/multigrid/coarse_matrix.h"
+#include "cloth/solvers/multigrid/coarsening.h"
+#include "cloth/solvers/multigrid/galerkin.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+class ComponentSolver {
+  public:
+    /// Larger components have a coarser level instead.
+    static constexpr std::uint32_t most_nodes = 16;
+
+    /// Takes all memory that it needs. `lists` name the level's links.
+    ComponentSolver(const Components& components, const GalerkinLists& lists);
+
+    /// Cholesky factors of the matrix's blocks, in double precision.
+    void factorise(Parallel& parallel, const CoarseMatrix& matrix);
+    /// Sets x to the solution at the small components' nodes, and leaves the others alone.
+    void solve(Parallel& parallel, std::span<const Vec4> b, std::span<Vec4> x) const;
+
+    [[nodiscard]] std::size_t nodes() const noexcept { return nodes_.size(); }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// Its nodes, links and factor begin here, and end where those of the next one begin.
+    struct Component {
+        std::uint32_t node, link;
+        std::size_t factor;
+    };
+    /// A link by its place in the lists, its ends counted from the component's first node.
+    struct LocalLink {
+        std::uint32_t place, first, second;
+    };
+    [[nodiscard]] std::uint32_t count() const noexcept {
+        return static_cast<std::uint32_t>(components_.size()) - 1;
+    }
+    void factorise(std::uint32_t component, const CoarseMatrix& matrix);
+    void solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const;
+
+    std::vector<Component> components_;  // and behind the last of them their ends
+    std::vector<std::uint32_t> nodes_;
+    std::vector<LocalLink> links_;
+    AlignedBuffer<double> factors_;  // by columns
+};
+
+}  // namespace weft

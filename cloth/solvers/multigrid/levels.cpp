@@ -1,0 +1,48 @@
+#include "cloth/solvers/multigrid/levels.h"
+
+namespace weft {
+
+namespace {
+
+/// Bend springs below this part of the stretch stiffness are minor: see SpringSystem::is_minor.
+constexpr float minor_bend = 0.05f;
+
+/// The defaults; where bend springs count, as stiff as shear.
+ClothSettings representative(const LevelsKey& key) {
+    ClothSettings settings;
+    settings.finite_elements.enabled = key.elements;
+    if (key.bend_counts) settings.fabric.bend = settings.fabric.shear;
+    return settings;
+}
+
+}  // namespace
+
+LevelsKey levels_key(const ClothSettings& settings) {
+    const bool elements = settings.finite_elements.enabled;
+    return {.elements = elements,
+            .bend_counts = !elements && settings.fabric.bend > minor_bend * settings.fabric.stretch};
+}
+
+std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, const LevelsKey& key,
+                                       ImplicitSystem& system) {
+    Parallel serial(1);
+    const ClothSettings settings = representative(key);
+    const AlignedBuffer<Vec4> at_rest(model.particle_count);
+    AlignedBuffer<Vec4> free(model.particle_count);
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        const float mass = settings.fabric.areal_density * model.rest_area[i];
+        free[i] = to_vec4(xyz(model.positions[i]), mass > 0 ? 1.0f / mass : 0.0f);
+    }
+    const StepEquation equation{.settings = settings,
+                                .h = 1.0f / 60,
+                                .gamma = 1.0f / 60,
+                                .positions = free.span(),
+                                .velocities = at_rest.span(),
+                                .base_positions = free.span(),
+                                .base_velocities = at_rest.span(),
+                                .external = {}};
+    system.linearise(serial, equation, at_rest.span(), LinearisedAbout::base);
+    return std::make_unique<Multigrid>(serial, system, free.span());
+}
+
+}  // namespace weft
