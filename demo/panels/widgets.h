@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace weft::demo {
 
 inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
@@ -28,18 +30,31 @@ inline void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
-/// Sliders with their explanations. True if moved.
+/// Sliders with their explanations. True if moved. Their range reaches as far as any value that they have
+/// shown: what the command line or the scene asks for is shown uncut, and can be come back to.
 inline bool slider(const char* label, float& value, float least, float most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    ImGui::PushID(label);
+    float& low = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("least"), least);
+    float& high = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("most"), most);
+    ImGui::PopID();
+    low = std::min(low, value);
+    high = std::max(high, value);
     const bool moved =
-        ImGui::SliderFloat(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
     return moved;
 }
 inline bool slider(const char* label, int& value, int least, int most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    ImGui::PushID(label);
+    int& low = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("least"), least);
+    int& high = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("most"), most);
+    ImGui::PopID();
+    low = std::min(low, value);
+    high = std::max(high, value);
     const bool moved =
-        ImGui::SliderInt(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderInt(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
     return moved;
 }
