@@ -75,17 +75,23 @@ TEST(Simulation, RunsTheSameWayAfterARestart) {
 void write_tube(const std::filesystem::path& file) {
     constexpr int around = 12, rings = 6;
     std::ofstream out(file);
-    for (int ring = 0; ring < rings; ++ring)
+    for (int ring = 0; ring < rings; ++ring) {
         for (int i = 0; i < around; ++i) {
-            const double angle = 6.283185307 * i / around;
-            out << "v " << 0.2 * std::cos(angle) << ' ' << 0.2 * std::sin(angle) << ' ' << 0.1 * ring << '\n';
+            const double angle = 6.283185307 * i / around, height = 0.1 * ring;
+            out << "v " << 0.2 * std::cos(angle) << ' ' << 0.2 * std::sin(angle) << ' ' << height << "\nvt "
+                << 0.2 * angle << ' ' << height << '\n';
         }
-    for (int ring = 0; ring + 1 < rings; ++ring)
+    }
+    const auto triangle = [&](int a, int b, int c) {
+        out << "f " << a << '/' << a << ' ' << b << '/' << b << ' ' << c << '/' << c << '\n';
+    };
+    for (int ring = 0; ring + 1 < rings; ++ring) {
         for (int i = 0; i < around; ++i) {
             const int a = ring * around + i + 1, b = ring * around + (i + 1) % around + 1;
-            out << "f " << a << ' ' << b << ' ' << b + around << "\nf " << a << ' ' << b + around << ' '
-                << a + around << '\n';
+            triangle(a, b, b + around);
+            triangle(a, b + around, a + around);
         }
+    }
 }
 
 TEST(Simulation, GoesOnAsItWasWhereARestartFails) {
