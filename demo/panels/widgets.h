@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <functional>
+#include <type_traits>
 
 namespace weft::demo {
 
@@ -30,16 +32,31 @@ inline void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
+/// The end of a slider's range: `end`, or the widest that it has had.
+template <class Number, class Wider>
+Number widest(const char* label, const char* which, Number end, Wider wider) {
+    ImGui::PushID(label);
+    const ImGuiID id = ImGui::GetID(which);
+    ImGui::PopID();
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    if constexpr (std::is_same_v<Number, float>) {
+        const float before = storage.GetFloat(id, end);
+        if (wider(before, end)) return before;
+        storage.SetFloat(id, end);
+    } else {
+        const int before = storage.GetInt(id, end);
+        if (wider(before, end)) return before;
+        storage.SetInt(id, end);
+    }
+    return end;
+}
+
 /// Sliders with their explanations. True if moved. Their range reaches as far as any value that they have
 /// shown: what the command line or the scene asks for is shown uncut, and can be come back to.
 inline bool slider(const char* label, float& value, float least, float most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
-    ImGui::PushID(label);
-    float& low = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("least"), least);
-    float& high = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("most"), most);
-    ImGui::PopID();
-    low = std::min(low, value);
-    high = std::max(high, value);
+    const float low = widest(label, ".least", std::min(least, value), std::less<float>());
+    const float high = widest(label, ".most", std::max(most, value), std::greater<float>());
     const bool moved =
         ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
@@ -47,12 +64,8 @@ inline bool slider(const char* label, float& value, float least, float most, con
 }
 inline bool slider(const char* label, int& value, int least, int most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
-    ImGui::PushID(label);
-    int& low = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("least"), least);
-    int& high = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("most"), most);
-    ImGui::PopID();
-    low = std::min(low, value);
-    high = std::max(high, value);
+    const int low = widest(label, ".least", std::min(least, value), std::less<int>());
+    const int high = widest(label, ".most", std::max(most, value), std::greater<int>());
     const bool moved =
         ImGui::SliderInt(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
