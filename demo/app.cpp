@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "demo/interaction.h"
+#include "demo/keys.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
 #include "weft/render/context.h"
@@ -41,7 +42,7 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
-float held(int positive, int negative) {
+float held(Key positive, Key negative) {
     return static_cast<float>(ImGui::IsKeyDown(positive)) - static_cast<float>(ImGui::IsKeyDown(negative));
 }
 
@@ -105,18 +106,18 @@ class App {
     }
 
     void read_keys(float seconds) {
-        const float turn = held(GLFW_KEY_LEFT, GLFW_KEY_RIGHT), faster = held(GLFW_KEY_UP, GLFW_KEY_DOWN);
+        const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
-        if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback_.paused = !playback_.paused;
-        if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) panels_.visible = !panels_.visible;
-        if (ImGui::IsKeyPressed(GLFW_KEY_R, false)) restart();
-        if (ImGui::IsKeyPressed(GLFW_KEY_N)) {
+        if (ImGui::IsKeyPressed(key::space, false)) playback_.paused = !playback_.paused;
+        if (ImGui::IsKeyPressed(key::f1, false)) panels_.visible = !panels_.visible;
+        if (ImGui::IsKeyPressed(key::r, false)) restart();
+        if (ImGui::IsKeyPressed(key::n)) {
             playback_.paused = true;
             ++playback_.single_steps;
         }
-        int key = GLFW_KEY_1;
+        int number = 0;
         for (const SceneEntry& scene : all_scenes()) {
-            if (ImGui::IsKeyPressed(key++, false)) change_scene(scene);
+            if (ImGui::IsKeyPressed(key::digit(++number), false)) return change_scene(scene);
         }
     }
 
@@ -184,6 +185,10 @@ class App {
 }  // namespace
 
 int run_app(const Options& options, Simulation simulation) {
+    if (auto writable = check_writable("--trace", options.trace); !writable) {
+        std::fprintf(stderr, "weft_demo: %s\n", writable.error().message.c_str());
+        return 2;
+    }
     const auto fail = [](const Error& error) {
         std::fprintf(stderr, "weft_demo: %s; --headless needs no display\n", error.message.c_str());
         return 1;

@@ -35,10 +35,23 @@ class Failures {
 };
 
 std::filesystem::path picture_file(const Options& options, int frame) {
-    if (options.every == 0) return options.out / "final.png";
     char name[32];
     std::snprintf(name, sizeof name, "frame_%06d.png", frame);
     return options.out / name;
+}
+
+/// Error: the folder cannot be made, or what the run shall leave cannot be written.
+Result<void> prepare_files(const Options& options) {
+    std::error_code cannot;
+    std::filesystem::create_directories(options.out, cannot);
+    if (cannot) {
+        return Error{ErrorCode::file_not_found,
+                     "--out " + options.out.string() + " cannot be used: " + cannot.message()};
+    }
+    for (const char* file : {"final.png", "frame_times.csv", "final.obj"}) {
+        if (auto writable = check_writable("--out", options.out / file); !writable) return writable;
+    }
+    return check_writable("--trace", options.trace);  // it may lie in the same folder
 }
 
 /// What the run met on its way, from all its reports.
@@ -70,11 +83,8 @@ void print_summary(const Simulation& simulation, const FrameTable& table, const 
 }  // namespace
 
 int run_headless(const Options& options, Simulation& simulation) {
-    std::error_code cannot;
-    std::filesystem::create_directories(options.out, cannot);
-    if (cannot) {
-        std::fprintf(stderr, "weft_demo: --out %s cannot be used: %s\n", options.out.c_str(),
-                     cannot.message().c_str());
+    if (auto prepared = prepare_files(options); !prepared) {
+        std::fprintf(stderr, "weft_demo: %s\n", prepared.error().message.c_str());
         return 2;
     }
     Failures failures;
@@ -95,12 +105,12 @@ int run_headless(const Options& options, Simulation& simulation) {
             troubles.add(simulation.step(frame_seconds));
             table.add(simulation.world().profile(), simulation.world().report());
             if (photographer) photographer->record(simulation);
-            const bool wanted = options.every > 0 ? frame % options.every == 0 : frame == frames;
-            if (photographer && wanted)
+            if (photographer && options.every > 0 && frame % options.every == 0)
                 failures.note(photographer->shoot(simulation, picture_file(options, frame)));
             progress.update(frame);
         }
     }
+    if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png"));
 
     failures.note(table.write_csv(options.out / "frame_times.csv"));
     failures.note(

@@ -25,7 +25,7 @@ void describe(CLI::App& app, Options& options) {
         ->needs("--headless");
     app.add_option("--frames", options.frames, "Frames of 1/60 s to run (headless default: 120)")
         ->check(CLI::Range(1, 10'000'000));
-    app.add_option("--every", options.every, "Headless: a picture of every n-th frame, not of the last alone")
+    app.add_option("--every", options.every, "Headless: a picture of every n-th frame too, beside the last")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--out", options.out, "Folder for what a headless run leaves (default: out)")
         ->type_name("DIR");

@@ -14,7 +14,7 @@ struct Options : SimulationOptions {
     bool headless = false;
     bool panels = false;             ///< draw the panels into headless pictures too
     std::optional<int> frames;       ///< headless default_frames; in a window until it is closed
-    int every = 0;                   ///< a picture of every n-th frame; 0: of the last only
+    int every = 0;                   ///< a picture of every n-th frame too; 0: of the last only
     int width = 1280, height = 800;  ///< of window and pictures [pixels]
     std::filesystem::path out = "out";
     std::filesystem::path trace;  ///< empty: none is kept

@@ -1,7 +1,7 @@
 #include "demo/simulation.h"
 
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "demo/methods.h"
 
@@ -13,7 +13,13 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
         auto settings = world.cloth_settings(cloth.id);
         if (!settings) return settings.error();
         settings->method = overrides.method.value_or(settings->method);
-        if (overrides.iterations) set_iterations(settings->method, *overrides.iterations);
+        if (overrides.iterations) {
+            if (!iterations_of(settings->method))
+                return Error{ErrorCode::invalid_argument, "method " +
+                                                              std::string(entry_of(settings->method).name) +
+                                                              " does not iterate; leave --iterations out"};
+            set_iterations(settings->method, *overrides.iterations);
+        }
         settings->self_collision.enabled =
             overrides.self_collision.value_or(settings->self_collision.enabled);
         if (auto set = world.set_cloth_settings(cloth.id, *settings); !set) return set.error();
@@ -53,21 +59,17 @@ Result<void> Simulation::build() {
 }
 
 Result<void> Simulation::restart() {
-    std::vector<ClothSettings> settings;
-    for (const SceneCloth& cloth : content_.cloths) {
-        auto current = world_.cloth_settings(cloth.id);
-        if (!current) return current.error();
-        settings.push_back(*current);
-    }
     auto world = World::create(world_.settings());
     if (!world) return world.error();
-    world_ = std::move(*world);
-    scene_ = entry_->make();
-    if (auto built = build(); !built) return built.error();
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        if (auto set = world_.set_cloth_settings(content_.cloths[i].id, settings[i]); !set)
+    Simulation fresh(*entry_, options_, entry_->make(), std::move(*world));
+    if (auto built = fresh.build(); !built) return built.error();
+    for (std::size_t i = 0; i < content_.cloths.size(); ++i) {
+        const auto settings = world_.cloth_settings(content_.cloths[i].id);
+        if (!settings) return settings.error();
+        if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
+    *this = std::move(fresh);
     return {};
 }
 

@@ -28,8 +28,9 @@ class Simulation {
     /// Moves the scene's pins and colliders, then the world, by dt [s].
     const StepReport& step(float dt);
 
-    /// The scene from its start, with the settings that the world and the cloths have now.
-    Result<void> restart();
+    /// The scene from its start, with the settings that the world and the cloths have now. Error: it cannot
+    /// be built any more, and why; what runs goes on as it was.
+    [[nodiscard]] Result<void> restart();
 
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
     [[nodiscard]] Scene& scene() { return *scene_; }

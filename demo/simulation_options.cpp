@@ -4,9 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <system_error>
 #include <vector>
 
 #include "demo/methods.h"
+#include "demo/wind_control.h"
 
 namespace weft::demo {
 namespace {
@@ -15,7 +18,7 @@ std::string parse_wind(const std::string& text, std::optional<Vec3>& wind) {
     std::array<float, 3> v{};
     const bool parsed = parse_numbers<float>(text, ',', v);
     const float speed = std::hypot(v[0], v[1], v[2]);
-    if (!parsed || !(speed <= 100))
+    if (!parsed || !(speed <= WindControl::max_speed))
         return text + " is not a wind; X,Y,Z in m/s and at most 100 m/s are, as in 5,0,-1";
     wind = Vec3{v[0], v[1], v[2]};
     return {};
@@ -62,7 +65,8 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));
     app.add_option("--self-collision", options.overrides.self_collision,
-                   "1 on, 0 off (default: the scene's own)");
+                   "1 on, 0 off (default: the scene's own)")
+        ->check(CLI::IsMember({"0", "1"}));
 }
 
 std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv) {
@@ -74,6 +78,17 @@ std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv)
         return EarlyExit{2, std::string(error.what()) + " (--help lists the options)\n"};
     }
     return {};
+}
+
+Result<void> check_writable(const char* option, const std::filesystem::path& file) {
+    if (file.empty()) return {};
+    std::error_code ignored;
+    const bool existed = std::filesystem::exists(file, ignored);
+    const bool writable = std::ofstream(file, std::ios::app).is_open();
+    if (writable && !existed) std::filesystem::remove(file, ignored);
+    if (writable) return {};
+    return Error{ErrorCode::file_not_found, std::string(option) + " " + file.string() +
+                                                " cannot be written; its folder must exist and be writable"};
 }
 
 std::string scene_list() {

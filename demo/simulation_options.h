@@ -3,6 +3,7 @@
 // other.
 
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ struct EarlyExit {
 };
 
 void add_simulation_options(CLI::App& app, SimulationOptions& options);
+
+/// Whether a file can be written there, tried before a long run; what is there stays as it is. Error: it
+/// cannot. An empty path is no file, and none is needed.
+[[nodiscard]] Result<void> check_writable(const char* option, const std::filesystem::path& file);
 
 /// A line for each scene.
 [[nodiscard]] std::string scene_list();

@@ -9,9 +9,9 @@ namespace weft::demo {
 /// heading is kept while the air is still, so that the wind comes back from where it was.
 class WindControl {
   public:
-    static constexpr float max_speed = 20.0f;  ///< along the ground [m/s]
-    static constexpr float turn_rate = 1.6f;   ///< by keys [rad/s]
-    static constexpr float speed_rate = 4.0f;  ///< by keys [m/s^2]
+    static constexpr float max_speed = 100.0f;  ///< along the ground [m/s], the most that --wind takes
+    static constexpr float turn_rate = 1.6f;    ///< by keys [rad/s]
+    static constexpr float speed_rate = 4.0f;   ///< by keys [m/s^2]
 
     WindControl() = default;
     explicit WindControl(const Vec3& velocity);

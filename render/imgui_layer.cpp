@@ -9,6 +9,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "render/gl_state.h"
 
 namespace weft::render {
 
@@ -85,26 +89,128 @@ float content_scale(GLFWwindow* window) {
     return std::clamp(across, 1.0f, 4.0f);
 }
 
+/// Makes a context of Dear ImGui the current one, and the host's again as it ends.
+class CurrentContext {
+  public:
+    explicit CurrentContext(ImGuiContext* context) : host_(ImGui::GetCurrentContext()) {
+        ImGui::SetCurrentContext(context);
+    }
+    CurrentContext(const CurrentContext&) = delete;
+    CurrentContext& operator=(const CurrentContext&) = delete;
+    ~CurrentContext() { ImGui::SetCurrentContext(host_); }
+
+  private:
+    ImGuiContext* host_;
+};
+
+/// Whichever context is current stays so.
+ImGuiContext* make_context() {
+    const CurrentContext host(ImGui::GetCurrentContext());
+    return ImGui::CreateContext();
+}
+
+/// A window's callbacks. The layer's pass each event on to whatever the host had set, in the host's own
+/// context.
+struct Callbacks {
+    GLFWwindowfocusfun focus = nullptr;
+    GLFWcursorenterfun enter = nullptr;
+    GLFWcursorposfun position = nullptr;
+    GLFWmousebuttonfun button = nullptr;
+    GLFWscrollfun scroll = nullptr;
+    GLFWkeyfun key = nullptr;
+    GLFWcharfun character = nullptr;
+
+    /// Sets them, and returns those that were set before.
+    [[nodiscard]] Callbacks exchange(GLFWwindow* window) const {
+        return {glfwSetWindowFocusCallback(window, focus),  glfwSetCursorEnterCallback(window, enter),
+                glfwSetCursorPosCallback(window, position), glfwSetMouseButtonCallback(window, button),
+                glfwSetScrollCallback(window, scroll),      glfwSetKeyCallback(window, key),
+                glfwSetCharCallback(window, character)};
+    }
+};
+
+/// The layer that listens to its window. GLFW's events come on the main thread alone.
+struct Listener {
+    ImGuiContext* context = nullptr;
+    Callbacks host;
+
+    template <class... Values>
+    void pass(void (*to_layer)(GLFWwindow*, Values...), void (*to_host)(GLFWwindow*, Values...),
+              GLFWwindow* window, Values... values) const {
+        {
+            const CurrentContext current(context);
+            to_layer(window, values...);
+        }
+        if (to_host != nullptr) to_host(window, values...);
+    }
+};
+Listener listener;
+
+Callbacks layer_callbacks() {
+    Callbacks own;
+    own.focus = [](GLFWwindow* w, int focused) {
+        listener.pass(ImGui_ImplGlfw_WindowFocusCallback, listener.host.focus, w, focused);
+    };
+    own.enter = [](GLFWwindow* w, int entered) {
+        listener.pass(ImGui_ImplGlfw_CursorEnterCallback, listener.host.enter, w, entered);
+    };
+#if IMGUI_VERSION_NUM >= 18700  // before, the pointer is asked for its place at each frame
+    own.position = [](GLFWwindow* w, double x, double y) {
+        listener.pass(ImGui_ImplGlfw_CursorPosCallback, listener.host.position, w, x, y);
+    };
+#else
+    own.position = [](GLFWwindow* w, double x, double y) {
+        if (listener.host.position != nullptr) listener.host.position(w, x, y);
+    };
+#endif
+    own.button = [](GLFWwindow* w, int button, int action, int mods) {
+        listener.pass(ImGui_ImplGlfw_MouseButtonCallback, listener.host.button, w, button, action, mods);
+    };
+    own.scroll = [](GLFWwindow* w, double x, double y) {
+        listener.pass(ImGui_ImplGlfw_ScrollCallback, listener.host.scroll, w, x, y);
+    };
+    own.key = [](GLFWwindow* w, int key, int code, int action, int mods) {
+        listener.pass(ImGui_ImplGlfw_KeyCallback, listener.host.key, w, key, code, action, mods);
+    };
+    own.character = [](GLFWwindow* w, unsigned character) {
+        listener.pass(ImGui_ImplGlfw_CharCallback, listener.host.character, w, character);
+    };
+    return own;
+}
+
 }  // namespace
 
 struct ImGuiLayer::Impl {
-    explicit Impl(GLFWwindow* context_window) : window(context_window) {
-        ImGui::CreateContext();
+    explicit Impl(GLFWwindow* context_window) : window(context_window), context(make_context()) {
+        const CurrentContext current(context);
         ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
         set_style(content_scale(window));
         load_font(content_scale(window));
-        if (window != nullptr) ImGui_ImplGlfw_InitForOpenGL(window, true);
+        if (window != nullptr) {
+            ImGui_ImplGlfw_InitForOpenGL(window, false);
+            listener.context = context;
+            listener.host = layer_callbacks().exchange(window);
+        }
         ImGui_ImplOpenGL3_Init("#version 330 core");
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl() {
-        ImGui_ImplOpenGL3_Shutdown();
-        if (window != nullptr) ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
+        frame.reset();
+        {
+            const CurrentContext current(context);
+            ImGui_ImplOpenGL3_Shutdown();
+            if (window != nullptr) {
+                (void)std::exchange(listener, {}).host.exchange(window);
+                ImGui_ImplGlfw_Shutdown();
+            }
+        }
+        ImGui::DestroyContext(context);
     }
 
     GLFWwindow* window;  // null offscreen
+    ImGuiContext* context;
+    std::optional<CurrentContext> frame;  // from begin() to end()
 };
 
 ImGuiLayer::ImGuiLayer(Context& context) : impl_(std::make_unique<Impl>(context.window_handle())) {}
@@ -113,6 +219,8 @@ ImGuiLayer& ImGuiLayer::operator=(ImGuiLayer&&) noexcept = default;
 ImGuiLayer::~ImGuiLayer() = default;
 
 void ImGuiLayer::begin(int width, int height, float seconds_since_last) {
+    impl_->frame.emplace(impl_->context);
+    const SavedBindings bindings;  // the first frame uploads the font
     ImGui_ImplOpenGL3_NewFrame();
     if (impl_->window != nullptr) {
         ImGui_ImplGlfw_NewFrame();
@@ -126,13 +234,19 @@ void ImGuiLayer::begin(int width, int height, float seconds_since_last) {
 
 void ImGuiLayer::end() {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    {
+        const SavedDrawing host;
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
+    impl_->frame.reset();
 }
 
 bool ImGuiLayer::wants_mouse() const {
+    const CurrentContext current(impl_->context);
     return ImGui::GetIO().WantCaptureMouse;
 }
 bool ImGuiLayer::wants_keyboard() const {
+    const CurrentContext current(impl_->context);
     return ImGui::GetIO().WantCaptureKeyboard;
 }
 

@@ -7,6 +7,7 @@
 
 #include "render/capsule_mesh.h"
 #include "render/cloth_mesh.h"
+#include "render/gl_state.h"
 #include "render/light_frame.h"
 #include "render/programs.h"
 #include "render/render_targets.h"
@@ -50,19 +51,6 @@ Vec4 wind_arrow(const Vec3& wind, const Box& bounds) {
 Matrix4f clip_from_world(const OrbitCamera& camera, float aspect) {
     const Matrix4 view = camera.view(), projection = camera.projection(aspect);
     return Matrix4f(projection.data()) * Matrix4f(view.data());
-}
-
-/// A host or its panels may have left anything set.
-void set_known_state() {
-    for (const int off : {GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB})
-        glDisable(static_cast<GLenum>(off));
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glClearDepth(1.0);
-    glFrontFace(GL_CCW);
 }
 
 void set_look_uniforms(const Program& program, const FabricLook& look) {
@@ -118,8 +106,9 @@ void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned
     const Matrix4f clip =
         clip_from_world(view.camera, static_cast<float>(width) / static_cast<float>(height));
     upload_frame(view, clip, sun, sky, bounds);
-    set_known_state();
     picture.resize(width, height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
 
     // The sun meets a solid's lit side; from above its underside counts, which tells how close it is to the
     // ground.
@@ -242,8 +231,6 @@ void SceneRenderer::Impl::display(unsigned target, int width, int height) const 
     programs.display.use();
     glBindVertexArray(no_attributes.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glActiveTexture(GL_TEXTURE0);
 }
 
 SceneRenderer::SceneRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -252,12 +239,15 @@ SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
 Result<SceneRenderer> SceneRenderer::create() {
+    const SavedTarget target;
+    const SavedBindings bindings;
     auto programs = Programs::build();
     if (!programs) return programs.error();
     return SceneRenderer(std::make_unique<Impl>(std::move(*programs)));
 }
 
 ClothHandle SceneRenderer::add_cloth(const ClothSurface& surface) {
+    const SavedBindings bindings;
     impl_->cloths.try_emplace(++impl_->last_handle, surface);
     return impl_->last_handle;
 }
@@ -267,6 +257,7 @@ void SceneRenderer::remove_cloth(ClothHandle cloth) {
 }
 
 void SceneRenderer::update_cloth(ClothHandle cloth, const ClothFrame& frame) {
+    const SavedBindings bindings;
     if (const auto found = impl_->cloths.find(cloth); found != impl_->cloths.end())
         found->second.stream(frame);
 }
@@ -276,14 +267,26 @@ void SceneRenderer::set_look(ClothHandle cloth, const FabricLook& look) {
 }
 
 void SceneRenderer::draw(const View& view, int width, int height, unsigned target) {
-    if (width > 0 && height > 0) impl_->draw(view, width, height, target);
+    if (width <= 0 || height <= 0) return;
+    {
+        const SavedDrawing host;
+        impl_->draw(view, width, height, target);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, width, height);
 }
 
 Image SceneRenderer::capture(const View& view, int width, int height, const std::function<void()>& overlay) {
-    impl_->capture_target.resize(width, height);
-    draw(view, width, height, impl_->capture_target.framebuffer());
+    const SavedTarget host_target;
+    CaptureTarget& target = impl_->capture_target;
+    {
+        const SavedBindings bindings;
+        target.resize(width, height);
+    }
+    draw(view, width, height, target.framebuffer());
     if (overlay) overlay();
-    return impl_->capture_target.read();
+    const SavedBindings bindings;  // anew, since the overlay may have changed them
+    return target.read();
 }
 
 }  // namespace weft::render

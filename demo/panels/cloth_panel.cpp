@@ -38,7 +38,7 @@ bool self_collision_controls(ClothSettings& settings) {
 }
 
 bool world_sliders(WorldSettings& settings) {
-    bool changed = slider("substeps", settings.substeps, 1, 64, "%d", "Steps of the solver in each 1/60 s.",
+    bool changed = slider("substeps", settings.substeps, 1, 256, "%d", "Steps of the solver in each 1/60 s.",
                           ImGuiSliderFlags_Logarithmic);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     changed |= slider("threads", settings.threads, 0, std::max(cores, settings.threads),
@@ -48,7 +48,7 @@ bool world_sliders(WorldSettings& settings) {
 
 }  // namespace
 
-void cloth_panel(Simulation& simulation) {
+Result<void> cloth_panel(Simulation& simulation) {
     begin_panel("Cloth", {-panel_margin, panel_margin}, {340, 370});
     World& world = simulation.world();
     ImGui::PushItemWidth(190);
@@ -62,8 +62,9 @@ void cloth_panel(Simulation& simulation) {
     ImGui::PopItemWidth();
     ImGui::End();
 
-    if (world_changed) (void)world.set_settings(settings);
-    if (cloth_changed) set_all_cloths(simulation, *cloth);
+    if (world_changed)
+        if (auto set = world.set_settings(settings); !set) return set;
+    return cloth_changed ? set_all_cloths(simulation, *cloth) : Result<void>();
 }
 
 }  // namespace weft::demo

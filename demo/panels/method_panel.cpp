@@ -31,7 +31,7 @@ bool method_list(Method& method) {
 }
 
 bool iterations_slider(int& iterations, int least, const char* explanation) {
-    return slider("iterations", iterations, least, 500, "%d", explanation, logarithmic);
+    return slider("iterations", iterations, least, 10'000, "%d", explanation, logarithmic);
 }
 
 bool mean_motion_box(bool& exact) {
@@ -118,14 +118,14 @@ bool method_controls(ClothSettings& settings) {
     return changed;
 }
 
-void method_panel(Simulation& simulation) {
+Result<void> method_panel(Simulation& simulation) {
     begin_panel("Method", {panel_margin, 560}, {300, 228});
     ImGui::PushItemWidth(170);
     auto settings = simulation.world().cloth_settings(simulation.content().cloths.front().id);
     const bool changed = method_controls(*settings);
     ImGui::PopItemWidth();
     ImGui::End();
-    if (changed) set_all_cloths(simulation, *settings);
+    return changed ? set_all_cloths(simulation, *settings) : Result<void>();
 }
 
 }  // namespace weft::demo

@@ -38,16 +38,22 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& 
     PanelRequests requests;
     if (!visible) return requests;
     scene_panel(simulation, message, playback, requests);
-    wind_panel(simulation, wind, camera);
-    method_panel(simulation);
-    cloth_panel(simulation);
+    note(wind_panel(simulation, wind, camera));
+    note(method_panel(simulation));
+    note(cloth_panel(simulation));
     profiler_panel(simulation, history_, playback);
     return requests;
 }
 
-void set_all_cloths(Simulation& simulation, const ClothSettings& settings) {
-    for (const SceneCloth& each : simulation.content().cloths)
-        (void)simulation.world().set_cloth_settings(each.id, settings);
+void Panels::note(const Result<void>& set) {
+    if (!set) message = set.error().message;
+}
+
+Result<void> set_all_cloths(Simulation& simulation, const ClothSettings& settings) {
+    for (const SceneCloth& each : simulation.content().cloths) {
+        if (auto set = simulation.world().set_cloth_settings(each.id, settings); !set) return set;
+    }
+    return {};
 }
 
 }  // namespace weft::demo

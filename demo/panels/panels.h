@@ -56,21 +56,25 @@ class Panels {
                                      const render::OrbitCamera& camera);
 
   private:
+    void note(const Result<void>& set);
+
     StageHistory history_;
 };
 
-// One function for each panel, in a file of its name. Sliders are clamped within what the settings allow, so
-// that the simulation takes every change.
+// One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
+// goes on as it was.
 void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
                  PanelRequests& requests);
-void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera);
-void method_panel(Simulation& simulation);
-void cloth_panel(Simulation& simulation);
+[[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
+                                      const render::OrbitCamera& camera);
+[[nodiscard]] Result<void> method_panel(Simulation& simulation);
+[[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
 void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback);
 
 /// What the method panel shows. True if something was changed.
 bool method_controls(ClothSettings& settings);
-/// The panels show the first cloth's settings; what is changed there, all cloths get.
-void set_all_cloths(Simulation& simulation, const ClothSettings& settings);
+/// The panels show the first cloth's settings; what is changed there, all cloths get. Error: the first
+/// cloth that refuses.
+[[nodiscard]] Result<void> set_all_cloths(Simulation& simulation, const ClothSettings& settings);
 
 }  // namespace weft::demo

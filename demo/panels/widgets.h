@@ -3,6 +3,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+#include <type_traits>
+
 namespace weft::demo {
 
 inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
@@ -28,18 +32,42 @@ inline void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
-/// Sliders with their explanations. True if moved.
+/// The end of a slider's range: `end`, or the widest that it has had.
+template <class Number, class Wider>
+Number widest(const char* label, const char* which, Number end, Wider wider) {
+    ImGui::PushID(label);
+    const ImGuiID id = ImGui::GetID(which);
+    ImGui::PopID();
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    if constexpr (std::is_same_v<Number, float>) {
+        const float before = storage.GetFloat(id, end);
+        if (wider(before, end)) return before;
+        storage.SetFloat(id, end);
+    } else {
+        const int before = storage.GetInt(id, end);
+        if (wider(before, end)) return before;
+        storage.SetInt(id, end);
+    }
+    return end;
+}
+
+/// Sliders with their explanations. True if moved. Their range reaches as far as any value that they have
+/// shown: what the command line or the scene asks for is shown uncut, and can be come back to.
 inline bool slider(const char* label, float& value, float least, float most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    const float low = widest(label, ".least", std::min(least, value), std::less<float>());
+    const float high = widest(label, ".most", std::max(most, value), std::greater<float>());
     const bool moved =
-        ImGui::SliderFloat(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
     return moved;
 }
 inline bool slider(const char* label, int& value, int least, int most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    const int low = widest(label, ".least", std::min(least, value), std::less<int>());
+    const int high = widest(label, ".most", std::max(most, value), std::greater<int>());
     const bool moved =
-        ImGui::SliderInt(label, &value, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderInt(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
     return moved;
 }

@@ -68,7 +68,7 @@ bool wind_dial(WindControl& wind, const DialFrame& frame) {
                      {centre.x + radius * out.x, centre.y + radius * out.y},
                      ImGui::GetColorU32(ImGuiCol_TextDisabled));
     }
-    const float length = (0.35f + 0.5f * wind.speed() / WindControl::max_speed) * radius;
+    const float length = (0.35f + 0.5f * wind.speed() / (wind.speed() + 6.0f)) * radius;
     const ImGuiCol color = dragged ? ImGuiCol_SliderGrabActive : ImGuiCol_SliderGrab;
     draw_arrow(draw, centre, frame.direction(wind.heading()), length, ImGui::GetColorU32(color));
     return dragged;
@@ -76,7 +76,7 @@ bool wind_dial(WindControl& wind, const DialFrame& frame) {
 
 }  // namespace
 
-void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera) {
+Result<void> wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera) {
     begin_panel("Wind", {panel_margin, 286}, {300, 264});
     WorldSettings settings = simulation.world().settings();
 
@@ -85,7 +85,7 @@ void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCa
     ImGui::PushItemWidth(180);
     float speed = wind.speed();
     if (slider("speed", speed, 0, WindControl::max_speed, "%.1f m/s",
-               "Mean speed along the ground. Up and down arrow keys.")) {
+               "Mean speed along the ground. Up and down arrow keys.", ImGuiSliderFlags_Logarithmic)) {
         wind.set_speed(speed);
         changed = true;
     }
@@ -96,9 +96,9 @@ void wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCa
     ImGui::PopItemWidth();
     ImGui::End();
 
-    if (!changed) return;
+    if (!changed) return {};
     settings.wind.velocity = wind.velocity();
-    (void)simulation.world().set_settings(settings);
+    return simulation.world().set_settings(settings);
 }
 
 }  // namespace weft::demo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
+#include <utility>
 #include <variant>
 
 #include "demo/profile/measurement.h"
@@ -33,6 +34,10 @@ void print(const HardwareCounters::Counts& counts, double particles_stepped) {
 }
 
 int run(const ProfileOptions& options) {
+    for (const auto& [option, file] :
+         {std::pair("--csv", options.csv), std::pair("--trace", options.trace)}) {
+        if (auto writable = check_writable(option, file); !writable) return fail(2, writable.error());
+    }
     const HardwareCounters counters;
     StageTable table;
     Measured measured;

@@ -38,7 +38,7 @@ void StageTable::end_run() {
 std::vector<const StageTable::Stage*> StageTable::step_first() const {
     std::vector<const Stage*> order;
     for (const Stage& stage : stages_) order.push_back(&stage);
-    if (!order.empty()) std::ranges::rotate(order, order.end() - 1);
+    if (!order.empty()) std::rotate(order.begin(), order.end() - 1, order.end());
     return order;
 }
 

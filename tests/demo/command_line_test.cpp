@@ -88,6 +88,8 @@ TEST_F(Program, RefusesWhatIsNotThere) {
     expect_refusal(run("--headless --scene garment"), "--garment");
     expect_refusal(run("--headless --garment /no/such/shirt.obj"), "/no/such/shirt.obj");
     expect_refusal(run("--headless --particles -3"), "--particles");
+    expect_refusal(run("--headless --self-collision 2"), "--self-collision");
+    expect_refusal(run("--headless --method symplectic-euler --iterations 4"), "symplectic-euler");
     expect_refusal(run("--headless --frames 1 --out /dev/null/here"), "/dev/null/here");
 }
 
@@ -120,7 +122,29 @@ TEST_F(Program, TakesAPictureOfEveryNthFrame) {
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000002.png"));
     EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000004.png"));
-    EXPECT_FALSE(std::filesystem::exists(folder() / "out/final.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder() / "out/final.png"));
+}
+
+TEST_F(Program, TakesAPictureOfTheLastFrameWhereNoOtherIsDue) {
+    const Ran ran = run_headless("--frames 3 --every 20");
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(std::filesystem::exists(folder() / "out/final.png"));
+}
+
+TEST_F(Program, RefusesWhatItCannotWriteBeforeItRuns) {
+    // A run as long as this would not end within the test's time.
+    const std::string long_run = "--headless --frames 9000000 --out " + (folder() / "out").string();
+    expect_refusal(run(long_run + " --trace /no/such/folder/trace.json"),
+                   "--trace /no/such/folder/trace.json");
+    expect_refusal(run(long_run + " --trace " + folder().string()), "--trace");
+    std::filesystem::create_directories(folder() / "out/final.obj");
+    expect_refusal(run(long_run), "final.obj");
+}
+
+TEST_F(Program, WritesATraceIntoTheFolderThatItMakes) {
+    const Ran ran = run_headless("--frames 2 --trace " + (folder() / "out/trace.json").string());
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_GT(std::filesystem::file_size(folder() / "out/trace.json"), 100u);
 }
 
 TEST_F(Program, GivesTheSameHashWheneverItRunsOnAnyThreads) {

@@ -70,17 +70,19 @@ TEST_P(BadArguments, AreRefusedInOneLine) {
 }
 
 using Bad = std::vector<const char*>;
-INSTANTIATE_TEST_SUITE_P(Options, BadArguments,
-                         testing::Values(Bad{"--particles", "0"}, Bad{"--particles", "-5"},
-                                         Bad{"--particles", "many"}, Bad{"--particles", "1e99"},
-                                         Bad{"--threads", "0"}, Bad{"--threads", "257"}, Bad{"--wind", "1,2"},
-                                         Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
-                                         Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"},
-                                         Bad{"--size", "640"}, Bad{"--size", "0x480"},
-                                         Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
-                                         Bad{"--substeps", "0"}, Bad{"--frames", "0"}, Bad{"--every", "0"},
-                                         Bad{"--method", "magic"}, Bad{"--self-collision", "maybe"},
-                                         Bad{"--frames"}, Bad{"--no-such-option"}));
+INSTANTIATE_TEST_SUITE_P(
+    Options, BadArguments,
+    testing::Values(Bad{"--particles", "0"}, Bad{"--particles", "-5"}, Bad{"--particles", "many"},
+                    Bad{"--particles", "1e99"}, Bad{"--threads", "0"}, Bad{"--threads", "257"},
+                    Bad{"--wind", "1,2"}, Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
+                    Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"}, Bad{"--size", "640"},
+                    Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
+                    Bad{"--substeps", "0"}, Bad{"--frames", "0"}, Bad{"--every", "0"},
+                    Bad{"--method", "magic"}, Bad{"--self-collision", "maybe"}, Bad{"--self-collision", "2"},
+                    Bad{"--self-collision", "-1"}, Bad{"--self-collision", "0.5"}, Bad{"--particles", "nan"},
+                    Bad{"--particles", "12.5"}, Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"},
+                    Bad{"--wind", "80,80,0"}, Bad{"--substeps", "257"}, Bad{"--iterations", "10001"},
+                    Bad{"--frames", "-1"}, Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
 
 TEST(Options, HelpIsNoError) {
     const auto parsed = parse({"--help"});

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
 #include "demo/methods.h"
 
 namespace weft::demo {
@@ -50,12 +54,68 @@ TEST(Simulation, RefusesWhatTheWorldRefuses) {
     EXPECT_FALSE(Simulation::create(*find_scene("flag"), {}, overrides).ok());
 }
 
+TEST(Simulation, RefusesIterationsOfAMethodThatHasNone) {
+    Overrides overrides;
+    overrides.method = SymplecticEuler{};
+    overrides.iterations = 5;
+    const auto refused = Simulation::create(*find_scene("flag"), {}, overrides);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().message.find("symplectic-euler"), std::string::npos) << refused.error().message;
+}
+
 TEST(Simulation, RunsTheSameWayAfterARestart) {
     Simulation simulation = small_flag();
     const std::uint64_t first = hash_after(simulation, 20);
     ASSERT_TRUE(simulation.restart().ok());
     EXPECT_EQ(simulation.time(), 0);
     EXPECT_EQ(hash_after(simulation, 20), first);
+}
+
+/// A tube of cloth, standing along +Z, as a garment file.
+void write_tube(const std::filesystem::path& file) {
+    constexpr int around = 12, rings = 6;
+    std::ofstream out(file);
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int i = 0; i < around; ++i) {
+            const double angle = 6.283185307 * i / around, height = 0.1 * ring;
+            out << "v " << 0.2 * std::cos(angle) << ' ' << 0.2 * std::sin(angle) << ' ' << height << "\nvt "
+                << 0.2 * angle << ' ' << height << '\n';
+        }
+    }
+    const auto triangle = [&](int a, int b, int c) {
+        out << "f " << a << '/' << a << ' ' << b << '/' << b << ' ' << c << '/' << c << '\n';
+    };
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+        for (int i = 0; i < around; ++i) {
+            const int a = ring * around + i + 1, b = ring * around + (i + 1) % around + 1;
+            triangle(a, b, b + around);
+            triangle(a, b + around, a + around);
+        }
+    }
+}
+
+TEST(Simulation, GoesOnAsItWasWhereARestartFails) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "weft_restarted_tube.obj";
+    write_tube(file);
+    SceneOptions options;
+    options.garment = file;
+    auto made = Simulation::create(*find_scene("garment"), options, {});
+    auto twin = Simulation::create(*find_scene("garment"), options, {});
+    ASSERT_TRUE(made.ok() && twin.ok()) << made.error().message;
+    EXPECT_EQ(hash_after(*made, 5), hash_after(*twin, 5));
+
+    std::filesystem::remove(file);
+    const auto restarted = made->restart();
+    ASSERT_FALSE(restarted.ok());
+    EXPECT_NE(restarted.error().message.find(file.string()), std::string::npos) << restarted.error().message;
+    EXPECT_EQ(made->time(), twin->time());
+    EXPECT_TRUE(made->world().cloth(made->content().cloths.front().id).ok());
+    EXPECT_EQ(hash_after(*made, 5), hash_after(*twin, 5));
+
+    write_tube(file);
+    EXPECT_TRUE(made->restart().ok());
+    EXPECT_EQ(made->time(), 0);
+    std::filesystem::remove(file);
 }
 
 TEST(Simulation, KeepsSettingsOverARestart) {

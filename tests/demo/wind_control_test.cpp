@@ -11,7 +11,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 
 TEST(WindControl, GivesBackTheWindThatItTook) {
-    for (const Vec3 wind : {Vec3{3, 0.5f, -4}, Vec3{-1, 0, 0}, Vec3{0, -2, 7}, Vec3{0, 1, 0}}) {
+    for (const Vec3 wind :
+         {Vec3{3, 0.5f, -4}, Vec3{-1, 0, 0}, Vec3{0, -2, 7}, Vec3{0, 1, 0}, Vec3{60, 5, -70}}) {
         const Vec3 back = WindControl(wind).velocity();
         EXPECT_NEAR(back.x, wind.x, 1e-5);
         EXPECT_EQ(back.y, wind.y);

@@ -40,5 +40,34 @@ TEST_F(ImguiLayer, OneMayFollowAnother) {
     EXPECT_EQ(ImGui::GetCurrentContext(), nullptr);
 }
 
+TEST_F(ImguiLayer, LeavesAHostsOwnContextAlone) {
+    ImGuiContext* const host = ImGui::CreateContext();
+    ImGui::SetCurrentContext(host);
+    const char* const settings_file = ImGui::GetIO().IniFilename;
+    const float rounding = ImGui::GetStyle().WindowRounding = 3.25f;
+    {
+        ImGuiLayer layer(context());
+        EXPECT_EQ(ImGui::GetCurrentContext(), host);
+        for (int frame = 0; frame < 2; ++frame) {
+            layer.begin(320, 200, 1.0f / 60);
+            EXPECT_NE(ImGui::GetCurrentContext(), host);
+            EXPECT_EQ(ImGui::GetIO().DisplaySize.x, 320.0f);
+            EXPECT_FALSE(layer.wants_mouse() || layer.wants_keyboard());
+            layer.end();
+            EXPECT_EQ(ImGui::GetCurrentContext(), host);
+            EXPECT_FALSE(layer.wants_mouse() || layer.wants_keyboard());
+            EXPECT_EQ(ImGui::GetCurrentContext(), host);
+        }
+        ImGuiLayer moved = std::move(layer);
+        moved.begin(64, 48, 1.0f / 60);  // and its end never comes
+    }
+    EXPECT_EQ(ImGui::GetCurrentContext(), host);
+    EXPECT_EQ(ImGui::GetIO().IniFilename, settings_file);
+    EXPECT_EQ(ImGui::GetIO().Fonts->Fonts.Size, 0) << "the host's atlas";
+    EXPECT_EQ(ImGui::GetStyle().WindowRounding, rounding);
+    EXPECT_EQ(ImGui::GetIO().BackendRendererUserData, nullptr);
+    ImGui::DestroyContext(host);
+}
+
 }  // namespace
 }  // namespace weft::render

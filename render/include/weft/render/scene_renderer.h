@@ -75,6 +75,8 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
+/// What a host has set in OpenGL 3.3 changes no picture, and every call leaves it as it was, but for the
+/// target of draw(). Transform feedback and conditional rendering must not be under way.
 class SceneRenderer {
   public:
     /// Precondition: a Context is current, here and at every call. Error: a shader that does not compile (the
