@@ -52,6 +52,7 @@ struct Cloth {
     [[nodiscard]] ClothInfo info() const;
 
     CookedCloth model;
+    mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;

@@ -9,13 +9,13 @@
 namespace weft {
 
 struct Sphere {
-    Vec3 center;          ///< [m]
+    Vec3 center{};        ///< [m]
     float radius = 0.1f;  ///< [m], > 0
 };
 
 /// All points within `radius` of the segment a b.
 struct Capsule {
-    Vec3 a, b;            ///< [m]; a == b is a sphere
+    Vec3 a{}, b{};        ///< [m]; a == b is a sphere
     float radius = 0.1f;  ///< [m], > 0
 };
 
@@ -26,7 +26,7 @@ struct Plane {
 };
 
 struct Collider {
-    std::variant<Sphere, Capsule, Plane> shape;
+    std::variant<Sphere, Capsule, Plane> shape{};
     float friction = 0.4f;  ///< Coulomb coefficient, >= 0; multiplied by the cloth's own
 };
 
