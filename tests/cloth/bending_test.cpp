@@ -191,8 +191,15 @@ TEST_P(FoldedPanel, RestsWhereItWasFoldedAndComesBackFromBothSides) {
         Vec4& turned = cloth.state.positions[particles[3]];
         turned = {pushed.x, pushed.y, pushed.z, turned.w};
         for (const std::uint32_t vertex : {0u, 1u, 2u}) cloth.pin(particles[vertex]);
-        relax_to_rest(cloth, {0, 0, 0}, 0.05f, 60);
-        EXPECT_NEAR(fold_of(cloth.state.positions.span(), particles), static_cast<double>(GetParam()), 1);
+        const auto from_rest = [&] {
+            const double fold = fold_of(cloth.state.positions.span(), particles);
+            return std::abs(std::remainder(fold - static_cast<double>(GetParam()), 360.0));
+        };
+        for (int step = 0; step < 60; ++step) {
+            relax_to_rest(cloth, {0, 0, 0}, 0.05f, 1);
+            ASSERT_LE(from_rest(), std::abs(push) + 0.5f) << "the long way round, in step " << step;
+        }
+        EXPECT_LE(from_rest(), 1);
     }
 }
 INSTANTIATE_TEST_SUITE_P(Degrees, FoldedPanel,
