@@ -74,6 +74,7 @@ struct Cloth {
     [[nodiscard]] ClothInfo info() const;
 
     CookedCloth model;
+    mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;             ///< for the present settings and pins

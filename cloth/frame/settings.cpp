@@ -1,5 +1,8 @@
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <string>
 
 #include "cloth/frame/validate.h"
 #include "cloth/mesh/coordinates.h"
@@ -9,33 +12,62 @@ namespace weft {
 
 namespace {
 
-/// Keeps the first complaint.
+std::string text(float value) {
+    return number_text(static_cast<double>(value));
+}
+
+bool is_between(float value, float low, float high) {
+    return value >= low && value <= high;
+}
+
+/// Keeps the first complaint. Not-a-number is within no range.
 class Checks {
   public:
-    void at_least_zero(const char* name, float value) { require(value >= 0, name, value, "finite and >= 0"); }
-    void positive(const char* name, float value) { require(value > 0, name, value, "finite and > 0"); }
-    void below(const char* name, float value, float limit) {
-        require(value < limit, name, value, "below " + number_text(static_cast<double>(limit)));
+    void between(const char* name, float value, float low, float high) {
+        require(is_between(value, low, high), name, value, "from " + text(low) + " to " + text(high));
     }
-    void at_least(const char* name, float value, float least) {
-        require(value >= least, name, value, "finite and >= " + number_text(static_cast<double>(least)));
+    void zero_or_between(const char* name, float value, float low, float high) {
+        require(value == 0 || is_between(value, low, high), name, value,
+                "0, or from " + text(low) + " to " + text(high));
+    }
+    void below(const char* name, float value, float limit) {
+        require(value < limit, name, value, "below " + text(limit));
     }
     void within(const char* name, int value, int low, int high) {
-        require(value >= low && value <= high, name, static_cast<float>(value),
+        require(value >= low && value <= high, name, value,
                 "from " + std::to_string(low) + " to " + std::to_string(high));
     }
-    void finite(const char* name, const Vec3& value) {
-        if (!first_ && !is_finite(value)) first_ = out_of_range(name, value, "finite in every component");
+    void within(const char* name, const Vec3& value, float limit) {
+        const bool good = is_between(value.x, -limit, limit) && is_between(value.y, -limit, limit) &&
+                          is_between(value.z, -limit, limit);
+        if (!first_ && !good)
+            first_ = out_of_range(name, value,
+                                  "from " + text(-limit) + " to " + text(limit) + " in every component");
+    }
+    /// Of an enum whose values count from 0, and whose names are `names`.
+    template <class Enum>
+    void one_of(const char* name, Enum value, std::initializer_list<const char*> names) {
+        std::string all;
+        for (const char* each : names) all.append(all.empty() ? "" : " or ").append(each);
+        const auto number = static_cast<std::int64_t>(value);
+        require(number >= 0 && number < static_cast<std::int64_t>(names.size()), name, number, all);
+    }
+    void allow(bool good, const char* complaint) {
+        if (!first_ && !good) first_ = Error{ErrorCode::invalid_argument, complaint};
     }
     [[nodiscard]] Result<void> result() const { return first_ ? Result<void>(*first_) : Result<void>(); }
 
   private:
-    void require(bool good, const char* name, float value, const std::string& requirement) {
-        if (!first_ && !(good && std::isfinite(value)))
-            first_ = out_of_range(name, static_cast<double>(value), requirement);
+    template <class Number>
+    void require(bool good, const char* name, Number value, const std::string& requirement) {
+        if (!first_ && !good) first_ = out_of_range(name, static_cast<double>(value), requirement);
     }
     std::optional<Error> first_;
 };
+
+// The ranges of settings.h. At their ends, together, a step overflows nothing: a force of 1e9 N/m on the
+// lightest particle leaves squares of its acceleration within single precision.
+constexpr float most_stiffness = 1e9f;  // [N/m]
 
 constexpr int most_iterations = 100000;
 
@@ -49,6 +81,7 @@ void check(Checks& checks, const ConjugateGradient& method) {
     checks.within("ConjugateGradient::iterations", method.iterations, 1, most_iterations);
 }
 void check(Checks& checks, const Multilevel& method) {
+    checks.one_of("Multilevel::use", method.use, {"Use::passes", "Use::nonlinear_conjugate_gradient"});
     checks.within("Multilevel::iterations", method.iterations, 1, most_iterations);
     checks.within("Multilevel::passes", method.passes, 1, most_iterations);
 }
@@ -57,30 +90,79 @@ void check(Checks& checks, const Xpbd& method) {
 }
 void check(Checks& checks, const Fibres& method) {
     checks.within("Fibres::iterations", method.iterations, 1, most_iterations);
+    const auto solver = [&](const char* name, Fibres::SetSolver value) {
+        checks.one_of(name, value, {"SetSolver::gauss_seidel", "SetSolver::ldlt"});
+    };
+    solver("Fibres::vertical", method.vertical);
+    solver("Fibres::horizontal", method.horizontal);
+    solver("Fibres::shear", method.shear);
 }
 void check(Checks& /*checks*/, const SymplecticEuler& /*method*/) {}
 
+void check(Checks& checks, const Method& method) {
+    checks.allow(!method.valueless_by_exception(),
+                 "ClothSettings::method holds no method, since an assignment to it threw; assign one");
+    if (!method.valueless_by_exception())
+        std::visit([&](const auto& chosen) { check(checks, chosen); }, method);
+}
+
+void check(Checks& checks, const Fabric& fabric) {
+    checks.between("Fabric::areal_density", fabric.areal_density, 1e-4f, 1e4f);
+    checks.between("Fabric::stretch", fabric.stretch, 0, most_stiffness);
+    checks.between("Fabric::shear", fabric.shear, 0, most_stiffness);
+    checks.between("Fabric::bend", fabric.bend, 0, most_stiffness);
+    checks.between("Fabric::damping", fabric.damping, 0, 100);
+}
+
 void check(Checks& checks, const FiniteElements& elements) {
-    checks.positive("FiniteElements::warp", elements.warp);
-    checks.positive("FiniteElements::weft", elements.weft);
-    checks.positive("FiniteElements::shear", elements.shear);
-    checks.at_least("FiniteElements::poisson", elements.poisson, 0);
+    constexpr float least_stiffness = 1e-4f;  // [N/m]
+    checks.between("FiniteElements::warp", elements.warp, least_stiffness, most_stiffness);
+    checks.between("FiniteElements::weft", elements.weft, least_stiffness, most_stiffness);
+    checks.between("FiniteElements::shear", elements.shear, least_stiffness, most_stiffness);
+    checks.between("FiniteElements::poisson", elements.poisson, 0, 0.5f);
     checks.below("FiniteElements::poisson", elements.poisson, 0.5f);
-    checks.at_least("FiniteElements::bending", elements.bending, 0);
+    checks.between("FiniteElements::bending", elements.bending, 0, 1e4f);
+}
+
+/// What one setting leaves no room for in another.
+void check_together(Checks& checks, const ClothSettings& settings) {
+    const FiniteElements& elements = settings.finite_elements;
+    const bool positional =
+        std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
+    checks.allow(
+        !(elements.enabled && positional),
+        "FiniteElements::enabled is true, and Xpbd and Fibres know springs only; it must be false with "
+        "them, or ClothSettings::method an implicit one or SymplecticEuler");
+    checks.allow(
+        !(elements.enabled && elements.consistent_mass &&
+          std::holds_alternative<SymplecticEuler>(settings.method)),
+        "FiniteElements::consistent_mass is true, and SymplecticEuler divides by lumped masses; it must "
+        "be false with it, or ClothSettings::method an implicit one");
+}
+
+void check(Checks& checks, const SelfCollision& contact) {
+    checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
+    checks.between("SelfCollision::friction", contact.friction, 0, 1000);
+    checks.one_of("SelfCollision::search", contact.search,
+                  {"SelfCollisionSearch::exact", "SelfCollisionSearch::shifted_grids"});
+}
+
+void check(Checks& checks, const Wind& wind) {
+    checks.within("Wind::velocity", wind.velocity, 1e3f);
+    checks.between("Wind::gust", wind.gust, 0, 100);
+    checks.between("Wind::gust_length", wind.gust_length, 1e-3f, 1e5f);
+    checks.between("Wind::air_density", wind.air_density, 0, 1e4f);
+    checks.between("Wind::drag", wind.drag, 0, 1e3f);
+    checks.between("Wind::lift", wind.lift, 0, 1e3f);
 }
 
 }  // namespace
 
 Result<void> validate(const WorldSettings& settings) {
     Checks checks;
-    checks.finite("WorldSettings::gravity", settings.gravity);
-    checks.finite("Wind::velocity", settings.wind.velocity);
-    checks.at_least_zero("Wind::gust", settings.wind.gust);
-    checks.positive("Wind::gust_length", settings.wind.gust_length);
-    checks.at_least_zero("Wind::air_density", settings.wind.air_density);
-    checks.at_least_zero("Wind::drag", settings.wind.drag);
-    checks.at_least_zero("Wind::lift", settings.wind.lift);
-    checks.positive("WorldSettings::max_speed", settings.max_speed);
+    checks.within("WorldSettings::gravity", settings.gravity, 1e4f);
+    check(checks, settings.wind);
+    checks.between("WorldSettings::max_speed", settings.max_speed, 1e-3f, 1e4f);
     checks.within("WorldSettings::substeps", settings.substeps, 1, 256);
     checks.within("WorldSettings::threads", settings.threads, 0, 256);
     if (settings.executor.run != nullptr) checks.within("Executor::width", settings.executor.width, 1, 256);
@@ -89,20 +171,18 @@ Result<void> validate(const WorldSettings& settings) {
 
 Result<void> validate(const ClothSettings& settings) {
     Checks checks;
-    checks.positive("Fabric::areal_density", settings.fabric.areal_density);
-    checks.at_least_zero("Fabric::stretch", settings.fabric.stretch);
-    checks.at_least_zero("Fabric::shear", settings.fabric.shear);
-    checks.at_least_zero("Fabric::bend", settings.fabric.bend);
-    checks.at_least_zero("Fabric::damping", settings.fabric.damping);
+    check(checks, settings.fabric);
     check(checks, settings.finite_elements);
-    std::visit([&](const auto& method) { check(checks, method); }, settings.method);
+    check(checks, settings.method);
+    check_together(checks, settings);
+    checks.one_of("ClothSettings::time_scheme", settings.time_scheme,
+                  {"TimeScheme::backward_euler", "TimeScheme::bdf2"});
     checks.within("ClothSettings::substeps", settings.substeps, 1, 1024);
-    checks.at_least("Tethers::slack", settings.tethers.slack, 1.0f);
-    checks.at_least_zero("SelfCollision::distance", settings.self_collision.distance);
-    checks.at_least_zero("SelfCollision::friction", settings.self_collision.friction);
-    checks.at_least_zero("ClothSettings::air_damping", settings.air_damping);
-    checks.at_least_zero("ClothSettings::thickness", settings.thickness);
-    checks.at_least_zero("ClothSettings::friction", settings.friction);
+    checks.between("Tethers::slack", settings.tethers.slack, 1, 1e3f);
+    check(checks, settings.self_collision);
+    checks.between("ClothSettings::air_damping", settings.air_damping, 0, 1e6f);
+    checks.between("ClothSettings::thickness", settings.thickness, 0, 10);
+    checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
     return checks.result();
 }
 

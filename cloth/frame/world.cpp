@@ -180,16 +180,17 @@ Result<ClothInfo> World::cloth_info(ClothId id) const {
                       [](const Cloth& cloth) { return Result<ClothInfo>(cloth.info()); });
 }
 
-Result<ClothView> World::cloth(ClothId id) const {
+Result<const ClothView&> World::cloth(ClothId id) const {
     return with_cloth(impl_->simulation, id, [](const Cloth& cloth) {
         const ClothState& state = cloth.state;
-        return Result<ClothView>(ClothView{.positions = state.positions.span(),
-                                           .previous_positions = state.previous_positions.span(),
-                                           .velocities = state.velocities.span(),
-                                           .normals = state.normals.span(),
-                                           .triangles = cloth.model.triangles,
-                                           .vertex_to_particle = cloth.model.vertex_to_particle,
-                                           .bounds = {cloth.extent.lower, cloth.extent.upper}});
+        cloth.view = {.positions = state.positions.span(),
+                      .previous_positions = state.previous_positions.span(),
+                      .velocities = state.velocities.span(),
+                      .normals = state.normals.span(),
+                      .triangles = cloth.model.triangles,
+                      .vertex_to_particle = cloth.model.vertex_to_particle,
+                      .bounds = {cloth.extent.lower, cloth.extent.upper}};
+        return Result<const ClothView&>(cloth.view);
     });
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -238,6 +240,42 @@ bool is_grid(const Mesh& mesh) {
     return mesh.rows > 0;
 }  // check_mesh: rows and columns are zero together
 
+/// The cell of a grid that a triangle halves, by its near left corner, and the corner that the triangle
+/// leaves out: 0 near left, 1 near right, 2 far left, 3 far right. Nothing: the triangle halves no cell.
+struct Half {
+    std::uint32_t cell, left_out;
+};
+std::optional<Half> half_of_cell(const Mesh& mesh, const Triangle& triangle) {
+    const std::uint32_t columns = mesh.columns;
+    std::uint32_t row = mesh.rows, column = columns;
+    for (const std::uint32_t vertex : triangle) {
+        row = std::min(row, vertex / columns);
+        column = std::min(column, vertex % columns);
+    }
+    std::uint32_t left_out = 0;  // 0 ^ 1 ^ 2 ^ 3: what three of them leave is the fourth
+    for (const std::uint32_t vertex : triangle) {
+        const std::uint32_t down = vertex / columns - row, across = vertex % columns - column;
+        if (down > 1 || across > 1) return std::nullopt;
+        left_out ^= 2 * down + across;
+    }
+    return Half{row * columns + column, left_out};
+}
+
+/// The first triangle that is none of the grid's, by its number; the count of triangles where there is none.
+/// Each cell has two, which leave out opposite corners.
+std::size_t first_strange_triangle(const Mesh& mesh, std::span<const Triangle> triangles) {
+    constexpr std::uint8_t none_yet = 4, full = 5;
+    std::vector<std::uint8_t> left_out(mesh.positions.size(), none_yet);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::optional<Half> half = half_of_cell(mesh, triangles[t]);
+        if (!half) return t;
+        std::uint8_t& before = left_out[half->cell];
+        if (before != none_yet && before != 3 - half->left_out) return t;
+        before = before == none_yet ? static_cast<std::uint8_t>(half->left_out) : full;
+    }
+    return triangles.size();
+}
+
 /// Springs along the threads need every particle and every cell of the grid.
 Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
     const auto unlike_grid = [&](const std::string& what) {
@@ -246,6 +284,7 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
                          std::to_string(mesh.columns) + " " + what +
                          "; set both to 0 for a mesh that is not a grid"};
     };
+    if (mesh.rows < 2 || mesh.columns < 2) return unlike_grid("has no cells: each must be at least 2");
     if (topology.particle_count() != mesh.positions.size())
         return unlike_grid("has " + std::to_string(mesh.positions.size()) + " vertices at only " +
                            std::to_string(topology.particle_count()) + " different positions");
@@ -253,6 +292,15 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
     if (topology.triangles.size() != 2 * cells)
         return unlike_grid("must have " + std::to_string(2 * cells) + " triangles of some area, not " +
                            std::to_string(topology.triangles.size()));
+    const std::size_t strange = first_strange_triangle(mesh, topology.triangles);
+    if (strange < topology.triangles.size()) {
+        const auto [a, b, c] = topology.triangles[strange];
+        return unlike_grid(
+            "has vertex (row, column) at row * columns + column, and two triangles in each of "
+            "its cells: the triangle of vertices " +
+            std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c) +
+            " is not one of them");
+    }
     return {};
 }
 

@@ -44,9 +44,8 @@ struct CookedCloth {
     ClothInfo info;  ///< mass and bytes are filled in by the cloth
 };
 
-/// Error: a position that is not finite, an index out of range, an edge of more than two triangles, no
-/// triangles left, a pattern, texcoords or grid whose size does not fit. Faces of no area are dropped and
-/// counted.
+/// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. Faces of no
+/// area are dropped and counted.
 [[nodiscard]] Result<CookedCloth> cook(const Mesh& mesh);
 
 }  // namespace weft

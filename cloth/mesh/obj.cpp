@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -5,146 +6,100 @@
 #include <fstream>
 #include <limits>
 #include <span>
-#include <sstream>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include <tiny_obj_loader.h>
-
-#include "cloth/mesh/obj_lines.h"
+#include "cloth/mesh/obj_parser.h"
 #include "cloth/mesh/topology.h"
-#include "engine/error_text.h"
 #include "weft/mesh.h"
 
 namespace weft {
 
 namespace {
 
-constexpr std::uint32_t none = ~0u;
+using Corner = ObjContent::Corner;
 
-/// The file's own arrays, with indices counted from 0.
-struct Content {
-    struct Corner {
-        std::uint32_t position;
-        std::uint32_t texcoord;  ///< or `none`
-    };
+/// More than the largest mesh takes.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 33;
 
-    std::vector<Vec3> positions;
-    std::vector<Vec2> texcoords;
-    std::vector<std::array<Corner, 3>> triangles;
-    std::uint32_t triangulated_faces = 0;
-    bool has_texcoords = false;  ///< on any corner
+/// All corners of the triangles, by positions: those of position i are [offsets[i], offsets[i + 1]) of
+/// `corners`, ascending.
+struct CornersByPosition {
+    std::vector<std::uint32_t> offsets, corners;
 };
 
-/// OBJ counts from 1, or from -1 backwards; 0 stands for no index. Precondition: check_obj found the index in
-/// range.
-std::uint32_t from_zero(int index, std::size_t so_far) {
-    if (index == 0) return none;
-    return static_cast<std::uint32_t>(index > 0 ? index - 1 : static_cast<std::int64_t>(so_far) + index);
+CornersByPosition sort_by_position(const ObjContent& content) {
+    CornersByPosition result;
+    result.offsets.assign(content.positions.size() + 1, 0);
+    result.corners.resize(3 * content.triangles.size());
+    for (const auto& triangle : content.triangles)
+        for (const Corner& corner : triangle) ++result.offsets[corner.position + 1];
+    for (std::size_t i = 1; i < result.offsets.size(); ++i) result.offsets[i] += result.offsets[i - 1];
+    std::vector<std::uint32_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    for (std::uint32_t c = 0; c < result.corners.size(); ++c)
+        result.corners[next[content.triangles[c / 3][c % 3].position]++] = c;
+    return result;
 }
 
-void append_face(Content& content, std::span<const tinyobj::index_t> face) {
-    const auto corner = [&](const tinyobj::index_t& index) {
-        const Content::Corner result{from_zero(index.vertex_index, content.positions.size()),
-                                     from_zero(index.texcoord_index, content.texcoords.size())};
-        content.has_texcoords |= result.texcoord != none;
-        return result;
-    };
-    for (std::size_t i = 2; i < face.size(); ++i)
-        content.triangles.push_back({corner(face[0]), corner(face[i - 1]), corner(face[i])});
-    content.triangulated_faces += face.size() > 3;
+Vec2 texcoord_of(const ObjContent& content, std::uint32_t corner) {
+    const std::uint32_t texcoord = content.triangles[corner / 3][corner % 3].texcoord;
+    return texcoord == Corner::none ? Vec2{} : content.texcoords[texcoord];
 }
 
-/// tinyobj scales digits by powers of ten that leave a double's range before the number itself does: "0e999".
-Result<void> check_scaled(const Content& content, const std::string& file) {
-    const auto overflow = [&](const char* keyword, std::size_t index) {
-        return Error{ErrorCode::malformed_file,
-                     file + ": \"" + keyword + "\" line " + std::to_string(index + 1) +
-                         " of its kind has an exponent that cannot be read; write the "
-                         "number without it"};
+/// For each corner the first that has the same position and texture coordinate; corners are counted three to
+/// a triangle.
+std::vector<std::uint32_t> first_alike(const ObjContent& content) {
+    CornersByPosition by_position = sort_by_position(content);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const Vec2 p = texcoord_of(content, a), q = texcoord_of(content, b);
+        return std::tie(p.x, p.y, a) < std::tie(q.x, q.y, b);
     };
-    for (std::size_t i = 0; i < content.positions.size(); ++i)
-        if (!is_finite(content.positions[i])) return overflow("v", i);
-    for (std::size_t i = 0; i < content.texcoords.size(); ++i)
-        if (!is_finite({content.texcoords[i].x, content.texcoords[i].y, 0})) return overflow("vt", i);
-    return {};
-}
-
-Result<Content> parse(std::string text, const std::string& file) {
-    tinyobj::callback_t callbacks;
-    callbacks.vertex_cb = [](void* user, float x, float y, float z, float) {
-        static_cast<Content*>(user)->positions.push_back({x, y, z});
-    };
-    callbacks.texcoord_cb = [](void* user, float x, float y, float) {
-        static_cast<Content*>(user)->texcoords.push_back({x, y});
-    };
-    callbacks.index_cb = [](void* user, tinyobj::index_t* corners, int count) {
-        append_face(*static_cast<Content*>(user), {corners, static_cast<std::size_t>(count)});
-    };
-
-    Content content;
-    std::istringstream stream(std::move(text));
-    std::string problem;
-    if (!tinyobj::LoadObjWithCallback(stream, callbacks, &content, nullptr, nullptr, &problem))
-        return Error{ErrorCode::malformed_file, file + ": " + problem};
-    if (Result<void> scaled = check_scaled(content, file); !scaled) return scaled.error();
-    return content;
+    std::vector<std::uint32_t> first(by_position.corners.size());
+    for (std::size_t i = 0; i + 1 < by_position.offsets.size(); ++i) {
+        const auto row =
+            std::span(by_position.corners)
+                .subspan(by_position.offsets[i], by_position.offsets[i + 1] - by_position.offsets[i]);
+        std::ranges::sort(row, before);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const bool same = k > 0 && [&] {
+                const Vec2 p = texcoord_of(content, row[k - 1]), q = texcoord_of(content, row[k]);
+                return p.x == q.x && p.y == q.y;
+            }();
+            first[row[k]] = same ? first[row[k - 1]] : row[k];
+        }
+    }
+    return first;
 }
 
 /// Gives each pair of position and texture coordinate a vertex. Vertex i is the file's `v` line i, whether a
 /// corner uses it or not; further texture coordinates at one position get vertices after all of these, in
 /// order of use.
-class VertexSplitter {
-  public:
-    VertexSplitter(std::span<const Vec2> texcoords, Mesh& mesh)
-        : source_(texcoords),
-          mesh_(mesh),
-          used_(mesh.positions.size(), false),
-          next_(mesh.positions.size(), none) {
-        mesh.texcoords.resize(mesh.positions.size());
-    }
-
-    std::uint32_t vertex_of(const Content::Corner& corner) {
-        const Vec2 texcoord = corner.texcoord == none ? Vec2{} : source_[corner.texcoord];
-        std::uint32_t vertex = corner.position;
-        if (!used_[vertex]) {
-            used_[vertex] = true;
-            mesh_.texcoords[vertex] = texcoord;
-            return vertex;
-        }
-        while (mesh_.texcoords[vertex].x != texcoord.x || mesh_.texcoords[vertex].y != texcoord.y) {
-            if (next_[vertex] == none) next_[vertex] = append(corner.position, texcoord);
-            vertex = next_[vertex];
-        }
-        return vertex;
-    }
-
-  private:
-    std::uint32_t append(std::uint32_t position, const Vec2& texcoord) {
-        const Vec3 copy = mesh_.positions[position];
-        mesh_.positions.push_back(copy);
-        mesh_.texcoords.push_back(texcoord);
-        next_.push_back(none);
-        return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
-    }
-
-    std::span<const Vec2> source_;
-    Mesh& mesh_;
-    std::vector<bool> used_;           // of the file's vertices: by a corner so far
-    std::vector<std::uint32_t> next_;  // of all vertices: the next one at the same position, or `none`
-};
-
-Mesh build_mesh(Content content, bool texcoords_are_pattern) {
+Mesh build_mesh(ObjContent content, bool texcoords_are_pattern) {
+    const std::vector<std::uint32_t> first = first_alike(content);
     Mesh mesh;
     mesh.positions = std::move(content.positions);
-    mesh.triangles.reserve(content.triangles.size());
-    VertexSplitter splitter(content.texcoords, mesh);
-    for (const auto& [a, b, c] : content.triangles) {
-        const std::uint32_t first = splitter.vertex_of(a), second = splitter.vertex_of(b);
-        mesh.triangles.push_back({first, second, splitter.vertex_of(c)});
-    }
+    mesh.triangles.resize(content.triangles.size());
+    mesh.texcoords.resize(mesh.positions.size());
+    std::vector<bool> used(mesh.positions.size(), false);
+    const auto new_vertex = [&](std::uint32_t corner) {
+        const std::uint32_t position = content.triangles[corner / 3][corner % 3].position;
+        const Vec2 texcoord = texcoord_of(content, corner);
+        if (!used[position]) {
+            used[position] = true;
+            mesh.texcoords[position] = texcoord;
+            return position;
+        }
+        const Vec3 copy = mesh.positions[position];
+        mesh.positions.push_back(copy);
+        mesh.texcoords.push_back(texcoord);
+        return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+    };
+    for (std::uint32_t c = 0; c < first.size(); ++c)
+        mesh.triangles[c / 3][c % 3] =
+            first[c] == c ? new_vertex(c) : mesh.triangles[first[c] / 3][first[c] % 3];
     if (!content.has_texcoords) mesh.texcoords.clear();
     if (texcoords_are_pattern) mesh.pattern = mesh.texcoords;
     return mesh;
@@ -154,31 +109,41 @@ std::string system_message() {
     return std::generic_category().message(errno);
 }
 
-Result<std::string> read_text(const std::filesystem::path& file) {
+Error unreadable(const std::string& file) {
+    return {ErrorCode::file_not_found, file + ": cannot be read: " + system_message()};
+}
+
+Result<void> check_file(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return Error{ErrorCode::file_not_found, file.string() + ": is a directory; name an OBJ file"};
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream content;
-    if (stream) content << stream.rdbuf();
-    if (!stream.is_open() || stream.bad())
-        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read: " + system_message()};
-    std::string text = std::move(content).str();
-    if (text.empty())
-        return Error{ErrorCode::malformed_file, file.string() + ": is empty; an OBJ file has v and f lines"};
-    return text;
+    if (!std::filesystem::is_regular_file(file, ignored)) return {};
+    const std::uintmax_t bytes = std::filesystem::file_size(file, ignored);
+    if (!ignored && bytes > most_bytes)
+        return Error{ErrorCode::malformed_file, file.string() + ": has " + std::to_string(bytes) +
+                                                    " bytes; an OBJ file may have at most " +
+                                                    std::to_string(most_bytes)};
+    return {};
 }
 
 Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, ObjReport* report) {
-    const Result<std::string> text = read_text(file);
-    if (!text) return text.error();
-    Result<CheckedObj> checked = check_obj(*text, file.string(), options.texcoords_are_pattern);
-    if (!checked) return checked.error();
-    Result<Content> content = parse(std::move(checked->text), file.string());
-    if (!content) return content.error();
-    if (report != nullptr) *report = {checked->ignored_lines, content->triangulated_faces};
-    return build_mesh(std::move(*content), options.texcoords_are_pattern);
+    if (Result<void> checked = check_file(file); !checked) return checked.error();
+    const std::string name = file.string();
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return unreadable(name);
+    try {
+        if (stream.rdbuf()->sgetc() == std::ifstream::traits_type::eof())
+            return Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"};
+        Result<ObjContent> content = parse_obj(stream, name, options.texcoords_are_pattern);
+        if (!content) return content.error();
+        const ObjReport noticed{content->ignored_lines, content->triangulated_faces};
+        Mesh mesh = build_mesh(*std::move(content), options.texcoords_are_pattern);
+        if (report != nullptr) *report = noticed;
+        return mesh;
+    } catch (const std::ios_base::failure&) {  // what the stream's buffer throws where reading fails
+        return unreadable(name);
+    }
 }
 
 /// Nine significant digits tell any two floats apart.

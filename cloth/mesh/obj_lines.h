@@ -1,7 +1,8 @@
 #pragma once
-// OBJ text, line by line, checked before a parser sees it.
+// OBJ text, statement by statement, read in a stream: a file needs no more memory than its longest line.
 
-#include <cstdint>
+#include <cstddef>
+#include <istream>
 #include <string>
 #include <string_view>
 
@@ -9,16 +10,34 @@
 
 namespace weft {
 
-/// What is left of an OBJ file after check_obj. Invariant: every v line has three finite coordinates or more,
-/// every vt line two, every f line three corners whose indices exist, and no line continues another.
-struct CheckedObj {
-    std::string text;                 ///< the v, vt and f lines, without comments
-    std::uint32_t ignored_lines = 0;  ///< the others, blank lines and comments not counted
-};
+class ObjLines {
+  public:
+    /// Characters of a statement, its comments not counted. Longer ones are no OBJ file's.
+    static constexpr std::size_t most_characters = std::size_t{1} << 20;
 
-/// Error: a line that breaks the invariant, or has a corner without the texture coordinate that
-/// `need_texcoords` asks for; or no faces. `file` is the name that errors give it.
-[[nodiscard]] Result<CheckedObj> check_obj(std::string_view text, const std::string& file,
-                                           bool need_texcoords);
+    /// `file` is the name that errors give the stream. Both must outlive this.
+    ObjLines(std::istream& stream, const std::string& file);
+
+    /// Goes on to the next statement; false at the end. Lines that a backslash joins are one statement.
+    /// Error: a statement that is too long.
+    [[nodiscard]] Result<bool> next();
+    /// Without comments and line ends, whether LF, CR LF or CR.
+    [[nodiscard]] std::string_view text() const noexcept { return text_; }
+
+    /// "FILE:LINE: message", by the present statement's first line, counted from 1.
+    [[nodiscard]] Error error(const std::string& message) const { return error_at(line_, message); }
+    [[nodiscard]] Error error_at(std::size_t line, const std::string& message) const;
+    [[nodiscard]] std::size_t line() const noexcept { return line_; }
+
+  private:
+    /// Appends a line of the file to the text; false: that has become too long.
+    [[nodiscard]] bool append_line();
+    [[nodiscard]] bool at_end() const;
+
+    std::streambuf& stream_;
+    const std::string& file_;
+    std::string text_;
+    std::size_t line_ = 0, lines_read_ = 0;
+};
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "cloth/mesh/mesh_limits.h"
 #include "engine/error_text.h"
 #include "engine/vector.h"
 #include "weft/mesh.h"
@@ -11,8 +12,6 @@
 namespace weft {
 
 namespace {
-
-constexpr double most_particles = 67108864;  // 2^26
 
 /// Sine of the least angle between u and v; a flatter sheet is all but a line.
 constexpr double least_sine = 1e-3;
@@ -29,7 +28,7 @@ Result<void> check(const SheetSettings& settings) {
     const double rows = settings.rows, columns = settings.columns;
     if (rows < 2) return out_of_range("SheetSettings::rows", rows, "at least 2");
     if (columns < 2) return out_of_range("SheetSettings::columns", columns, "at least 2");
-    if (rows * columns > most_particles)
+    if (rows * columns > static_cast<double>(most_vertices))
         return out_of_range("SheetSettings::rows * SheetSettings::columns", rows * columns,
                             "at most 2^26 = 67108864");
 

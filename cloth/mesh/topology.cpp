@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "cloth/mesh/coordinates.h"
+#include "cloth/mesh/mesh_limits.h"
 #include "engine/error_text.h"
 #include "engine/vector.h"
 
@@ -17,16 +18,12 @@ namespace weft {
 
 namespace {
 
-/// Half-edge lists are indexed by 32 bits; at up to twelve half-edges a triangle these bounds keep within
-/// them.
-constexpr std::size_t most_vertices = std::size_t{1} << 26;
-constexpr std::size_t most_triangles = std::size_t{1} << 27;
-
 /// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
 constexpr double least_relative_height = 1e-6;
 
-/// [m^2]. The square of a tenth of a nanometre; much below it, inverse masses would overflow.
-constexpr double least_area = 1e-20;
+/// [m^2]. The square of a tenth of a micrometre: with the least density, particles of such triangles weigh
+/// 1e-19 kg, whose inverse a float holds with room for its square.
+constexpr double least_area = 1e-14;
 
 template <std::integral Integer>
 std::string text(Integer value) {
@@ -96,6 +93,12 @@ Result<void> check_points(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.pattern.size(); ++i) {
         const Vec2& p = mesh.pattern[i];
         if (!usable(p.x) || !usable(p.y)) return unusable_point("pattern", i, p);
+    }
+    for (std::size_t i = 0; i < mesh.texcoords.size(); ++i) {
+        const Vec2& p = mesh.texcoords[i];
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            return invalid_mesh("Mesh::texcoords[" + text(i) + "] is " + text(p) +
+                                "; both coordinates must be finite");
     }
     return {};
 }
@@ -234,11 +237,22 @@ std::vector<std::uint32_t> component_roots(const Topology& topology) {
     return parents;
 }
 
-std::uint32_t count_loose(const Topology& topology) {
-    std::vector<bool> used(topology.particle_count(), false);
+/// Of each particle.
+std::vector<std::uint32_t> triangle_counts(const Topology& topology) {
+    std::vector<std::uint32_t> counts(topology.particle_count(), 0);
     for (const Triangle& triangle : topology.triangles)
-        for (const std::uint32_t particle : triangle) used[particle] = true;
-    return static_cast<std::uint32_t>(std::count(used.begin(), used.end(), false));
+        for (const std::uint32_t particle : triangle) ++counts[particle];
+    return counts;
+}
+
+Result<void> check_crowding(const Topology& topology, std::span<const std::uint32_t> counts) {
+    const auto crowded =
+        std::ranges::find_if(counts, [](std::uint32_t count) { return count > most_triangles_at_particle; });
+    if (crowded == counts.end()) return {};
+    return invalid_mesh(
+        "vertex " + text(topology.first_vertices[static_cast<std::size_t>(crowded - counts.begin())]) +
+        " is a corner of " + text(*crowded) + " triangles; at most " + text(most_triangles_at_particle) +
+        " may meet there: cut the faces along other diagonals");
 }
 
 }  // namespace
@@ -310,9 +324,11 @@ Result<Topology> build_topology(const Mesh& mesh) {
         return invalid_mesh(
             "all " + text(mesh.triangles.size()) + " triangles of the mesh have no area in its " +
             (mesh.pattern.empty() ? "positions" : "pattern") + "; a cloth needs at least one that has");
+    const std::vector<std::uint32_t> counts = triangle_counts(topology);
+    if (Result<void> crowding = check_crowding(topology, counts); !crowding) return crowding.error();
     if (Result<void> edges = build_edges(sources, topology); !edges) return edges.error();
     build_components(topology);
-    topology.loose_particles = count_loose(topology);
+    topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(counts, 0u));
     return topology;
 }
 

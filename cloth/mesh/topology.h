@@ -49,7 +49,7 @@ struct Topology {
 };
 
 /// Error: see check_mesh; or an edge of more than two triangles, two triangles of the same three particles,
-/// or no triangle that has an area.
+/// a particle of more than most_triangles_at_particle triangles, or no triangle that has an area.
 [[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
 
 /// Finds the components of the present edges and particles.

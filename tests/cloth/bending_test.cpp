@@ -10,6 +10,7 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <span>
 
 #include "meshes.h"
 #include "strips.h"
@@ -148,6 +149,61 @@ TEST(QuadraticBending, FlatClothHasNoneAndRigidMotionAddsNone) {
     EXPECT_GT(energy, 0.01);
     EXPECT_NEAR(quadratic_energy(bending, moved), energy, 1e-5 * energy);
 }
+
+/// Two triangles about the z axis, one of them turned up by `degrees` from where both lie flat.
+Mesh folded_panel(float degrees) {
+    const float angle = degrees * std::numbers::pi_v<float> / 180;
+    Mesh mesh;
+    mesh.positions = {
+        {0, 0, -0.1f}, {0, 0, 0.1f}, {-0.1f, 0, 0}, {0.1f * std::cos(angle), 0.1f * std::sin(angle), 0}};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+    return mesh;
+}
+
+/// Of such a panel, in [0, 360).
+double fold_of(std::span<const Vec4> positions, std::span<const std::uint32_t> particles) {
+    const Vec4 &edge = positions[particles[0]], &fixed = positions[particles[2]],
+               &turned = positions[particles[3]];
+    const double from =
+        std::atan2(static_cast<double>(fixed.y - edge.y), static_cast<double>(fixed.x - edge.x));
+    const double to =
+        std::atan2(static_cast<double>(turned.y - edge.y), static_cast<double>(turned.x - edge.x));
+    const double degrees = (to - from) * 180 / std::numbers::pi + 180;
+    return degrees - 360 * std::floor(degrees / 360);
+}
+
+class FoldedPanel : public testing::TestWithParam<float> {};
+
+// A hinge's angle jumps from 180 to -180 degrees where its panels meet: what rests near there must not feel
+// it.
+TEST_P(FoldedPanel, RestsWhereItWasFoldedAndComesBackFromBothSides) {
+    for (const float push : {0.0f, 15.0f, -15.0f}) {
+        SCOPED_TRACE(push);
+        Cloth cloth(cook(folded_panel(GetParam())).value(), [] {
+            ClothSettings settings;
+            settings.air_damping = 2;
+            settings.fabric.areal_density = 0.2f;
+            settings.finite_elements = {.enabled = true, .bending = 1e-3f, .dihedral = true};
+            return settings;
+        }());
+        const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
+        const Vec3 pushed = folded_panel(GetParam() + push).positions[3];
+        Vec4& turned = cloth.state.positions[particles[3]];
+        turned = {pushed.x, pushed.y, pushed.z, turned.w};
+        for (const std::uint32_t vertex : {0u, 1u, 2u}) cloth.pin(particles[vertex]);
+        const auto from_rest = [&] {
+            const double fold = fold_of(cloth.state.positions.span(), particles);
+            return std::abs(std::remainder(fold - static_cast<double>(GetParam()), 360.0));
+        };
+        for (int step = 0; step < 60; ++step) {
+            relax_to_rest(cloth, {0, 0, 0}, 0.05f, 1);
+            ASSERT_LE(from_rest(), std::abs(push) + 0.5f) << "the long way round, in step " << step;
+        }
+        EXPECT_LE(from_rest(), 1);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Degrees, FoldedPanel,
+                         testing::Values(10.0f, 90.0f, 170.0f, 179.0f, 181.0f, 190.0f, 350.0f));
 
 struct Cantilever {
     bool irregular, dihedral;

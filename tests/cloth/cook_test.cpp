@@ -311,6 +311,47 @@ TEST(Cook, RefusesAGridWithHolesOrCoincidingParticles) {
         << cooked.error().message;
 }
 
+TEST(Cook, AGridMayBeCutAlongAnyDiagonalsAndWoundEitherWay) {
+    Mesh grid = test::must(make_sheet({.rows = 4, .columns = 5}));
+    const CookedCloth expected = test::must(cook(grid));
+    std::ranges::reverse(grid.triangles);
+    for (Triangle& triangle : grid.triangles) std::swap(triangle[0], triangle[2]);
+    EXPECT_TRUE(std::ranges::equal(test::must(cook(grid)).neighbours.span(), expected.neighbours.span()));
+    EXPECT_TRUE(cook(test::evenly_cut({.rows = 4, .columns = 5})));
+    EXPECT_TRUE(cook(test::evenly_cut({.rows = 5, .columns = 2})));
+}
+
+TEST(Cook, RefusesAGridOfAnotherNumbering) {
+    const auto refusal = [](const Mesh& mesh) {
+        const auto cooked = cook(mesh);
+        EXPECT_FALSE(cooked);
+        return cooked ? std::string() : cooked.error().message;
+    };
+    const Mesh grid = test::must(make_sheet({.rows = 4, .columns = 6}));
+
+    Mesh transposed = grid;
+    std::swap(transposed.rows, transposed.columns);
+    EXPECT_NE(refusal(transposed).find("is not one of them; set both to 0"), std::string::npos);
+
+    Mesh swapped = grid;  // two vertices change numbers, and the triangles know it
+    std::swap(swapped.positions[3], swapped.positions[20]);
+    for (Triangle& triangle : swapped.triangles)
+        for (std::uint32_t& vertex : triangle) vertex = vertex == 3 ? 20 : vertex == 20 ? 3 : vertex;
+    EXPECT_NE(refusal(swapped).find("(row, column) at row * columns + column"), std::string::npos);
+
+    // Both triangles of a cell leave out neighbouring corners: they overlap, and part of it stays open.
+    Mesh overlapping = grid;
+    overlapping.triangles[0] = {0, 6, 1};
+    overlapping.triangles[1] = {0, 6, 7};
+    EXPECT_NE(refusal(overlapping).find("vertices 0, 6 and 7 is not one of them"), std::string::npos)
+        << refusal(overlapping);
+
+    Mesh line = test::fan(1);
+    line.rows = 1;
+    line.columns = 3;
+    EXPECT_NE(refusal(line).find("at least 2"), std::string::npos);
+}
+
 TEST(Cook, PassesTheMeshsErrorsOn) {
     Mesh mesh = test::fan(3);
     mesh.triangles[0][0] = 70;

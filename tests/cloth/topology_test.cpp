@@ -211,6 +211,17 @@ TEST(Topology, RefusesPointsThatAreNotFinite) {
     expect_named(refusal(mesh), {"pattern[3]", "(inf, 1)", "finite"});
 }
 
+TEST(Topology, RefusesTextureCoordinatesThatAreNotFinite) {
+    Mesh mesh = test::loose_sheet(2, 2);
+    mesh.texcoords[1].y = nan;
+    expect_named(refusal(mesh), {"texcoords[1]", "nan", "finite"});
+}
+
+TEST(Topology, RefusesMoreTrianglesAtAVertexThanSolversCanPrepare) {
+    EXPECT_EQ(test::must(build_topology(test::fan(1024))).triangles.size(), 1024u);
+    expect_named(refusal(test::fan(1025)), {"vertex 0", "corner of 1025 triangles", "at most 1024"});
+}
+
 TEST(Topology, RefusesIndicesOutOfRange) {
     Mesh mesh = test::fan(3);
     mesh.triangles[1][2] = 99;

@@ -22,6 +22,10 @@ foreach(header IN LISTS headers)
   run(${cxx_compiler} -std=c++20 -Wall -Wextra -Wconversion -Wdouble-promotion -Werror -fsyntax-only
     -I ${folder}/prefix/include ${folder}/alone.cpp)
 endforeach()
+
+# What a host writes with any of the settings must not warn there either.
+run(${cxx_compiler} -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I ${folder}/prefix/include
+  ${CMAKE_CURRENT_LIST_DIR}/designated_initialisers.cpp)
 list(LENGTH headers count)
 message(STATUS "${count} headers compile alone")
 file(REMOVE_RECURSE ${folder})

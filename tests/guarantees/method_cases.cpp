@@ -81,9 +81,9 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     if (!takes_elements(method.settings.method)) return add("_mesh_all", mesh, tethers, self, gusts);
     add("_elements", elements);
     add("_hinges", elements, hinges);
-    add("_consistent", elements, consistent);
     if (!is_implicit(method.settings.method))
-        return add("_mesh_all", mesh, tethers, self, gusts, elements, hinges, consistent);
+        return add("_mesh_all", mesh, tethers, self, gusts, elements, hinges);
+    add("_consistent", elements, consistent);
     add("_bdf2", bdf2);
     add("_mesh_all", mesh, bdf2, tethers, self, gusts, elements, hinges, consistent);
 }

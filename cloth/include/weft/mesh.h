@@ -15,7 +15,11 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clo
 
 /// Any triangle mesh: several components and borders are fine, edges shared by more than two triangles are
 /// not. Vertices at the same position (split for a renderer at texture seams, say) are welded into one
-/// particle.
+/// particle. Triangles lower than a millionth of their longest edge, or smaller than 1e-14 m^2, count as
+/// faces of no area.
+///
+/// At most 2^26 vertices, 2^27 triangles, and 1024 triangles at one particle. All that reads a mesh takes
+/// time and memory in proportion to it, up to a logarithm.
 struct Mesh {
     std::vector<Vec3> positions{};  ///< where the cloth starts [m], one per vertex
     std::vector<Triangle> triangles{};
@@ -28,9 +32,9 @@ struct Mesh {
     /// Optional: texture coordinates, one per vertex, for renderers. Weft only carries them.
     std::vector<Vec2> texcoords{};
 
-    /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], and springs run along
-    /// the threads (structural, shear, bend). 0: a general mesh, with springs on edges and across shared
-    /// edges.
+    /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], each cell of four is two
+    /// triangles, cut along either diagonal, and springs run along the threads (structural, shear, bend). 0:
+    /// a general mesh, with springs on edges and across shared edges.
     std::uint32_t rows = 0, columns = 0;
 };
 
@@ -49,7 +53,7 @@ struct SheetSettings {
 /// What load_obj noticed and went on from.
 struct ObjReport {
     std::uint32_t ignored_lines = 0;       ///< of kinds that a mesh does not need: normals, groups, `vv`, `t`
-    std::uint32_t triangulated_faces = 0;  ///< faces of more than three corners, cut into fans
+    std::uint32_t triangulated_faces = 0;  ///< faces of more than three corners, cut into triangles
 };
 
 struct ObjOptions {
@@ -60,8 +64,13 @@ struct ObjOptions {
 
 /// Reads a Wavefront OBJ file. Vertex i is the file's `v` line i, used or not; where corners give one
 /// position several texture coordinates (seams), vertices for these follow after all of the file's own, in
-/// order of use. Errors name the file and the line: a missing or unreadable file, a line cut short, a
-/// coordinate that is not a finite number, an index out of range, no faces. `report` may be null.
+/// order of use. Faces of up to 64 corners are cut into fans, larger ones by halving, again and again, so
+/// that no corner gets many triangles. Errors name the file and the line: a missing or unreadable file, a
+/// line cut short, a coordinate that is not a finite number, an index out of range, no faces. `report` may be
+/// null.
+///
+/// The file is read in a stream. Limits: 8 GiB, 2^20 characters a line, 2^26 `v` lines, 2^27 `vt` lines and
+/// triangles.
 [[nodiscard]] Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
                                     ObjReport* report = nullptr);
 

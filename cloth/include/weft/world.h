@@ -47,14 +47,14 @@ struct ClothInfo {
 /// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
 /// vertices.
 struct ClothView {
-    std::span<const Vec4> positions;  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
-    std::span<const Vec4>
-        previous_positions;               ///< at the start of the last step; blend by FixedStepFrame::alpha
-    std::span<const Vec4> velocities;     ///< x y z [m/s]
-    std::span<const Vec4> normals;        ///< x y z, unit length, out of the front of the triangles
-    std::span<const Triangle> triangles;  ///< particle indices
-    std::span<const std::uint32_t> vertex_to_particle;
-    Bounds bounds;  ///< of the positions
+    std::span<const Vec4> positions{};  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
+    /// At the start of the last step; blend by FixedStepFrame::alpha.
+    std::span<const Vec4> previous_positions{};
+    std::span<const Vec4> velocities{};     ///< x y z [m/s]
+    std::span<const Vec4> normals{};        ///< x y z, unit length, out of the front of the triangles
+    std::span<const Triangle> triangles{};  ///< particle indices
+    std::span<const std::uint32_t> vertex_to_particle{};
+    Bounds bounds{};  ///< of the positions
 };
 
 /// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each
@@ -80,7 +80,9 @@ class World {
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
-    [[nodiscard]] Result<ClothView> cloth(ClothId id) const;
+    /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
+    /// next call for the same cloth writes it anew. Copy it to keep it.
+    [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
 
     /// Holds particles where they are, until move_pin or unpin: all of them or, with an error, none. Vertices
     /// are those of the mesh that was given; one that is pinned already stays so. With tethers on, each call

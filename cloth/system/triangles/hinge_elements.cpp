@@ -1,11 +1,24 @@
 #include "cloth/system/triangles/hinge_elements.h"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include "cloth/system/triangles/bending.h"
 
 namespace weft {
+
+namespace {
+
+/// The same turn by less than one half: a hinge whose rest is near a half turn from flat bends about it to
+/// both sides, though its angle jumps by a whole turn there. Precondition: less than a turn and a half.
+float nearest_turn(float angle) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    if (angle > pi) return angle - 2 * pi;
+    return angle < -pi ? angle + 2 * pi : angle;
+}
+
+}  // namespace
 
 HingeElements::HingeElements(const Bending& bending, std::uint32_t particles,
                              const std::function<std::uint32_t(std::uint32_t, std::uint32_t)>& entry_of)
@@ -72,7 +85,7 @@ void HingeElements::bend(const HingePass& pass, std::uint32_t h) {
     std::array<Vector3, 4> x;
     for (std::size_t k = 0; k < 4; ++k) x[k] = xyz(pass.positions[hinge.particles[k]]);
     const Dihedral present = dihedral(x, least_part * hinge.least_height);
-    bends_[h] = present.angle - hinge.angle;
+    bends_[h] = nearest_turn(present.angle - hinge.angle);
     for (std::size_t k = 0; k < 4; ++k) {
         results_[4 * std::size_t{h} + k] = to_vec4(present.gradient[k], 0);
         if (!pass.velocities.empty())

@@ -19,9 +19,10 @@ enum class SelfCollisionSearch : std::uint8_t {
 /// Collision Handling", section IV). Particles closer than that in the rest shape, or joined by a spring, are
 /// left alone.
 struct SelfCollision {
-    bool enabled = false;   ///< off costs nothing; switching it on sorts the particles once (0.25 us each)
-    float distance = 0;     ///< least distance between particles [m]; 0: 0.75 of the mean rest edge
-    float friction = 0.3f;  ///< Coulomb coefficient between layers, >= 0
+    bool enabled = false;  ///< off costs nothing; switching it on sorts the particles once (0.25 us each)
+    /// Least distance between particles [m], 1e-6 to 10; 0: 0.75 of the mean rest edge.
+    float distance = 0;
+    float friction = 0.3f;  ///< Coulomb coefficient between layers, 0 to 1000
     SelfCollisionSearch search = SelfCollisionSearch::exact;
 };
 

@@ -25,6 +25,9 @@ struct Error {
 };
 
 /// A T or an Error. Test it before use: `if (!result) report(result.error().message);`
+///
+/// Name a Result before a loop over what it holds: in `for (auto& p : make_sheet()->positions)` C++20 ends
+/// the life of the Result before the loop begins. value() and * are sound there, since they hand the T over.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -37,10 +40,10 @@ class [[nodiscard]] Result {
     /// Precondition: ok().
     [[nodiscard]] T& value() & noexcept { return *std::get_if<0>(&content_); }
     [[nodiscard]] const T& value() const& noexcept { return *std::get_if<0>(&content_); }
-    [[nodiscard]] T&& value() && noexcept { return std::move(*std::get_if<0>(&content_)); }
+    [[nodiscard]] T value() && { return std::move(*std::get_if<0>(&content_)); }
     T& operator*() & noexcept { return value(); }
     const T& operator*() const& noexcept { return value(); }
-    T&& operator*() && noexcept { return std::move(*this).value(); }
+    T operator*() && { return std::move(*this).value(); }
     T* operator->() noexcept { return &value(); }
     const T* operator->() const noexcept { return &value(); }
 
@@ -49,6 +52,29 @@ class [[nodiscard]] Result {
 
   private:
     std::variant<T, Error> content_;
+};
+
+/// A T that is kept elsewhere, or an Error: what is read of it outlives the Result.
+template <class T>
+class [[nodiscard]] Result<T&> {
+  public:
+    Result(T& value) : value_(&value) {}
+    Result(Error error) : error_(std::move(error)) {}
+
+    [[nodiscard]] bool ok() const noexcept { return value_ != nullptr; }
+    explicit operator bool() const noexcept { return ok(); }
+
+    /// Precondition: ok().
+    [[nodiscard]] T& value() const noexcept { return *value_; }
+    T& operator*() const noexcept { return *value_; }
+    T* operator->() const noexcept { return value_; }
+
+    /// Precondition: !ok().
+    [[nodiscard]] const Error& error() const noexcept { return error_; }
+
+  private:
+    T* value_ = nullptr;
+    Error error_;
 };
 
 /// Success or an Error.

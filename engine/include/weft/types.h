@@ -23,7 +23,7 @@ struct alignas(16) Vec4 {
 
 /// Axis-aligned box [m]. Empty while lower > upper.
 struct Bounds {
-    Vec3 lower, upper;
+    Vec3 lower{}, upper{};
 };
 
 }  // namespace weft

@@ -1,0 +1,16 @@
+#pragma once
+// How large a mesh may be.
+
+#include <cstddef>
+
+namespace weft {
+
+/// Half-edge lists are indexed by 32 bits; at up to twelve half-edges a triangle these bounds keep within
+/// them.
+inline constexpr std::size_t most_vertices = std::size_t{1} << 26;
+inline constexpr std::size_t most_triangles = std::size_t{1} << 27;
+
+/// Triangles that may meet at one particle: what a solver prepares grows with the square of their number.
+inline constexpr std::size_t most_triangles_at_particle = 1024;
+
+}  // namespace weft
