@@ -33,6 +33,6 @@ void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, co
                const SlotFlags& wanted, BlockHits& hits);
 
 /// Takes out the pairs that are meant to be close.
-void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& hits);
+void drop_rest_pairs(const RestFilter& filter, BlockHits& hits);
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 #include "cloth/frame/cloth.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
@@ -15,6 +16,14 @@ bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
     return a.method.index() != b.method.index() || from.enabled != to.enabled ||
            from.dihedral != to.dihedral || from.consistent_mass != to.consistent_mass ||
            (from.bending > 0) != (to.bending > 0);
+}
+
+/// Throws what is wrong, for the World to tell.
+RestNeighbours find_rest_neighbours(const CookedCloth& model, float distance) {
+    auto found = RestNeighbours::find(
+        {model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()}, distance);
+    if (!found) throw std::length_error(found.error().message);
+    return std::move(found).value();
 }
 
 std::size_t bytes_of(const CookedCloth& model) {
@@ -50,6 +59,9 @@ void Cloth::apply(const ClothSettings& changed) {
     const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
     if (second_order && !history) history.emplace(model.particle_count);
     set_colliders(has_colliders_);
+    const float distance = distance_of(changed.self_collision);
+    if (changed.self_collision.enabled && (!rest_neighbours || rest_neighbours->distance() != distance))
+        rest_neighbours = find_rest_neighbours(model, distance);
     if (!second_order) history.reset();
     if (!changed.tethers.enabled) {
         tethers.reset();
@@ -57,6 +69,7 @@ void Cloth::apply(const ClothSettings& changed) {
     }
     if (!changed.self_collision.enabled) {
         self_contacts.reset();
+        rest_neighbours.reset();
         self_counts = {};
     }
     settings = changed;
@@ -120,9 +133,8 @@ void Cloth::restore_start_of_step() {
     if (history) history->forget();
 }
 
-float Cloth::self_collision_distance() const {
-    const float set = settings.self_collision.distance;
-    return set > 0 ? set : 0.75f * model.info.mean_edge;
+float Cloth::distance_of(const SelfCollision& self_collision) const {
+    return self_collision.distance > 0 ? self_collision.distance : 0.75f * model.info.mean_edge;
 }
 
 ClothInfo Cloth::info() const {
@@ -133,8 +145,8 @@ ClothInfo Cloth::info() const {
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
                  (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
                  (self_contacts ? self_contacts->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-                 surface.bytes() + air_velocities.bytes() + air_forces.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+                 (rest_neighbours ? rest_neighbours->bytes() : 0) + surface.bytes() + air_velocities.bytes() +
+                 air_forces.bytes() + partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

@@ -15,6 +15,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/surface/surface.h"
 #include "cloth/system/contacts.h"
+#include "collision/rest_neighbours.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
 #include "weft/settings.h"
@@ -46,8 +47,8 @@ struct Cloth {
     void unpin(std::uint32_t particle);
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
-    /// Least distance between particles that self-collision keeps [m].
-    [[nodiscard]] float self_collision_distance() const;
+    /// Least distance between particles that self-collision is to keep [m].
+    [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
 
@@ -55,14 +56,15 @@ struct Cloth {
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;
-    bool solver_is_prepared = false;              ///< for the present pins and masses
-    AlignedBuffer<Vec4> velocity_change;          ///< of the present substep [m/s], w 0
-    std::optional<History> history;               ///< only with BDF2
-    std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
-    bool tethers_are_attached = false;            ///< to the present pins
-    std::optional<SelfContacts> self_contacts;    ///< only with self-collision on
-    std::optional<Contacts> contacts;             ///< only with colliders, and if the solver is implicit
-    std::vector<Pin> pins;                        ///< in ascending order of particles
+    bool solver_is_prepared = false;                ///< for the present pins and masses
+    AlignedBuffer<Vec4> velocity_change;            ///< of the present substep [m/s], w 0
+    std::optional<History> history;                 ///< only with BDF2
+    std::optional<LongRangeAttachments> tethers;    ///< only with tethers on
+    bool tethers_are_attached = false;              ///< to the present pins
+    std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
+    std::optional<RestNeighbours> rest_neighbours;  ///< likewise
+    std::optional<Contacts> contacts;               ///< only with colliders, and if the solver is implicit
+    std::vector<Pin> pins;                          ///< in ascending order of particles
 
     Surface surface;
     AlignedBuffer<Vec4> air_velocities;  ///< of the gusty air at each particle [m/s]; empty without gusts

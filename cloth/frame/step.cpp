@@ -181,13 +181,11 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
 
 void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
     if (!cloth.self_contacts) return;
-    const float distance = cloth.self_collision_distance();
+    const float distance = cloth.rest_neighbours->distance();
     {
         const auto timer = timed(Stage::self_search);
-        const RestFilter filter{.rest_positions = cloth.model.positions.span(),
-                                .offsets = cloth.model.spring_offsets.span(),
-                                .neighbours = cloth.model.neighbours.span()};
-        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(), filter, distance,
+        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
+                                  cloth.rest_neighbours->filter(), distance,
                                   cloth.settings.self_collision.search);
     }
     const auto timer = timed(Stage::self_response);
