@@ -77,8 +77,8 @@ void Simulation::begin_cloth(Cloth& cloth, float dt) const {
 void Simulation::move_colliders(Worker& worker, float begin, float end) const {
     worker.motions.clear();
     colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        worker.motions.push_back(
-            {blend(slot.current, slot.target, begin), blend(slot.current, slot.target, end)});
+        worker.motions.push_back({blend(slot.current, slot.target, begin),
+                                  blend(slot.current, slot.target, end), settings.max_speed});
     });
 }
 
