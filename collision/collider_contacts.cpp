@@ -46,54 +46,66 @@ Capsule as_capsule(const Sphere& sphere) {
     return {sphere.center, sphere.center, sphere.radius};
 }
 
-MovingCapsule moving(const Capsule& start, const Capsule& end, float h) {
+/// A substep, and the speed that a collider has in it at most.
+struct Pace {
+    float h, fastest;  // [s], [m/s]
+};
+
+Vector3 velocity(const Vec3& from, const Vec3& to, const Pace& pace) {
+    const Vector3 way = to_vector(to) - to_vector(from);
+    const float length = way.norm();
+    return length > pace.fastest * pace.h ? Vector3(way * (pace.fastest / length)) : Vector3(way / pace.h);
+}
+
+MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace) {
     const Vector3 axis = to_vector(end.b) - to_vector(end.a);
-    const Vector3 velocity_a = (to_vector(end.a) - to_vector(start.a)) / h;
-    const Vector3 velocity_b = (to_vector(end.b) - to_vector(start.b)) / h;
+    const Vector3 velocity_a = velocity(start.a, end.a, pace), velocity_b = velocity(start.b, end.b, pace);
     const float length_squared = axis.squaredNorm();
-    const bool is_sphere = !(length_squared > 0);
+    // Shorter than rounding of its radius: the inverse of its square may overflow.
+    const bool is_sphere = !(length_squared > 1e-12f * end.radius * end.radius);
     return {.a = to_vector(end.a),
             .axis = axis,
             .per_length_squared = is_sphere ? 0 : 1 / length_squared,
             .radius = end.radius,
-            .growth = (end.radius - start.radius) / h,
+            .growth = std::clamp((end.radius - start.radius) / pace.h, -pace.fastest, pace.fastest),
             .velocity = velocity_a,
             .difference = velocity_b - velocity_a,
             .across = is_sphere ? Vector3::UnitY() : axis.unitOrthogonal()};
 }
 
-MovingPlane moving(const UnitPlane& start, const UnitPlane& end, float h) {
+MovingPlane moving(const UnitPlane& start, const UnitPlane& end, const Pace& pace) {
     return {.normal = end.normal,
             .offset = end.offset,
-            .advance = (end.offset - start.offset) / h,
-            .turn = (end.normal - start.normal) / h};
+            .advance = (end.offset - start.offset) / pace.h,
+            .turn = (end.normal - start.normal) / pace.h,
+            .fastest = pace.fastest};
 }
 
 // use(a moving shape), unless the shape at its end is clear of the bounds by more than `reach`.
 
 template <class Use>
-void if_near(const Capsule& start, const Capsule& end, float h, float reach, const Bounds& bounds,
+void if_near(const Capsule& start, const Capsule& end, const Pace& pace, float reach, const Bounds& bounds,
              const Use& use) {
-    if (!are_clear(end, reach, bounds)) use(moving(start, end, h));
+    if (!are_clear(end, reach, bounds)) use(moving(start, end, pace));
 }
 
 template <class Use>
-void if_near(const Plane& start, const Plane& end, float h, float reach, const Bounds& bounds,
+void if_near(const Plane& start, const Plane& end, const Pace& pace, float reach, const Bounds& bounds,
              const Use& use) {
     const UnitPlane unit_end = unit(end);
-    if (!are_clear(unit_end, reach, bounds)) use(moving(unit(start), unit_end, h));
+    if (!are_clear(unit_end, reach, bounds)) use(moving(unit(start), unit_end, pace));
 }
 
 template <class Use>
-void if_near(const Sphere& start, const Sphere& end, float h, float reach, const Bounds& bounds,
+void if_near(const Sphere& start, const Sphere& end, const Pace& pace, float reach, const Bounds& bounds,
              const Use& use) {
-    if_near(as_capsule(start), as_capsule(end), h, reach, bounds, use);
+    if_near(as_capsule(start), as_capsule(end), pace, reach, bounds, use);
 }
 
 template <class Use>
 void if_near(const ColliderMotion& motion, float h, float reach, const Bounds& bounds, const Use& use) {
     const auto if_shape_near = [&]<class Shape>(const Shape& end) {
-        if_near(*std::get_if<Shape>(&motion.start.shape), end, h, reach, bounds, use);
+        if_near(*std::get_if<Shape>(&motion.start.shape), end, {h, motion.fastest}, reach, bounds, use);
     };
     std::visit(if_shape_near, motion.end.shape);
 }
@@ -116,14 +128,21 @@ void clear(NearSurfaces& near, float reach) {
     near.surfaces.w.fill(reach);
 }
 
+constexpr float farthest = 1e5f;  // [m]
+constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f;
+
+// Written so that what is not a number fails.
+
 Result<void> validate_point(const char* name, const Vec3& point) {
-    if (!is_finite(point)) return out_of_range(name, point, "finite");
+    const auto is_near = [](float coordinate) { return std::abs(coordinate) <= farthest; };
+    if (!(is_near(point.x) && is_near(point.y) && is_near(point.z)))
+        return out_of_range(name, point, "from -1e5 to 1e5 m on each axis");
     return {};
 }
 
 Result<void> validate_radius(const char* name, float radius) {
-    if (!(std::isfinite(radius) && radius > 0))
-        return out_of_range(name, static_cast<double>(radius), "finite and > 0 m");
+    if (!(radius >= least_radius && radius <= farthest))
+        return out_of_range(name, static_cast<double>(radius), "from 1e-6 to 1e5 m");
     return {};
 }
 
@@ -139,11 +158,11 @@ Result<void> validate_shape(const Capsule& capsule) {
 }
 
 Result<void> validate_shape(const Plane& plane) {
-    if (!is_finite(plane.normal) || to_vector(plane.normal).isZero(0)) {
-        return out_of_range("Plane::normal", plane.normal, "finite and not zero");
-    }
-    if (!std::isfinite(plane.offset))
-        return out_of_range("Plane::offset", static_cast<double>(plane.offset), "finite");
+    const float length = to_vector(plane.normal).stableNorm();
+    if (!(is_finite(plane.normal) && length >= least_normal && length <= longest_normal))
+        return out_of_range("Plane::normal", plane.normal, "finite and of a length from 1e-12 to 1e12");
+    if (!(std::abs(plane.offset) <= farthest))
+        return out_of_range("Plane::offset", static_cast<double>(plane.offset), "from -1e5 to 1e5 m");
     return {};
 }
 
@@ -174,9 +193,8 @@ Plane blend(const Plane& from, const Plane& to, float t) {
 }  // namespace
 
 Result<void> validate(const Collider& collider) {
-    if (!(std::isfinite(collider.friction) && collider.friction >= 0)) {
-        return out_of_range("Collider::friction", static_cast<double>(collider.friction), "finite and >= 0");
-    }
+    if (!(collider.friction >= 0 && collider.friction <= most_friction))
+        return out_of_range("Collider::friction", static_cast<double>(collider.friction), "from 0 to 1e6");
     return std::visit([](const auto& shape) { return validate_shape(shape); }, collider.shape);
 }
 

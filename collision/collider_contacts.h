@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "engine/aligned_buffer.h"
@@ -16,9 +17,12 @@ namespace weft {
 /// One collider over one substep: where it was at its start and is at its end.
 struct ColliderMotion {
     Collider start, end;  // the same alternative in both
+    /// No point of its axis, and no surface that grows or is a plane, moves what it meets faster than this,
+    /// however far the collider jumps [m/s].
+    float fastest = std::numeric_limits<float>::max();
 };
 
-/// Error: a value that is not finite, a radius that is not positive, a zero normal, a negative friction.
+/// Error: a value outside its range in collider.h.
 [[nodiscard]] Result<void> validate(const Collider& collider);
 
 /// The shape a fraction t of the way from `from` to `to`: points, radius and offset are blended, normals

@@ -120,7 +120,8 @@ struct PlaneLanes {
     template <class Mask>
     [[nodiscard]] HWY_INLINE SurfaceLanes<Mask> surface(const Lanes3& p, Mask is_near) const {
         const Lanes3 normal = set3(shape.normal);
-        const Lanes speed = hn::Sub(set(shape.advance), dot(set3(shape.turn), p));
+        const Lanes turning = hn::Sub(set(shape.advance), dot(set3(shape.turn), p));
+        const Lanes speed = hn::Min(hn::Max(turning, set(-shape.fastest)), set(shape.fastest));
         return {is_near, hn::Sub(thickness, distance(p)), normal, speed * normal};
     }
 };

@@ -30,6 +30,7 @@ struct MovingPlane {
     float offset;   ///< [m]
     float advance;  ///< [m/s]
     Vector3 turn;   ///< [1/s]
+    float fastest;  ///< [m/s]
 };
 
 struct ContactSettings {

@@ -4,16 +4,24 @@
 #include <cstdint>
 #include <span>
 
-#include "weft/types.h"
-
 namespace weft {
 
-/// Per particle i: `neighbours[offsets[i] .. offsets[i + 1])` are its spring neighbours, and pairs closer
-/// than the distance in `rest_positions` are left alone. Either may be empty.
+/// Per particle i: `neighbours[offsets[i] .. offsets[i + 1])`, ascending, are those that a search leaves
+/// alone. Empty: none.
 struct RestFilter {
-    std::span<const Vec4> rest_positions;
-    std::span<const std::uint32_t> offsets;
-    std::span<const std::uint32_t> neighbours;
+    std::span<const std::uint32_t> offsets, neighbours;
+
+    [[nodiscard]] bool leaves_alone(std::uint32_t i, std::uint32_t j) const {
+        if (offsets.empty()) return false;
+        // Most lists are short: those are read to the end, since a branch on each entry would cost more.
+        constexpr std::uint32_t short_list = 16;
+        std::uint32_t first = offsets[i], count = offsets[i + 1] - first;
+        for (; count > short_list; count -= count / 2)
+            first += neighbours[first + count / 2 - 1] < j ? count / 2 : 0;
+        bool found = false;
+        for (std::uint32_t k = first; k < first + count; ++k) found |= neighbours[k] == j;
+        return found;
+    }
 };
 
 }  // namespace weft

@@ -162,39 +162,14 @@ void hits(const HashGrid& grid, CellShape shape, float distance_squared, const B
                             : hits_in<1, 1>(grid, distance_squared, block, wanted, hits);
 }
 
-HWY_INLINE bool are_joined(const RestFilter& filter, std::uint32_t i, std::uint32_t j) {
-    bool joined = false;  // to the end, without a branch that nobody can foresee
-    for (std::uint32_t k = filter.offsets[i]; k < filter.offsets[i + 1]; ++k)
-        joined |= filter.neighbours[k] == j;
-    return joined;
-}
-
-void without_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& hits) {
-    const IndexTag d;
-    if (!filter.rest_positions.empty()) {
-        std::fill_n(&hits.particles[hits.count], part_lanes, 0u);  // the last group reads on
-        std::fill_n(&hits.others[hits.count], part_lanes, 0u);
-        const Vec4* const rest = filter.rest_positions.data();
-        std::uint32_t count = 0;
-        for (std::uint32_t k = 0; k < hits.count; k += part_lanes) {
-            const Lanes3 apart = gather_rows(rest, &hits.particles[k]) - gather_rows(rest, &hits.others[k]);
-            const auto is_far = hn::Not(hn::Lt(squared_length(apart), set(distance_squared)));
-            const Kept kept(hn::And(hn::RebindMask(d, is_far), hn::FirstN(d, hits.count - k)));
-            const Indices particles = hn::LoadU(d, &hits.particles[k]),
-                          others = hn::LoadU(d, &hits.others[k]);
-            hn::StoreU(kept.of(particles), d, &hits.particles[count]);
-            hn::StoreU(kept.of(others), d, &hits.others[count]);
-            count += kept.count();
-        }
-        hits.count = count;
-    }
+void without_rest_pairs(const RestFilter& filter, BlockHits& hits) {
     if (filter.offsets.empty()) return;
     std::uint32_t kept = 0;
     for (std::uint32_t k = 0; k < hits.count; ++k) {
         const std::uint32_t i = hits.particles[k], j = hits.others[k];
         hits.particles[kept] = i;
         hits.others[kept] = j;
-        kept += are_joined(filter, i, j) ? 0 : 1;
+        kept += filter.leaves_alone(i, j) ? 0 : 1;
     }
     hits.count = kept;
 }
@@ -214,8 +189,8 @@ void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, co
     HWY_DYNAMIC_DISPATCH(hits)(grid, shape, distance_squared, block, wanted, found);
 }
 
-void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& found) {
-    HWY_DYNAMIC_DISPATCH(without_rest_pairs)(filter, distance_squared, found);
+void drop_rest_pairs(const RestFilter& filter, BlockHits& found) {
+    HWY_DYNAMIC_DISPATCH(without_rest_pairs)(filter, found);
 }
 
 }  // namespace weft

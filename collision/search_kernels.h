@@ -12,9 +12,10 @@
 
 namespace weft {
 
-/// Pairs closer than the distance, in order of the first one's slot.
+/// The pairs of a block that are closer than the distance, in the order of their first particles' slots.
 struct BlockHits {
-    /// A slot with more than so many, or with a longer range to look through, is left to others.
+    /// A slot is left over, for a search one by one, if it has more than per_slot hits or has to look through
+    /// a range of more than longest_range slots.
     static constexpr std::uint32_t per_slot = 16, longest_range = 64;
     static_assert(longest_range <= HashGrid::padding, "all ranges of a slot are read as far as its longest");
     static constexpr std::uint32_t capacity = block_size * per_slot + 4 * longest_range;
@@ -22,17 +23,17 @@ struct BlockHits {
     std::uint32_t count = 0;
     std::array<std::uint32_t, capacity + 16> particles, others;
     std::uint32_t left_over_count = 0;
-    BlockOfIndices left_over;  // slots that were not looked at
+    BlockOfIndices left_over;  // slots whose hits are not here
 };
 
 using SlotFlags = std::array<bool, block_size>;
 
-/// Finds the hits of those particles in a block of slots that are wanted. What two of a slot's ranges share
-/// is found twice. `shape`: as the grid was built.
+/// Finds the hits of the wanted particles of a block of slots. A slot's ranges may overlap: a pair in the
+/// overlap is found twice. `shape`: as the grid was built.
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& slots,
                const SlotFlags& wanted, BlockHits& hits);
 
-/// Takes out the pairs that are meant to be close.
-void drop_rest_pairs(const RestFilter& filter, float distance_squared, BlockHits& hits);
+/// Takes out the pairs that the filter leaves alone.
+void drop_rest_pairs(const RestFilter& filter, BlockHits& hits);
 
 }  // namespace weft

@@ -5,17 +5,15 @@
 #include <bit>
 
 #include "collision/search_kernels.h"
-#include "engine/vector.h"
 
 namespace weft {
 
 namespace {
 
 /// The pairs that a search must tell apart: closer than `distance`, and not meant to be.
-class PairTest {
-  public:
+struct PairTest {
     PairTest(const HashGrid& grid, const RestFilter& filter, float distance)
-        : grid(grid), distance_squared(distance * distance), filter(filter) {}
+        : grid(grid), filter(filter), distance_squared(distance * distance) {}
 
     [[nodiscard]] bool is_close(std::uint32_t slot, std::uint32_t other) const {
         const float dx = grid.x()[slot] - grid.x()[other], dy = grid.y()[slot] - grid.y()[other],
@@ -23,23 +21,9 @@ class PairTest {
         return dx * dx + dy * dy + dz * dz < distance_squared;
     }
 
-    /// True if the pair is close in the rest shape, or joined by a spring.
-    [[nodiscard]] bool is_left_alone(std::uint32_t i, std::uint32_t j) const {
-        if (!filter.rest_positions.empty()) {
-            const Vector3 apart = xyz(filter.rest_positions[i]) - xyz(filter.rest_positions[j]);
-            if (apart.squaredNorm() < distance_squared) return true;
-        }
-        if (filter.offsets.empty()) return false;
-        const auto springs =
-            filter.neighbours.subspan(filter.offsets[i], filter.offsets[i + 1] - filter.offsets[i]);
-        return std::find(springs.begin(), springs.end(), j) != springs.end();
-    }
-
     const HashGrid& grid;
-    float distance_squared;
-
-  private:
     const RestFilter& filter;
+    float distance_squared;
 };
 
 /// Shows `visit` the slots of a range, until it says false; returns what it said last. From a slot in the
@@ -70,7 +54,7 @@ void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const Slot
     const auto add_if_close = [&](std::uint32_t other) {
         if (!test.is_close(slot, other)) return true;
         const std::uint32_t contact = test.grid.particles()[other];
-        return test.is_left_alone(particle, contact) || add(contact);
+        return test.filter.leaves_alone(particle, contact) || add(contact);
     };
     for (const SlotRange& range : ranges) {
         if (!visit_from(slot, range, add_if_close)) return;
@@ -118,7 +102,7 @@ bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, 
                 counts_[patches.particles[slot]] = unsearched;
         }
         left_out_[block.block] = left_out;
-        drop_rest_pairs(filter, distance * distance, hits);
+        drop_rest_pairs(filter, hits);
         add(hits);
     });
     return std::ranges::all_of(left_out_.span(), [](std::uint32_t left_out) { return left_out == 0; });
@@ -137,7 +121,7 @@ void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFi
         }
         BlockHits hits;
         find_hits(grid_, shape, test.distance_squared, block, wanted, hits);
-        drop_rest_pairs(filter, test.distance_squared, hits);
+        drop_rest_pairs(filter, hits);
         add(hits);
         for (const std::uint32_t slot : std::span(hits.left_over).first(hits.left_over_count)) {
             const float x = grid_.x()[slot], y = grid_.y()[slot], z = grid_.z()[slot];

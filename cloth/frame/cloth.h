@@ -16,6 +16,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/surface/surface.h"
 #include "cloth/system/contacts.h"
+#include "collision/rest_neighbours.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
 #include "weft/settings.h"
@@ -34,6 +35,11 @@ struct ContactBuffers {
 
     Contacts contacts;
     HeldContacts held;
+};
+
+/// Thrown where a setting does not fit this cloth, for the World to hand to its host.
+struct Refusal {
+    Error error;
 };
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
@@ -68,8 +74,8 @@ struct Cloth {
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
     }
-    /// Least distance between particles that self-collision keeps [m].
-    [[nodiscard]] float self_collision_distance() const;
+    /// Least distance between particles that self-collision is to keep [m].
+    [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
 
@@ -77,12 +83,13 @@ struct Cloth {
     mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
-    std::unique_ptr<Solver> solver;             ///< for the present settings and pins
-    AlignedBuffer<Vec4> next_velocities;        ///< that the solver found in the last substep [m/s], w 0
-    std::optional<History> history;             ///< only with BDF2
-    Limits limits;                              ///< attached to the present pins
-    std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
-    std::optional<Contacts> contacts;           ///< only with colliders, and if the solver is implicit
+    std::unique_ptr<Solver> solver;                 ///< for the present settings and pins
+    AlignedBuffer<Vec4> next_velocities;            ///< that the solver found in the last substep [m/s], w 0
+    std::optional<History> history;                 ///< only with BDF2
+    Limits limits;                                  ///< attached to the present pins
+    std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
+    std::optional<RestNeighbours> rest_neighbours;  ///< likewise
+    std::optional<Contacts> contacts;               ///< only with colliders, and if the solver is implicit
 
     Surface surface;
     AirBuffers air;

@@ -1,7 +1,8 @@
 #pragma once
-// The triangles of a grid, cell by cell: each cell of four particles is two triangles, cut along one of its
-// diagonals or the other. What normals and air forces are computed by there: neighbours lie in windows, and a
-// cell is worked out once, with its first corner; the far ones take theirs from the window.
+// The triangles of a grid, cell by cell: a cell has four particles and is cut along one of its two diagonals.
+// Normals and air forces of grids are computed by cells, since the particles of neighbouring cells follow one
+// another in memory. A cell is computed once, when the loop comes to its first corner; its other corners read
+// their shares from the window (see GridWindows).
 
 #include <cstdint>
 
@@ -13,8 +14,9 @@ namespace weft {
 
 struct GridCells {
     GridCells() = default;
-    /// Empty unless every cell of a grid has two triangles, both wound as make_sheet's are; and where a grid
-    /// is so narrow that what a part of a group has for the far corners goes to the same part.
+    /// Empty unless the model is a grid, each cell of which has two triangles wound as make_sheet's are.
+    /// Empty also for a grid of fewer than least_columns columns: there a cell's far corners would be in the
+    /// group of 16 that is just being computed.
     explicit GridCells(const CookedCloth& model);
 
     static constexpr std::uint32_t least_columns = Stencil::lanes;
@@ -26,8 +28,8 @@ struct GridCells {
     std::uint32_t columns = 0;
     /// From a cell's first corner, which is near and left, to the last, which is far and right.
     Diagonals diagonals;
-    /// Of the cell that each particle is first of: 1 from there to the far right, -1 from near right to far
-    /// left, 0: it is first of none.
+    /// How the cell is cut whose first corner a particle is: 1 from there to the far right, -1 from the near
+    /// right to the far left. 0: the particle is no cell's first corner.
     AlignedBuffer<std::int8_t> cuts;
     GridWindows windows;
 };

@@ -1,18 +1,19 @@
 #pragma once
-// Triangles and their corners, laid out for vectors of any width: what normals and air forces are computed
-// by.
+// Triangles and their corners, laid out for vectors of any width. Normals and air forces of general meshes
+// are computed by them.
 //
-// A quantity of each triangle is a row, and rows are worked on in groups of 16 lanes. A triangle belongs to
-// one of its corners, and a particle has two triangles at most: those of a group of 16 particles are two
-// groups of rows, so that one corner in three, and two of the some six triangles that a particle sums, are
-// loaded as they lie, on any mesh. The few triangles that no corner has room for, if any, are groups of their
-// own at the end. Lanes without a triangle have three times the same corner: they have no area and come to
-// zero rows, and it is the last row, always one of these, that particles sum where others of their group have
-// more triangles.
+// A row holds what one triangle has of a quantity, and rows are computed in groups of 16 lanes. Each triangle
+// is owned by one of its corners, and a particle owns at most two: so the triangles of 16 particles in a row
+// are two groups of rows. That saves gathers on any mesh: the owner is one corner in three, and its own two
+// are among the six or so triangles that a particle sums. Triangles that find no owner, which are few, follow
+// in groups of their own.
 //
-// Whatever else is named by 16 lanes in a row, one by one upwards, is loaded as it lies, too: in grids that
-// is another corner and two more triangles, since the triangles are shared out alike from particle to
-// particle.
+// A lane without a triangle names the same corner three times, so that it has no area and its row is zero.
+// The last row is always such a one: a particle with fewer triangles than others of its group sums it
+// instead.
+//
+// Where the corners, or the rows to sum, of 16 lanes have consecutive numbers, one load replaces the gather.
+// In grids that holds for a second corner and two more triangles, since owners are chosen alike everywhere.
 
 #include <cstdint>
 #include <vector>

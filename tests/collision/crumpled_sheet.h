@@ -11,12 +11,12 @@
 
 namespace weft::test {
 
-/// Particles, and the rest shape that a filter reads. positions.w = 1.
+/// Particles now and at rest, and which are joined. positions.w = 1.
 struct Sheet {
     std::vector<Vec4> positions, rest;
     std::vector<std::uint32_t> offsets, neighbours;
 
-    [[nodiscard]] RestFilter filter() const { return {rest, offsets, neighbours}; }
+    [[nodiscard]] RestFilter filter() const { return {offsets, neighbours}; }
 };
 
 inline Bounds bounds_of(const std::vector<Vec4>& positions) {

@@ -30,8 +30,6 @@ Lists brute_force(const std::vector<Vec4>& positions, const RestFilter& filter, 
     for (std::uint32_t i = 0; i < positions.size(); ++i) {
         for (std::uint32_t j = 0; j < positions.size(); ++j) {
             if (i == j || !closer(positions[i], positions[j]) || joined(i, j)) continue;
-            if (!filter.rest_positions.empty() && closer(filter.rest_positions[i], filter.rest_positions[j]))
-                continue;
             lists[i].push_back(j);
         }
     }
@@ -51,11 +49,10 @@ Lists found_from(const std::vector<Vec4>& rest_positions, const std::vector<Vec4
     return lists;
 }
 
-/// From the filter's rest positions, or, without any, those given as far as they are finite.
+/// As if it lay at rest as it lies now, as far as that is finite.
 Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float distance,
             SelfCollisionSearch search, int threads = 1) {
-    std::vector<Vec4> rest(filter.rest_positions.begin(), filter.rest_positions.end());
-    if (rest.empty()) rest = positions;
+    std::vector<Vec4> rest = positions;
     for (Vec4& p : rest)
         if (!std::isfinite(p.x + p.y + p.z)) p = {};
     return found_from(rest, positions, filter, distance, search, threads);
@@ -222,11 +219,34 @@ TEST(SelfContacts, ShiftedGridsFindThePairsThatShareACubeAndNoFalseOnes) {
     EXPECT_LT(recall, 0.5);
 }
 
-TEST(SelfContacts, RestFilterLeavesSpringNeighboursAndRestNeighboursAlone) {
+TEST(SelfContacts, PairsBetweenPatchesAreFoundUpToTheLastBitOfTheDistance) {
+    // Two patches of particles that lie together, a whole distance apart along one axis.
+    for (const float distance : {0.1f, 0.3f, 1.7f}) {
+        for (const float apart : {std::nextafter(distance, 0.0f), distance, std::nextafter(distance, 9.0f)}) {
+            for (int axis = 0; axis < 3; ++axis) {
+                std::vector<Vec4> points(32, Vec4{0, 0, 0, 1});
+                for (std::uint32_t i = 0; i < 32; ++i) {
+                    const float far = 10 * static_cast<float>(i % 16);
+                    float p[3] = {0, 0, 0};
+                    p[axis] = i < 16 ? 0 : apart;
+                    p[(axis + 1) % 3] = far * distance;
+                    points[i] = {p[0], p[1], p[2], 1};
+                }
+                std::vector<Vec4> rest(32);
+                for (std::uint32_t i = 0; i < 32; ++i)
+                    rest[i] = {i < 16 ? 0.0f : 1000.0f, static_cast<float>(i), 0, 0};
+                const Lists expected = brute_force(points, {}, distance);
+                EXPECT_EQ(entries(expected), apart < distance ? 32u : 0u);
+                EXPECT_EQ(found_from(rest, points, {}, distance, SelfCollisionSearch::exact), expected);
+            }
+        }
+    }
+}
+
+TEST(SelfContacts, PairsOfTheRestFilterAreLeftAlone) {
     const std::vector<Vec4> positions{{0, 0, 0, 1}, {0.01f, 0, 0, 1}, {0.02f, 0, 0, 1}, {0.03f, 0, 0, 1}};
-    const std::vector<Vec4> rest{{0, 0, 0, 0}, {1, 0, 0, 0}, {1.05f, 0, 0, 0}, {3, 0, 0, 0}};
-    const std::vector<std::uint32_t> offsets{0, 1, 2, 2, 2}, neighbours{1, 0};
-    const Lists lists = found(positions, {rest, offsets, neighbours}, 0.1f, SelfCollisionSearch::exact);
+    const std::vector<std::uint32_t> offsets{0, 1, 3, 4, 4}, neighbours{1, 0, 2, 1};
+    const Lists lists = found(positions, {offsets, neighbours}, 0.1f, SelfCollisionSearch::exact);
     EXPECT_EQ(lists, (Lists{{2, 3}, {3}, {0, 3}, {0, 1, 2}}));
 }
 

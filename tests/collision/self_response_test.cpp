@@ -62,6 +62,21 @@ TEST(SelfResponse, TwoParticlesEndAtTheDistanceAboutTheirCentreOfMass) {
     EXPECT_EQ(counts.dropped, 0u);
 }
 
+TEST(SelfResponse, APairsShareIsThatOfTheOneWithMoreContacts) {
+    // The hub has three contacts, the others one each.
+    const float apart = 0.05f, distance = 0.06f;
+    Particles star{{{0, 0, 0, 1}, {apart, 0, 0, 1}, {0, apart, 0, 1}, {0, 0, apart, 1}},
+                   {{}, {-3, 0, 0, 0}, {}, {}}};
+    EXPECT_EQ(avoid(star, distance, 0).pairs, 3u);
+    const float moved = 0.5f * (distance - apart) / 3;
+    EXPECT_NEAR(star.positions[1].x, apart + moved, 1e-7f);
+    EXPECT_NEAR(star.positions[2].y, apart + moved, 1e-7f);
+    for (const float coordinate : {star.positions[0].x, star.positions[0].y, star.positions[0].z})
+        EXPECT_NEAR(coordinate, -moved, 1e-7f);
+    EXPECT_NEAR(star.velocities[1].x, -3 + 1.5f / 3, 1e-6f);
+    EXPECT_NEAR(star.velocities[0].x, -1.5f / 3, 1e-6f);
+}
+
 TEST(SelfResponse, PinnedParticlesDoNotMove) {
     Particles particles{{{0, 0, 0, 0}, {0.05f, 0, 0, 1}, {5, 0, 0, 0}, {5, 0.01f, 0, 0}},
                         {{}, {-1, 0, 0, 0}, {}, {0, -1, 0, 0}}};

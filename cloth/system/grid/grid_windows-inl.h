@@ -16,15 +16,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Some vectors' rows from the row that a loop has come to, in lanes: read a reach ahead, and kept in a ring
-/// until the loop has passed.
+/// Rows of some vectors, turned into lanes: each is read when a loop comes within reach of it, and kept in a
+/// ring until the loop has passed it.
 template <std::uint32_t vectors>
 class RowsAhead {
     static_assert(vectors <= GridWindows::vectors);
 
   public:
-    /// For a loop that comes to row `begin`: from there on if it `goes_on`, the ring being as it left it,
-    /// else from a reach before.
+    /// For a loop that begins at row `begin`. If it `goes_on`, the ring holds what the loop before left
+    /// there; else it begins a reach earlier, with its halo.
     HWY_INLINE RowsAhead(float* ring, const Diagonals& diagonals, std::uint32_t begin, bool goes_on)
         : to_read_(diagonals.reach() + GridWindows::early),
           size_(GridWindows::ring_ahead(diagonals.reach())),
@@ -51,7 +51,7 @@ class RowsAhead {
             }
         }
     }
-    /// Of the lanes so many rows on, at most a reach; and one more.
+    /// The lanes that begin so many rows further on, at most a reach, and `one_more`.
     HWY_INLINE Lanes3 after(std::uint32_t rows, std::uint32_t vector, std::uint32_t one_more = 0) const {
         const Tag d;
         const float* x = ring_ + 3 * vector * next_ + place_after(rows) + one_more;
@@ -81,7 +81,7 @@ class RowsAhead {
     std::size_t next_;  // from value to value
 };
 
-/// What an earlier neighbour gave.
+/// The floats that an earlier neighbour gave.
 struct Given {
     const float* values;
     std::size_t next;  ///< from value to value
@@ -90,12 +90,12 @@ struct Given {
     HWY_INLINE Lanes3 xyz(std::uint32_t k) const { return {(*this)[k], (*this)[k + 1], (*this)[k + 2]}; }
 };
 
-/// A loop over rows [first(), range.end), those before range.begin being its halo: at each part of a group it
-/// reads ahead, has `own` and `later` rows of some vectors, takes what far neighbours gave, `give`s each
-/// diagonal's later neighbours what is theirs, and takes what near ones gave; then it goes on.
+/// A loop over rows [first(), range.end); those before range.begin are its halo. The kernel does the
+/// following at each part of a group, in this order: read_ahead; compute from the `own` rows and the `later`
+/// neighbours'; take_from_far; give, for each diagonal; take_from_near; go_on.
 ///
-/// Whoever has one is inlined into the kernel, so that it lives in registers: a vector's store may be to any
-/// object in memory, and members there would be read anew after each.
+/// Everything that has a GridLoop must be inlined into the kernel, so that its members stay in registers: in
+/// memory they would be loaded again after each vector store, which the compiler takes to alias them.
 template <std::uint32_t vectors, std::uint32_t exchanged>
 class GridLoop {
   public:
@@ -127,8 +127,8 @@ class GridLoop {
         return ahead_.after(rings_[d].difference, vector);
     }
 
-    /// take(what it gave) for the neighbours that are a group or more away, before anything is given: that
-    /// may come to lie where this does.
+    /// Calls take(given) for each neighbour that is a whole group of 16 or more before. It must be called
+    /// before give(), which may overwrite the same places of the ring.
     template <class Take>
     HWY_INLINE void take_from_far(const Take& take) const {
 // Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
@@ -146,7 +146,8 @@ class GridLoop {
         to = first + rings_[d].mask + 1;
         ((hn::StoreU(values, Tag(), to), to += next_), ...);
     }
-    /// take(what it gave) for the neighbours that are nearer, all having been given.
+    /// Calls take(given) for each nearer neighbour. It must be called after give(), since such a neighbour
+    /// may be in the same group.
     template <class Take>
     HWY_INLINE void take_from_near(const Take& take) const {
 #pragma GCC unroll 1
@@ -158,7 +159,7 @@ class GridLoop {
     }
 
   private:
-    /// Of what is given along a diagonal.
+    /// Keeps what is given along one diagonal.
     struct Ring {
         float* values;
         std::uint32_t difference, mask;

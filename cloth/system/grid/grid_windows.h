@@ -1,14 +1,13 @@
 #pragma once
-// What a loop over a grid's rows has at hand of other rows.
+// What a loop over a grid's rows keeps of other rows: a window.
 //
-// A vector is a row of four floats a particle, so that any neighbour is one load; turning 16 neighbours into
-// lanes takes seven shuffles. In a grid the neighbours of 16 rows are 16 rows, one after the other: each row
-// is turned once, when the loop comes within reach of it, and lies in a ring, x, y and z apart, until the
-// loop has passed.
+// In memory a row is the four floats of one particle, and turning 16 rows into lanes takes shuffles. In a
+// grid the neighbours of 16 consecutive rows are again consecutive. So each row is turned once, when the loop
+// comes within reach of it, and kept in a ring buffer, x, y and z apart, until the loop has passed it.
 //
-// And what two neighbours exchange is worked out once, with the first of them; it lies in another ring, one
-// for each diagonal, until the loop comes to the second. A loop that begins in the midst of a grid works out
-// what the rows just before it give, a halo: so nothing depends on how rows are cut into tiles.
+// What two neighbours exchange is computed once, at the first of them, and kept in a ring buffer of their
+// diagonal until the loop comes to the second. A loop that begins inside the grid first computes what the
+// rows before its own give: these are its halo. So no result depends on how rows are cut into tiles.
 
 #include <algorithm>
 #include <bit>
@@ -31,19 +30,20 @@ struct GridWindow {
 /// Memory for the windows of loops over a grid. Empty for what is no grid.
 class GridWindows {
   public:
-    static constexpr std::uint32_t vectors = 2;  ///< a loop looks ahead on, at most
+    static constexpr std::uint32_t vectors = 2;  ///< whose rows a loop reads ahead, at most
 
     GridWindows() = default;
-    /// `exchanged`: floats, at most, between two neighbours.
+    /// `exchanged`: how many floats one neighbour gives the other, at most.
     GridWindows(const Diagonals& diagonals, std::uint32_t exchanged);
 
-    /// How much earlier than needed rows are read: a load that overlaps what has just been stored would wait
-    /// until that has left the processor.
+    /// Rows are read by so much earlier than they are needed, since a load that overlaps a recent store has
+    /// to wait until the store has reached the cache.
     static constexpr std::uint32_t early = 2 * Stencil::lanes;
-    /// Of neighbours so near, what is given in a group is taken in it and in the next.
+    /// Whether what a group of 16 gives is taken within the same group and the next one.
     static constexpr bool is_near(std::uint32_t difference) { return difference < Stencil::lanes; }
-    /// Rows in the ring of those ahead, and in a diagonal's, which is a power of two: there row i lies at
-    /// place i & (size - 1). Behind a ring lie its first 16 rows again.
+    /// How many rows fit the ring of rows read ahead, and the ring of a diagonal. The latter is a power of
+    /// two, so that row i lies at place i & (size - 1). The first 16 rows of a ring are repeated behind its
+    /// end, so that a load of 16 may begin at any place.
     static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + early + Stencil::lanes; }
     static constexpr std::uint32_t ring_of(std::uint32_t difference) {
         return std::bit_ceil(is_near(difference) ? 4 * Stencil::lanes : Stencil::whole_groups(difference));

@@ -1,5 +1,6 @@
 #pragma once
-// Shapes that cloth collides with.
+// Shapes that cloth collides with. Beyond the stated ranges single precision would make contacts that are not
+// finite.
 
 #include <cstdint>
 #include <variant>
@@ -9,25 +10,40 @@
 namespace weft {
 
 struct Sphere {
+<<<<<<< HEAD
     Vec3 center{};        ///< [m]
     float radius = 0.1f;  ///< [m], > 0
+=======
+    Vec3 center;          ///< [m], each coordinate from -1e5 to 1e5
+    float radius = 0.1f;  ///< [m], from 1e-6 to 1e5
+>>>>>>> collision
 };
 
 /// All points within `radius` of the segment a b.
 struct Capsule {
+<<<<<<< HEAD
     Vec3 a{}, b{};        ///< [m]; a == b is a sphere
     float radius = 0.1f;  ///< [m], > 0
+=======
+    Vec3 a, b;            ///< [m], each coordinate from -1e5 to 1e5; a == b is a sphere
+    float radius = 0.1f;  ///< [m], from 1e-6 to 1e5
+>>>>>>> collision
 };
 
 /// The half space normal . p <= offset is solid.
 struct Plane {
-    Vec3 normal{0, 1, 0};  ///< need not be of unit length; must not be zero
-    float offset = 0;      ///< [m], along the unit normal
+    Vec3 normal{0, 1, 0};  ///< of any length from 1e-12 to 1e12
+    float offset = 0;      ///< [m], along the unit normal, from -1e5 to 1e5
 };
 
 struct Collider {
+<<<<<<< HEAD
     std::variant<Sphere, Capsule, Plane> shape{};
     float friction = 0.4f;  ///< Coulomb coefficient, >= 0; multiplied by the cloth's own
+=======
+    std::variant<Sphere, Capsule, Plane> shape;
+    float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
+>>>>>>> collision
 };
 
 /// Generation-checked; all-zero is null.
