@@ -27,6 +27,13 @@ std::vector<std::uint32_t> particles_of(const std::vector<Pin>& pins) {
     return particles;
 }
 
+RestNeighbours find_rest_neighbours(const CookedCloth& model, float distance) {
+    auto found = RestNeighbours::find(
+        {model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()}, distance);
+    if (!found) throw Refusal{found.error()};
+    return std::move(found).value();
+}
+
 }  // namespace
 
 Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
@@ -72,6 +79,10 @@ void Cloth::apply(const ClothSettings& changed) {
     }
     std::optional<SelfContacts> new_self_contacts;
     if (changed.self_collision.enabled && !self_contacts) new_self_contacts.emplace(model.positions.span());
+    std::optional<RestNeighbours> new_rest_neighbours;
+    const float distance = distance_of(changed.self_collision);
+    if (changed.self_collision.enabled && (!rest_neighbours || rest_neighbours->distance() != distance))
+        new_rest_neighbours = find_rest_neighbours(model, distance);
     std::optional<ContactBuffers> new_contacts;
     if (needs_contacts) new_contacts.emplace(model.particle_count);
 
@@ -91,8 +102,10 @@ void Cloth::apply(const ClothSettings& changed) {
         state.record = {};
     }
     if (new_self_contacts) self_contacts = std::move(new_self_contacts);
+    if (new_rest_neighbours) rest_neighbours = std::move(new_rest_neighbours);
     if (!changed.self_collision.enabled) {
         self_contacts.reset();
+        rest_neighbours.reset();
         self_counts = {};
     }
     take_contacts(std::move(new_contacts), has_colliders_);
@@ -207,9 +220,8 @@ void Cloth::restore_start_of_step() {
     state.record.h = 0;
 }
 
-float Cloth::self_collision_distance() const {
-    const float set = settings.self_collision.distance;
-    return set > 0 ? set : 0.75f * model.info.mean_edge;
+float Cloth::distance_of(const SelfCollision& self_collision) const {
+    return self_collision.distance > 0 ? self_collision.distance : 0.75f * model.info.mean_edge;
 }
 
 ClothInfo Cloth::info() const {
@@ -221,8 +233,9 @@ ClothInfo Cloth::info() const {
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
-                 (contacts ? contacts->bytes() : 0) + surface.bytes() + air.forces.bytes() +
-                 air.velocities.bytes() + partial_counts.bytes() + partial_surveys.bytes();
+                 (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
+                 surface.bytes() + air.forces.bytes() + air.velocities.bytes() + partial_counts.bytes() +
+                 partial_surveys.bytes();
     return info;
 }
 

@@ -134,7 +134,7 @@ void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
     worker.motions.clear();
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
         worker.motions.push_back({blend(slot.current, slot.target, substep.begin()),
-                                  blend(slot.current, slot.target, substep.end())});
+                                  blend(slot.current, slot.target, substep.end()), settings.max_speed});
     });
 }
 
@@ -214,13 +214,11 @@ void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
 
 void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
     if (!cloth.self_contacts) return;
-    const float distance = cloth.self_collision_distance();
+    const float distance = cloth.rest_neighbours->distance();
     {
         const auto timer = timed(Stage::self_search);
-        const RestFilter filter{.rest_positions = cloth.model.positions.span(),
-                                .offsets = cloth.model.spring_offsets.span(),
-                                .neighbours = cloth.model.neighbours.span()};
-        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(), filter, distance,
+        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
+                                  cloth.rest_neighbours->filter(), distance,
                                   cloth.settings.self_collision.search);
     }
     const auto timer = timed(Stage::self_response);

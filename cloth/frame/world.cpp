@@ -27,6 +27,8 @@ template <class Make>
 auto without_exceptions(const Make& make) noexcept -> decltype(make()) {
     try {
         return make();
+    } catch (Refusal& refusal) {
+        return std::move(refusal.error);
     } catch (...) {
         return Error{ErrorCode::out_of_memory, "out of memory"};  // so short that it needs none
     }

@@ -10,24 +10,14 @@
 namespace weft {
 
 struct Sphere {
-<<<<<<< HEAD
-    Vec3 center{};        ///< [m]
-    float radius = 0.1f;  ///< [m], > 0
-=======
-    Vec3 center;          ///< [m], each coordinate from -1e5 to 1e5
+    Vec3 center{};        ///< [m], each coordinate from -1e5 to 1e5
     float radius = 0.1f;  ///< [m], from 1e-6 to 1e5
->>>>>>> collision
 };
 
 /// All points within `radius` of the segment a b.
 struct Capsule {
-<<<<<<< HEAD
-    Vec3 a{}, b{};        ///< [m]; a == b is a sphere
-    float radius = 0.1f;  ///< [m], > 0
-=======
-    Vec3 a, b;            ///< [m], each coordinate from -1e5 to 1e5; a == b is a sphere
+    Vec3 a{}, b{};        ///< [m], each coordinate from -1e5 to 1e5; a == b is a sphere
     float radius = 0.1f;  ///< [m], from 1e-6 to 1e5
->>>>>>> collision
 };
 
 /// The half space normal . p <= offset is solid.
@@ -37,13 +27,8 @@ struct Plane {
 };
 
 struct Collider {
-<<<<<<< HEAD
     std::variant<Sphere, Capsule, Plane> shape{};
-    float friction = 0.4f;  ///< Coulomb coefficient, >= 0; multiplied by the cloth's own
-=======
-    std::variant<Sphere, Capsule, Plane> shape;
     float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
->>>>>>> collision
 };
 
 /// Generation-checked; all-zero is null.

@@ -22,19 +22,12 @@ enum class SelfCollisionSearch : std::uint8_t {
 /// whose shortest way along springs at rest is less than 1.25 times the distance. How the cloth lies at the
 /// start has no part in it: layers that start closer than the distance are pushed apart.
 struct SelfCollision {
-<<<<<<< HEAD
-    bool enabled = false;  ///< off costs nothing; switching it on sorts the particles once (0.25 us each)
-    /// Least distance between particles [m], 1e-6 to 10; 0: 0.75 of the mean rest edge.
-    float distance = 0;
-    float friction = 0.3f;  ///< Coulomb coefficient between layers, 0 to 1000
-=======
     /// Off costs nothing. Switching it on, or changing the distance, takes a search from each particle once.
     bool enabled = false;
-    /// Least distance between particles [m], >= 0; 0: 0.75 of the mean rest edge. At most 256 others, on
+    /// Least distance between particles [m], 1e-6 to 10; 0: 0.75 of the mean rest edge. At most 256 others, on
     /// average, may be within it along the cloth: some seven edges.
     float distance = 0;
-    float friction = 0.3f;  ///< Coulomb coefficient between layers, >= 0
->>>>>>> collision
+    float friction = 0.3f;  ///< Coulomb coefficient between layers, 0 to 1000
     SelfCollisionSearch search = SelfCollisionSearch::exact;
 };
 
