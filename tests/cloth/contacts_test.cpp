@@ -53,10 +53,10 @@ struct LyingCloth {
         const auto system = make_system(cloth.model, cloth.settings);
         const StepEquation present = equation();
         system->linearise(serial, present, cloth.state.velocities.span(), LinearisedAbout::base);
-        AlignedBuffer<Vec4> changes(cloth.model.particle_count);
-        for (std::uint32_t i = 0; i < changes.size(); ++i)
-            set_xyz(changes[i], (faster - 1) * xyz(cloth.state.velocities[i]));
-        contacts.finish(serial, present, changes.span());
+        AlignedBuffer<Vec4> velocities(cloth.model.particle_count);
+        for (std::uint32_t i = 0; i < velocities.size(); ++i)
+            set_xyz(velocities[i], faster * xyz(cloth.state.velocities[i]));
+        contacts.finish(serial, velocities.span());
     }
 
     Cloth cloth;
