@@ -83,9 +83,8 @@ TEST(Jacobi, ManyIterationsEqualADenseSolve) {
         Problem problem(cloth);
         const DenseSystem system = dense(*problem.system);
         const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
-        const float residual = problem.solve(4000);
+        problem.solve(4000);
         EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5) << pinned << " pinned";
-        EXPECT_LT(residual, 1e-5f);
     }
 }
 
