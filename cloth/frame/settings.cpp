@@ -81,7 +81,6 @@ void check(Checks& checks, const ConjugateGradient& method) {
     checks.within("ConjugateGradient::iterations", method.iterations, 1, most_iterations);
 }
 void check(Checks& checks, const Multilevel& method) {
-    checks.one_of("Multilevel::use", method.use, {"Use::passes", "Use::nonlinear_conjugate_gradient"});
     checks.within("Multilevel::iterations", method.iterations, 1, most_iterations);
     checks.within("Multilevel::passes", method.passes, 1, most_iterations);
 }

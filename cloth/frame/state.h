@@ -67,7 +67,7 @@ struct ColliderSlot {
 
 /// What a World has besides its cloths.
 struct WorldState {
-    explicit WorldState(SlotMap<ColliderId, ColliderSlot> no_colliders = {})
+    explicit WorldState(SlotMap<ColliderId, ColliderSlot>&& no_colliders)
         : colliders(std::move(no_colliders)) {}
 
     std::uint64_t steps = 0;            ///< taken since the World was made

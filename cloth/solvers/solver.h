@@ -26,9 +26,8 @@ struct SolverStep {
 };
 
 struct SolveResult {
-    /// What is left of the linear system, |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0.
-    float residual = 0;
-    bool ok = true;  ///< false: no solution was found, and the velocities may hold anything
+    float residual = 0;  ///< see StepResidual, which measures every method alike
+    bool ok = true;      ///< false: no solution was found, and the velocities may hold anything
 };
 
 /// Owns all memory that its method needs. Only its constructor and reserve_pins() take any.

@@ -55,14 +55,9 @@ bool own_controls(ConjugateGradient& method) {
 }
 
 bool own_controls(Multilevel& method) {
-    constexpr const char* uses[] = {"passes", "nonlinear CG"};
-    int use = static_cast<int>(method.use);
-    bool changed = choice("use", use, uses);
-    method.use = static_cast<Multilevel::Use>(use);
-    changed |= iterations_slider(method.iterations, 1, "Conjugate gradient steps, a multigrid cycle each.");
-    if (method.use == Multilevel::Use::passes)
-        changed |= slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.");
-    return changed;
+    const bool changed =
+        iterations_slider(method.iterations, 1, "Conjugate gradient steps, a multigrid cycle each.");
+    return slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.") || changed;
 }
 
 bool own_controls(Xpbd& method) {

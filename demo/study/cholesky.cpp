@@ -30,7 +30,7 @@ CholeskySolver::CholeskySolver(const CookedCloth& model, const ClothSettings& se
       matrix_(model.particle_count, pairs_of(model)),
       exact_solve_(model.particle_count, direct_up_to) {}
 
-SolveResult CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
+bool CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
     fill_matrix(step, system);
     Eigen::VectorXd right_side(3 * static_cast<Eigen::Index>(b.size())), change;
@@ -44,7 +44,7 @@ SolveResult CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem&
         const Eigen::Vector3d change_i = change.segment<3>(3 * static_cast<Eigen::Index>(i));
         dv[i] = to_vec4(change_i.cast<float>(), 0);
     }
-    return {};
+    return true;
 }
 
 // Rows of pinned particles become those of the identity. The blocks in them, which may hold anything, are not

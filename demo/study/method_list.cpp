@@ -95,15 +95,9 @@ void add_iterative(List& list) {
 }
 
 void add_multilevel(List& list) {
-    const auto nonlinear = [](int iterations) {
-        return Multilevel{Multilevel::Use::nonlinear_conjugate_gradient, 1, iterations};
-    };
     const auto passes = [](int count, int iterations) {
-        return Multilevel{Multilevel::Use::passes, count, iterations};
+        return Multilevel{.passes = count, .iterations = iterations};
     };
-    list.curve("multilevel-nlcg", "Multilevel: nonlinear CG");
-    for (const int k : {1, 2, 3, 4, 6, 8, 12, 16})
-        list.add(k == 2 || k == 8, text("iterations", k), nonlinear(k));
     list.curve("multilevel-linear", "Multilevel: one linear solve");
     for (const int k : {1, 2, 4, 8}) list.add(k == 2, text("iterations", k), passes(1, k));
     list.curve("multilevel-passes", "Multilevel: Newton passes");
@@ -127,7 +121,7 @@ void add_elements(List& list) {
     list.curve("elements", "Multilevel: finite elements");
     for (const int count : {1, 2, 3, 4, 6}) {
         MethodPoint* const point = list.add(count == 3, text("passes", count, "iterations", 2),
-                                            Multilevel{Multilevel::Use::passes, count, 2});
+                                            Multilevel{.passes = count, .iterations = 2});
         point->configure = [configure = point->configure](ClothSettings& settings) {
             configure(settings);
             settings.finite_elements.enabled = true;

@@ -38,11 +38,11 @@ struct Problem {
           modes(test::modes(reference.matrix, diagonal)),
           exact(solution(reference.matrix, reference.right_side)),
           dv(cloth.model.particle_count),
-          vectors(cloth.model.particle_count) {}
+          scratch(cloth.model.particle_count) {}
 
-    float solve(int iterations, Spectrum interval) {
+    void solve(int iterations, Spectrum interval) {
         Parallel serial(1);
-        return solve_chebyshev(serial, *system, iterations, interval, vectors, dv.span());
+        solve_chebyshev(serial, *system, iterations, interval, scratch, dv.span());
     }
     [[nodiscard]] Eigen::VectorXd error() const { return flat(dv.span()) - exact; }
     [[nodiscard]] double energy(const Eigen::VectorXd& e) const {
@@ -59,7 +59,7 @@ struct Problem {
     Modes modes;
     Eigen::VectorXd exact;
     AlignedBuffer<Vec4> dv;
-    ChebyshevVectors vectors;
+    AlignedBuffer<Vec4> scratch;
 };
 
 /// Springs along threads alone, which make a bipartite graph: the spectrum reaches from nearly 0 to nearly 2.
@@ -114,21 +114,6 @@ TEST(Chebyshev, DivergesWhereTheIntervalEndsBelowTheLargestEigenvalue) {
     EXPECT_LT(problem.energy(problem.error()), 0.02 * problem.energy(problem.exact));
     problem.solve(60, {0.005, 0.95 * spectrum.largest});
     EXPECT_GT(problem.energy(problem.error()), 100 * problem.energy(problem.exact));
-}
-
-TEST(Chebyshev, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
-    Problem problem(crumpled(sheet(5, 5), 0.03f, 200.0f));
-    const auto preconditioned = [&](const Eigen::VectorXd& r) {
-        return solution(problem.diagonal, r).norm();
-    };
-    const Spectrum interval{0.05, 2};
-    for (int iterations = 2; iterations <= 9; ++iterations) {
-        problem.solve(iterations - 1, interval);
-        const Eigen::VectorXd before = flat(problem.dv.span());
-        const double left = preconditioned(problem.reference.right_side - problem.reference.matrix * before) /
-                            preconditioned(problem.reference.right_side);
-        EXPECT_NEAR(static_cast<double>(problem.solve(iterations, interval)), left, 1e-4) << iterations;
-    }
 }
 
 TEST(ChebyshevInterval, EndsAtTwoAndReducesFourfold) {

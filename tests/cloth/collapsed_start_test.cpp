@@ -27,7 +27,7 @@ std::vector<Case> cases() {
             {"ConjugateGradientBdf2", ConjugateGradient{}, bdf2},
             {"Multilevel", Multilevel{}},
             {"MultilevelBdf2", Multilevel{}, bdf2},
-            {"MultilevelPasses", Multilevel{.use = Multilevel::Use::passes, .passes = 2}},
+            {"MultilevelPasses", Multilevel{.passes = 2}},
             {"Xpbd", Xpbd{}},
             {"XpbdSubsteps", Xpbd{}, backward_euler, 8},
             {"Fibres", Fibres{}},

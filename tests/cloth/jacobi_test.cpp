@@ -19,18 +19,16 @@ struct Problem {
     explicit Problem(const Cloth& cloth, float h = 1.0f / 60, const Vector3& gravity = {0, -9.81f, 0})
         : system(assembled(cloth, h, gravity)),
           dv(cloth.model.particle_count),
-          scratch(cloth.model.particle_count),
-          partials(block_count(cloth.model.particle_count)) {}
+          scratch(cloth.model.particle_count) {}
 
-    float solve(int iterations) {
+    void solve(int iterations) {
         Parallel serial(1);
-        return solve_jacobi(serial, *system, iterations, scratch, partials.span(), dv.span());
+        solve_jacobi(serial, *system, iterations, scratch, dv.span());
     }
     [[nodiscard]] Eigen::VectorXd solution() const { return flat(dv.span()); }
 
     std::unique_ptr<ImplicitSystem> system;
     AlignedBuffer<Vec4> dv, scratch;
-    AlignedBuffer<double> partials;
 };
 
 /// Block Jacobi's iteration matrix G = I - D^-1 W.
@@ -85,9 +83,8 @@ TEST(Jacobi, ManyIterationsEqualADenseSolve) {
         Problem problem(cloth);
         const DenseSystem system = dense(*problem.system);
         const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
-        const float residual = problem.solve(4000);
+        problem.solve(4000);
         EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5) << pinned << " pinned";
-        EXPECT_LT(residual, 1e-5f);
     }
 }
 
@@ -143,21 +140,6 @@ TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
     for (int k = 0; k <= 4; k += 2) EXPECT_GT(correction(k), 1.02) << "k = " << k;
 }
 
-TEST(Jacobi, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
-    Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
-    Problem problem(cloth);
-    const DenseSystem system = dense(*problem.system);
-    const Eigen::MatrixXd g = iteration_matrix(system);
-    problem.solve(0);
-    const Eigen::VectorXd first = problem.solution();
-    Eigen::VectorXd residual = first;  // D^-1 (b - W dv_k) = G^k (dv_1 - dv_0) with dv_0 := 0, dv_1 := D^-1 b
-    for (int k = 1; k <= 6; ++k) {
-        residual = g * residual;
-        EXPECT_NEAR(problem.solve(k), residual.norm() / first.norm(), 1e-4) << "k = " << k;
-    }
-    EXPECT_EQ(problem.solve(0), 1.0f);
-}
-
 TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
     Cloth cloth = crumpled(sheet(5, 6), 0.03f, 60.0f);
     Problem problem(cloth);
@@ -165,9 +147,9 @@ TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
     Parallel serial(1);
     MeanMotion mean_motion(cloth.model);
-    mean_motion.take_out(serial, cloth.model, problem.system->right_side().span());
+    mean_motion.take_out(serial, nullptr, problem.system->right_side().span());
     problem.solve(4000);
-    mean_motion.put_back(serial, cloth.model, problem.system->right_side().span(), problem.dv.span());
+    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), problem.dv.span());
     EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5);
 }
 
@@ -179,8 +161,8 @@ TEST(MeanMotion, LeavesPinnedComponentsAlone) {
     Problem problem(cloth);
     Parallel serial(1);
     MeanMotion mean_motion(cloth.model);
-    mean_motion.take_out(serial, cloth.model, problem.system->right_side().span());
-    mean_motion.put_back(serial, cloth.model, problem.system->right_side().span(), problem.dv.span());
+    mean_motion.take_out(serial, nullptr, problem.system->right_side().span());
+    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), problem.dv.span());
     EXPECT_GT(xyz(problem.dv[0]).norm(), 0.1f) << "9.81 m/s^2 for 1/60 s";
     EXPECT_EQ(xyz(problem.dv[10]), Vector3(0, 0, 0));
 }

@@ -91,7 +91,8 @@ TEST_P(LinearSolvers, ConvergeToTheDenseSolution) {
             const Solved found = solve(cloth, GetParam().many);
             EXPECT_LT((found.change - exact).norm(), 3e-5 * exact.norm())
                 << mesh.name << ", " << pins << " pins";
-            EXPECT_LT(found.residual, 1e-4f) << mesh.name << ", " << pins << " pins";
+            EXPECT_LT(found.residual, 0.1f)
+                << "one linearisation leaves that much, " << mesh.name << ", " << pins << " pins";
         }
     }
 }

@@ -67,8 +67,6 @@ struct NamedMethod {
 };
 constexpr NamedMethod methods[] = {
     {"multilevel", [](ClothSettings&) {}},
-    {"nonlinear",
-     [](ClothSettings& s) { s.method = Multilevel{.use = Multilevel::Use::nonlinear_conjugate_gradient}; }},
     {"bdf2", [](ClothSettings& s) { s.time_scheme = TimeScheme::bdf2; }},
     {"jacobi", [](ClothSettings& s) { s.method = Jacobi{}; }},
     {"chebyshev", [](ClothSettings& s) { s.method = Chebyshev{}; }},
@@ -181,8 +179,6 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.time_scheme = static_cast<TimeScheme>(77); }},
         {"ClothSettings::time_scheme is -1", "TimeScheme::backward_euler",
          [](ClothSettings& s) { s.time_scheme = static_cast<TimeScheme>(-1); }},
-        {"Multilevel::use is 2", "Use::passes",
-         [](ClothSettings& s) { s.method = Multilevel{.use = static_cast<Multilevel::Use>(2)}; }},
         {"Fibres::vertical is 9", "SetSolver::ldlt",
          [](ClothSettings& s) { s.method = Fibres{.vertical = static_cast<Fibres::SetSolver>(9)}; }},
         {"Fibres::horizontal is 9", "SetSolver::ldlt",

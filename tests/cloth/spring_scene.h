@@ -117,8 +117,12 @@ struct SpringReference {
                     (static_cast<double>(spring.isotropic) * Eigen::Matrix3d::Identity() +
                      static_cast<double>(spring.axial) * n * n.transpose());
                 const Eigen::Matrix3d damping = viscous * n * n.transpose();
-                links[i].push_back({j, elastic + damping});
-                diagonal[i] += elastic + damping;
+                const Eigen::Matrix3d block =
+                    about_base
+                        ? Eigen::Matrix3d(elastic + damping)
+                        : turning_too(scene, spring, i, j, gamma * gamma * static_cast<double>(k), viscous);
+                links[i].push_back({j, block});
+                diagonal[i] += block;
                 b[i] += gamma * spring.force.cast<double>() +
                         (damping + (about_base ? 1 : 0) * elastic) * (velocity(scene, j) - v);
             }
@@ -143,6 +147,23 @@ struct SpringReference {
         }
     }
 
+    /// About the iterate: a I + (all - a) n n^T, where all that resists along the spring is elastic +
+    /// viscous, and a is the tension over the length, damping's part included.
+    static Eigen::Matrix3d turning_too(const SpringScene& scene, const SpringTerms& spring, std::uint32_t i,
+                                       std::uint32_t j, double elastic, double viscous) {
+        const Eigen::Vector3d n = spring.direction.cast<double>();
+        const double length = (scene.place(j) - scene.place(i)).cast<double>().norm();
+        const double rate = n.dot(velocity(scene, j) - velocity(scene, i));
+        const double slack =
+            length > 1e-12 ? (static_cast<double>(rest_length(scene, i, j)) - 0.01 * rate) / length : 1.0;
+        const double a = std::clamp(elastic * (1 - slack), 0.0, elastic + viscous);
+        return a * Eigen::Matrix3d::Identity() + (elastic + viscous - a) * n * n.transpose();
+    }
+    static float rest_length(const SpringScene& scene, std::uint32_t i, std::uint32_t j) {
+        std::uint32_t e = scene.model.spring_offsets[i];
+        while (scene.model.neighbours[e] != j) ++e;
+        return scene.model.rest_lengths[e];
+    }
     static Eigen::Vector3d velocity(const SpringScene& scene, std::uint32_t i) {
         return xyz(scene.velocities[i]).cast<double>();
     }

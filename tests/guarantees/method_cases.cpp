@@ -38,9 +38,6 @@ std::vector<NamedSettings> methods() {
     };
     return {
         {"multilevel", with(Multilevel{})},
-        {"multilevel_nonlinear",
-         with(
-             Multilevel{.use = Multilevel::Use::nonlinear_conjugate_gradient, .passes = 1, .iterations = 3})},
         {"jacobi", with(Jacobi{})},
         {"chebyshev", with(Chebyshev{})},
         {"conjugate_gradient", with(ConjugateGradient{})},

@@ -16,7 +16,6 @@ namespace weft::test {
 namespace {
 
 constexpr std::uint32_t side = 17;  // so that the last group of 16 is not full
-// Where no case stands at a fork: nonlinear conjugate gradients step back or not by a comparison.
 constexpr int steps_before = 25;
 
 struct State {

@@ -3,7 +3,7 @@
 namespace weft {
 
 SymplecticEulerSolver::SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings)
-    : kind_(settings), system_(make_system(model, settings)) {}
+    : kind_(settings), system_(make_system(model, settings)), residual_(model, settings) {}
 
 bool SymplecticEulerSolver::serves(const ClothSettings& settings) const {
     return std::holds_alternative<SymplecticEuler>(settings.method) && kind_ == SystemKind(settings);
@@ -32,11 +32,11 @@ SolveResult SymplecticEulerSolver::solve(const SolverStep& step) {
             step.velocities[i] = to_vec4(v, 0);
         }
     });
-    return {};
+    return {.residual = residual_(step.parallel, step.equation, step.velocities, system_.get())};
 }
 
 std::size_t SymplecticEulerSolver::bytes() const noexcept {
-    return system_->bytes();
+    return system_->bytes() + residual_.bytes();
 }
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
 
 namespace weft {
 
@@ -21,6 +22,7 @@ class SymplecticEulerSolver final : public Solver {
   private:
     SystemKind kind_;
     std::unique_ptr<ImplicitSystem> system_;  // for its forces
+    StepResidual residual_;
 };
 
 }  // namespace weft

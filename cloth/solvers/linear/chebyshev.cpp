@@ -45,46 +45,30 @@ Relaxation ChebyshevSteps::next() {
             .momentum = static_cast<float>(ratio_ * before)};
 }
 
-float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
-                      ChebyshevVectors& vectors, std::span<Vec4> dv) {
+void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
+                     AlignedBuffer<Vec4>& scratch, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
     ChebyshevSteps steps(interval);
-    const float first = steps.first();
-    std::span<Vec4> present = dv, next = vectors.next.span();
+    std::span<Vec4> present = dv, next = scratch.span();
     if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
-    system.precondition(parallel, b, first, present);
-    const double start = norm(parallel, present, vectors.partials.span()) / static_cast<double>(first);
-
+    system.precondition(parallel, b, steps.first(), present);
     clear(parallel, next);
-    for (int k = 1; k < iterations; ++k) {
+    for (int k = 0; k < iterations; ++k) {
         system.relax(parallel, b, present, steps.next(), next);
         std::swap(present, next);
     }
-    const Relaxation relaxation = steps.next();
-    copy(parallel, next, vectors.before.span());
-    system.relax(parallel, b, present, relaxation, next);
-    std::swap(present, next);
-    // Of what the last step did, all but the momentum is the preconditioned residual.
-    const auto n = static_cast<std::uint32_t>(dv.size());
-    const double squared = sum_over_particles(parallel, n, vectors.partials.span(), [&](std::uint32_t i) {
-        const Vector4 momentum = relaxation.momentum * (load(next[i]) - load(vectors.before[i]));
-        return static_cast<double>((load(present[i]) - load(next[i]) - momentum).squaredNorm());
-    });
-    const double residual = std::sqrt(squared) / static_cast<double>(relaxation.step);
-    return start > 0 ? static_cast<float>(residual / start) : 0.0f;
 }
 
 ChebyshevSolver::ChebyshevSolver(const CookedCloth& model, const ClothSettings& settings)
     : LinearSolver(model, settings),
-      vectors_(model.particle_count),
+      scratch_(model.particle_count),
       area_(std::reduce(model.rest_area.span().begin(), model.rest_area.span().end(), 0.0)) {}
 
-SolveResult ChebyshevSolver::solve_linear(const SolverStep& step, ImplicitSystem& system,
-                                          std::span<Vec4> dv) {
+bool ChebyshevSolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
     const int iterations = std::get<Chebyshev>(step.settings.method).iterations;
     const double least = least_eigenvalue(step.model.info, step.settings, area_, step.equation.gamma);
-    return {.residual = solve_chebyshev(step.parallel, system, iterations,
-                                        chebyshev_interval(iterations, least), vectors_, dv)};
+    solve_chebyshev(step.parallel, system, iterations, chebyshev_interval(iterations, least), scratch_, dv);
+    return true;
 }
 
 bool ChebyshevSolver::solves_mean_motion_apart(const ClothSettings& settings) const {
@@ -92,7 +76,7 @@ bool ChebyshevSolver::solves_mean_motion_apart(const ClothSettings& settings) co
 }
 
 std::size_t ChebyshevSolver::bytes() const noexcept {
-    return LinearSolver::bytes() + vectors_.bytes();
+    return LinearSolver::bytes() + scratch_.bytes();
 }
 
 }  // namespace weft

@@ -16,14 +16,13 @@ struct Spectrum {
 /// definite, and near 2 on most meshes: any smaller end diverges sooner or later.
 inline constexpr double largest_eigenvalue = 2;
 
-/// The interval to [.., 2] for a count of iterations. Its lower end is `least`, an estimate of the least
-/// eigenvalue, but no lower than where that count still reduces every error within the interval fourfold.
+/// The interval [low, 2] for a count of iterations. `low` is `least`, an estimate of the least eigenvalue,
+/// unless that is too low for the count: each error within the interval must shrink at least fourfold.
 ///
-/// Were it lower, so little would be left of the reduction that the stiff modes paid for the soft ones. How
-/// little is allowed follows from backward Euler with an error factor p left in a stiff mode, x += h v, v +=
-/// (1
-/// - p)(-v - x / h): its amplification has eigenvalues p +- sqrt(p (p - 1)), which leave the unit circle at
-/// p = -1/3. Between 0 and the lower end modes are merely solved less, down to not at all, as Jacobi does.
+/// Why fourfold: the iteration may turn the sign of what it leaves of an error, and time steps feed a stiff
+/// mode of which too much is left with the other sign. With a part p of the error left, backward Euler's step
+/// of a stiff mode is x += h v, v += (1 - p)(-v - x / h). Its eigenvalues are p +- sqrt(p (p - 1)), which
+/// leave the unit circle at p = -1/3. Modes below the interval are solved less, as Jacobi leaves them, too.
 [[nodiscard]] Spectrum chebyshev_interval(int iterations, double least);
 
 /// Estimate of the least eigenvalue of D^-1 W: the Rayleigh quotient of a translation within the cloth's
@@ -47,23 +46,11 @@ class ChebyshevSteps {
     double ratio_ = 0;  // T_k-1 / T_k at centre / half_width, after k steps
 };
 
-/// The memory of one solve.
-struct ChebyshevVectors {
-    explicit ChebyshevVectors(std::uint32_t particles)
-        : next(particles), before(particles), partials(block_count(particles)) {}
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return next.bytes() + before.bytes() + partials.bytes();
-    }
-    AlignedBuffer<Vec4> next, before;
-    AlignedBuffer<double> partials;
-};
-
 /// Leaves in dv the iterate after `iterations` steps from the first one. Of the error of dv = 0 it keeps, in
 /// an eigenvector of eigenvalue lambda, the part T_n((c - lambda) / w) / T_n(c / w), n = iterations + 1,
-/// where c and w are the interval's centre and half width. Returns |D^-1 (b - W dv)| / |D^-1 b| of the last
-/// iterate but one, which the last step measures in passing; 0 for b = 0. Precondition: iterations >= 1.
-float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
-                      ChebyshevVectors& vectors, std::span<Vec4> dv);
+/// where c and w are the interval's centre and half width. Precondition: iterations >= 1.
+void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
+                     AlignedBuffer<Vec4>& scratch, std::span<Vec4> dv);
 
 class ChebyshevSolver final : public LinearSolver {
   public:
@@ -74,11 +61,11 @@ class ChebyshevSolver final : public LinearSolver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
+    bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
     [[nodiscard]] bool solves_mean_motion_apart(const ClothSettings& settings) const override;
 
   private:
-    ChebyshevVectors vectors_;
+    AlignedBuffer<Vec4> scratch_;
     double area_ = 0;  // of the cloth at rest [m^2]
 };
 

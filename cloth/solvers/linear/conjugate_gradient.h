@@ -34,17 +34,21 @@ void advance_along(Parallel& parallel, float alpha, const CgVectors& vectors, st
 /// r = residual - alpha W p.
 void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> residual, CgVectors& vectors);
 
+struct CgResult {
+    float left = 0;  ///< |P (b - W dv)| / |P b| of the last iterate that was preconditioned; 0 for b = 0
+    bool ok = true;  ///< false: something was not finite
+};
+
 /// Conjugate gradients (Hestenes and Stiefel 1952) from 0: the solution is added to dv. precondition(r, z)
 /// writes z = P r from r, of which w may be anything, P symmetric and positive definite on the free particles
 /// and 0 on the pinned ones, of which nothing more is needed: a direction that is 0 there stays so (the
 /// filter of Baraff and Witkin 1998). Each iteration multiplies once and preconditions once. It ends early
-/// where single precision has nothing left to find; at what is not finite it gives up, and the result is not
-/// ok. Its residual is |P (b - W dv)| / |P b| of the last iterate that was preconditioned: the last but one,
-/// unless it ended early; 0 for b = 0.
+/// where single precision has nothing left to find; at what is not finite it gives up.
+/// Unless it ended early, the last iterate that was preconditioned is the last but one.
 template <class Precondition>
-SolveResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
-                                const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
-    constexpr SolveResult failed{.ok = false};
+CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
+                             const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
+    constexpr CgResult failed{.ok = false};
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     std::span<const Vec4> residual = system.right_side().span();
     Products first, now;
@@ -74,7 +78,7 @@ SolveResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int 
         update_residual(parallel, static_cast<float>(alpha), residual, vectors);
         residual = vectors.residual.span();
     }
-    return {.residual = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f};
+    return {.left = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f};
 }
 
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).
@@ -87,7 +91,7 @@ class ConjugateGradientSolver final : public LinearSolver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
+    bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
 
   private:
     CgVectors vectors_;

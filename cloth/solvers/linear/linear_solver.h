@@ -6,6 +6,7 @@
 #include "cloth/solvers/linear/mean_motion.h"
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
 
 namespace weft {
@@ -18,8 +19,8 @@ class LinearSolver : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    /// Solves W dv = b.
-    virtual SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
+    /// Solves W dv = b; false: it could not.
+    virtual bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
     /// Of Solver::serves, what all of them have in common.
     [[nodiscard]] bool serves_system(const ClothSettings& settings) const {
         return kind_ == SystemKind(settings);
@@ -33,6 +34,7 @@ class LinearSolver : public Solver {
     SystemKind kind_;
     std::unique_ptr<ImplicitSystem> system_;
     MeanMotion mean_motion_;
+    StepResidual residual_;
 };
 
 }  // namespace weft

@@ -3,50 +3,61 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cloth/mesh/cook.h"
+#include "cloth/system/contacts.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "engine/vector.h"
 
 namespace weft {
 
-/// Springs do not feel a translation, so along it the system is a division: for a component without pins the
-/// sum of all rows is (sum r_i) u = sum b_i. Few Jacobi iterations leave this, the slowest mode, almost
-/// unsolved, and stiff cloth hovers. Taking u out before the iteration and putting it back after changes
-/// nothing in the converged solution; at any number of iterations it makes free fall exact and keeps linear
-/// momentum.
+/// Springs do not feel a translation u, so along it the system of a component without pins is one of three
+/// equations: (sum_i r_i I + G_i) u = sum_i b_i, where contact adds G_i. Few Jacobi iterations leave this,
+/// the slowest mode, almost unsolved, and stiff cloth hovers. Solved before the iteration and again after it,
+/// u makes free fall exact, and what lands is stopped, however few iterations run; the converged solution
+/// stays what it is (deflation: Nicolaides 1987).
 class MeanMotion {
   public:
-    MeanMotion() = default;
     explicit MeanMotion(const CookedCloth& model);
 
-    /// Before the iteration: computes u of every component in which no particle is pinned, and subtracts r_i
-    /// u from b_i. Components with a pin are left as they are.
-    void take_out(Parallel& parallel, const CookedCloth& model, std::span<Vec4> right_side);
-    /// After the iteration: adds u to dv, less the iteration's own mean, which the exact solution does not
-    /// have.
-    void put_back(Parallel& parallel, const CookedCloth& model, std::span<const Vec4> right_side,
-                  std::span<Vec4> velocity_change);
+    /// Before the iteration: finds u of each component in which no particle is pinned, and subtracts
+    /// (r_i I + G_i) u from b_i. `contacts` may be null.
+    void take_out(Parallel& parallel, const ContactRows* contacts, std::span<Vec4> right_side);
+    /// After the iteration: adds u to dv, and solves the rows' sum anew, which the iteration has disturbed.
+    void put_back(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> right_side,
+                  std::span<Vec4> dv);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    struct Sum {
-        double x = 0, y = 0, z = 0, row_sum = 0;
+    /// Particles of one component within one block of the list.
+    struct Piece {
+        std::uint32_t component, begin, end;
+    };
+    /// Rows of one component, or of a part of it.
+    struct Rows {
+        Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
         bool pinned = false;
 
-        [[nodiscard]] Vector3 mean() const {
-            return {static_cast<float>(x / row_sum), static_cast<float>(y / row_sum),
-                    static_cast<float>(z / row_sum)};
-        }
+        void add(const Rows& more);
     };
-    /// Sums term(i), a Vector3, and the row sums over some particles.
-    template <class Term>
-    [[nodiscard]] Sum sum_over(Parallel& parallel, std::span<const std::uint32_t> particles,
-                               std::span<const Vec4> right_side, const Term& term);
 
-    AlignedBuffer<Vec4> component_change_;  // w: 1 if the component is free, else 0
-    AlignedBuffer<Sum> partials_;
+    /// body(piece) for each piece, a block of the list after the other.
+    template <class Body>
+    void for_each_block(Parallel& parallel, const Body& body) const;
+    /// Solves for u of each component; again: added to the u before. right_side_of(i) is what particle i adds
+    /// to the right side.
+    template <class RightSide>
+    void solve(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> row_sums,
+               const RightSide& right_side_of, bool again);
+
+    std::span<const std::uint32_t> particles_;  // of the model, component by component
+    std::vector<Piece> pieces_;
+    std::vector<std::uint32_t> block_pieces_;  // pieces of block k: [block_pieces_[k], block_pieces_[k + 1])
+    std::vector<Rows> partials_;               // of the pieces
+    std::vector<Vec4> motions_;                // u of each component, w 1; 0 where a particle is pinned
 };
 
 }  // namespace weft

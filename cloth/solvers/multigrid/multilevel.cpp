@@ -1,11 +1,5 @@
 #include "cloth/solvers/multigrid/multilevel.h"
 
-#include "cloth/solvers/make_system.h"
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "cloth/system/sparse/vectors.h"
 
 namespace weft {
@@ -17,7 +11,7 @@ MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings
       system_(make_system(model, settings)),
       multigrid_(make_levels(model, levels_key_, *system_)),
       vectors_(model.particle_count),
-      partials_(block_count(model.particle_count)) {
+      residual_(model, settings) {
     multigrid_->set_pins(positions);
 }
 
@@ -43,10 +37,9 @@ void MultilevelSolver::inverse_masses_changed(std::span<const Vec4> positions) n
 }
 
 SolveResult MultilevelSolver::solve(const SolverStep& step) {
-    const auto& method = std::get<Multilevel>(step.settings.method);
     copy(step.parallel, step.equation.velocities, step.velocities);
-    return method.use == Multilevel::Use::passes ? solve_in_passes(step, method)
-                                                 : solve_nonlinear(step, method.iterations);
+    const bool ok = solve_in_passes(step, std::get<Multilevel>(step.settings.method));
+    return {.residual = residual_(step.parallel, step.equation, step.velocities, system_.get()), .ok = ok};
 }
 
 // About where inertia leads, x + gamma v: springs have turned there as far as they will in the step, which at
@@ -66,76 +59,30 @@ void MultilevelSolver::cycle(const SolverStep& step, std::span<const Vec4> right
     multigrid_->cycle(step.parallel, *system_, right_side, x);
 }
 
-// Nonlinear conjugate gradients (Polak and Ribiere 1969) on the equation itself; W and its levels, made once,
-// serve the preconditioner and the length of the step alone.
-SolveResult MultilevelSolver::solve_nonlinear(const SolverStep& step, int iterations) {
-    Parallel& parallel = step.parallel;
-    {
-        const auto timer = step.timed(Stage::assemble);
-        linearise(step);
-        build_levels(step);
-    }
-    const auto timer = step.timed(Stage::solve);
-    auto& residual = vectors_.residual;
-    auto& preconditioned = vectors_.preconditioned;
-    auto& direction = vectors_.direction;
-    auto& product = vectors_.product;
-    const auto dot_of = [&](const AlignedBuffer<Vec4>& a, const AlignedBuffer<Vec4>& b) {
-        return dot(parallel, a.span(), b.span(), partials_.span());
-    };
-    const auto move = [&](double length) {
-        scale_and_add(parallel, static_cast<float>(length), direction.span(), 1.0f, step.velocities);
-        system_->residual(parallel, step.equation, step.velocities, residual.span());
-    };
-
-    system_->residual(parallel, step.equation, step.velocities, residual.span());
-    double first = 0, rho = 0;
-    for (int k = 0; k < iterations; ++k) {
-        cycle(step, residual.span(), preconditioned.span());
-        const double new_rho = dot_of(preconditioned, residual);
-        if (!std::isfinite(new_rho)) return {.ok = false};
-        if (!(new_rho > 0)) break;
-        if (k == 0) first = new_rho;
-        // `product` holds the residual before this one.
-        const double beta = k == 0 ? 0.0 : std::max(0.0, (new_rho - dot_of(preconditioned, product)) / rho);
-        rho = new_rho;
-        scale_and_add(parallel, 1.0f, preconditioned.span(), static_cast<float>(beta), direction.span());
-        const Products along = system_->multiply(parallel, residual.span(), direction.span(), product.span());
-        if (!(along.x_wx > 0 && along.b_x > 0)) break;  // solved to rounding
-        const double slope = along.b_x, length = slope / along.x_wx;
-        std::swap(residual, product);
-        move(length);
-        // Where the equation is stiffer along the direction than W said: back to where the secant crosses
-        // zero.
-        const double new_slope = dot_of(residual, direction);
-        if (new_slope < -0.5 * slope) move(length * new_slope / (slope - new_slope));
-    }
-    return {.residual = first > 0 ? static_cast<float>(std::sqrt(rho / first)) : 0.0f};
-}
-
 // Newton's method as far as the passes go. The coarse operators are those of the first pass: the springs'
 // directions, which change most, are the finest level's. All passes but the last need only be on the way, so
 // one iteration each serves them.
-SolveResult MultilevelSolver::solve_in_passes(const SolverStep& step, const Multilevel& method) {
+bool MultilevelSolver::solve_in_passes(const SolverStep& step, const Multilevel& method) {
     Parallel& parallel = step.parallel;
-    SolveResult result;
-    for (int pass = 0; pass < method.passes; ++pass) {
+    bool ok = true;
+    for (int pass = 0; ok && pass < method.passes; ++pass) {
         {
             const auto timer = step.timed(Stage::assemble);
             linearise(step);
             if (pass == 0) build_levels(step);
         }
         const auto timer = step.timed(Stage::solve);
-        result = conjugate_gradients(
-            parallel, *system_, pass + 1 < method.passes ? 1 : method.iterations,
-            [&](std::span<const Vec4> r, std::span<Vec4> z) { cycle(step, r, z); }, vectors_,
-            step.velocities);
+        ok = conjugate_gradients(
+                 parallel, *system_, pass + 1 < method.passes ? 1 : method.iterations,
+                 [&](std::span<const Vec4> r, std::span<Vec4> z) { cycle(step, r, z); }, vectors_,
+                 step.velocities)
+                 .ok;
     }
-    return result;
+    return ok;
 }
 
 std::size_t MultilevelSolver::bytes() const noexcept {
-    return system_->bytes() + (multigrid_ ? multigrid_->bytes() : 0) + vectors_.bytes() + partials_.bytes();
+    return system_->bytes() + multigrid_->bytes() + vectors_.bytes() + residual_.bytes();
 }
 
 }  // namespace weft

@@ -1,6 +1,5 @@
 #pragma once
-// The multilevel method: a multigrid cycle as preconditioner, of a nonlinear conjugate gradient or of linear
-// passes.
+// The multilevel method: passes of conjugate gradients that a multigrid cycle preconditions.
 
 #include <memory>
 
@@ -9,6 +8,7 @@
 #include "cloth/solvers/multigrid/levels.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
 
 namespace weft {
@@ -25,8 +25,7 @@ class MultilevelSolver final : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    SolveResult solve_nonlinear(const SolverStep& step, int iterations);
-    SolveResult solve_in_passes(const SolverStep& step, const Multilevel& method);
+    bool solve_in_passes(const SolverStep& step, const Multilevel& method);
     void linearise(const SolverStep& step);
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
@@ -36,7 +35,7 @@ class MultilevelSolver final : public Solver {
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;
     CgVectors vectors_;
-    AlignedBuffer<double> partials_;
+    StepResidual residual_;
 };
 
 }  // namespace weft

@@ -1,5 +1,7 @@
 #include "cloth/solvers/positional/displacements.h"
 
+#include <algorithm>
+
 namespace weft {
 
 Displacements::Displacements(std::uint32_t particles, std::uint32_t stand_ins)
@@ -10,6 +12,8 @@ Displacements::Displacements(std::uint32_t particles, std::uint32_t stand_ins)
 void Displacements::predict(const SolverStep& step) {
     const StepEquation& equation = step.equation;
     predict_velocities(step.parallel, equation, step.velocities);
+    // Stand-ins are moved by nothing; beside a state that is not finite, 0 times that has been added to them.
+    std::fill(moved_.data() + step.model.particle_count, moved_.data() + moved_.size(), Vec4{});
     step.parallel.ranges(step.model.particle_count, [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             start_[i] = to_vec4(xyz(equation.positions[i]), 0);

@@ -29,7 +29,8 @@ FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& settin
       occurrences_(sets_.particles.span(), model.particle_count),
       displacements_(model.particle_count, sets_.stand_ins),
       weights_(sets_.particles.size()),
-      multipliers_(sets_.rest_lengths.size()) {
+      multipliers_(sets_.rest_lengths.size()),
+      residual_(model, {}) {
     std::size_t rows = 0;
     for (const FibreSet& set : sets_.sets) {
         if (solver_of(method_, set.kind) == Fibres::SetSolver::ldlt)
@@ -88,7 +89,7 @@ SolveResult FibresSolver::solve(const SolverStep& step) {
     for (int k = 0; k < iterations; ++k)
         for (const FibreSet& set : sets_.sets) solve_set(step, set);
     displacements_.find_velocities(step);
-    return {};
+    return {.residual = residual_(step.parallel, step.equation, step.velocities)};
 }
 
 std::size_t FibresSolver::bytes() const noexcept {

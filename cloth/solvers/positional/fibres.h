@@ -8,6 +8,7 @@
 #include "cloth/solvers/positional/fibre_sets.h"
 #include "cloth/solvers/positional/occurrences.h"
 #include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
 
 namespace weft {
 
@@ -33,6 +34,7 @@ class FibresSolver final : public Solver {
     AlignedBuffer<float> weights_;      // inverse masses, like sets_.particles
     AlignedBuffer<float> multipliers_;  // like sets_.rest_lengths
     AlignedBuffer<float> scratch_;      // for the largest set that is factorised
+    StepResidual residual_;
 };
 
 }  // namespace weft

@@ -10,7 +10,8 @@ XpbdSolver::XpbdSolver(const CookedCloth& model, std::span<const Vec4> positions
       firsts_(colours_.first.span(), model.particle_count),
       seconds_(colours_.second.span(), model.particle_count),
       springs_(colours_.springs()),
-      displacements_(model.particle_count, SpringColours::stand_ins) {
+      displacements_(model.particle_count, SpringColours::stand_ins),
+      residual_(model, {}) {
     for (std::uint32_t s = 0; s < colours_.springs(); ++s) {
         const std::uint32_t half_edge = colours_.half_edges[s];
         if (half_edge != SpringColours::no_half_edge)
@@ -64,7 +65,7 @@ SolveResult XpbdSolver::solve(const SolverStep& step) {
                       springs_, displacements_.start().data(), displacements_.moved().data());
     }
     displacements_.find_velocities(step);
-    return {};
+    return {.residual = residual_(step.parallel, step.equation, step.velocities)};
 }
 
 std::size_t XpbdSolver::bytes() const noexcept {

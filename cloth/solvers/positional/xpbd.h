@@ -10,6 +10,7 @@
 #include "cloth/solvers/positional/occurrences.h"
 #include "cloth/solvers/positional/xpbd_kernel.h"
 #include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
 
 namespace weft {
 
@@ -42,6 +43,7 @@ class XpbdSolver final : public Solver {
     XpbdSprings springs_;
     Displacements displacements_;
     Stiffness stiffness_;  // that the responses are for
+    StepResidual residual_;
 };
 
 }  // namespace weft

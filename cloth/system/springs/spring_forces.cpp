@@ -20,11 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// spring_terms, lane by lane: the force is stiffness x extension n, K = (stiffness - axial) I + axial n n^T.
+/// spring_terms, lane by lane: the force is stiffness x extension n.
 struct Springs {
     Lanes3 direction;  ///< n
     Lanes extension;   ///< [m]
-    Lanes stiffness, axial;
+    Lanes per_length;  ///< 1 / length, 0 where ends coincide
+    Lanes rest_ratio;  ///< rest length / length
+    Lanes stiffness;
 };
 
 /// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
@@ -100,8 +102,8 @@ HWY_INLINE Springs springs_in(const SpringState& state, const SpringTables& tabl
         !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
         direction = with_separating_directions(direction.x, direction.y, direction.z, apart, state, entry, i);
 
-    const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), hn::Mul(rest_length, inverse_length)));
-    return {direction, hn::Sub(length, rest_length), stiffness, axial};
+    return {direction, hn::Sub(length, rest_length), hn::IfThenElseZero(apart, inverse_length),
+            hn::Mul(rest_length, inverse_length), stiffness};
 }
 
 /// What springs add up to in rows.
@@ -124,30 +126,44 @@ HWY_INLINE RowSums no_sums() {
 //   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
 //   iterate).
 // Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
+//
+// A spring under tension resists turning, whether it is stretched or being stretched: damping's tension
+// counts like the elastic one. Without it, iterates about themselves overshoot where damping is stiff, and
+// never come to rest. Tension that is negative would make W indefinite, and counts as none (Choi and Ko
+// 2002).
 struct Linearisation {
     Linearisation(const SpringState& state, LinearisedAbout about)
         : about_base(about == LinearisedAbout::base),
-          uses_velocities(about_base || state.equation.settings.fabric.damping > 0),
+          damping(state.equation.settings.fabric.damping),
+          uses_velocities(about_base || damping > 0),
           squared(state.matrix.unit * state.matrix.unit),
           of_kind(state.stiffness.times(state.equation.gamma * state.equation.gamma / squared)),
           per_gamma(1 / state.equation.gamma),
-          viscosity(state.equation.settings.fabric.damping / state.equation.gamma) {}
+          viscosity(damping / state.equation.gamma) {}
 
     /// Adds what springs pull to `force`; their blocks. relative() is how fast their other ends move.
     template <class Relative>
     HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Relative& relative,
                                           Lanes3& force) const {
-        const Lanes a = hn::Sub(springs.stiffness, springs.axial);
-        const Lanes along = hn::MulAdd(set(viscosity), springs.stiffness, springs.axial);
+        Lanes slack = springs.rest_ratio;  // 1 - tension / (stiffness x length)
         Lanes push = hn::Mul(springs.stiffness, hn::Mul(set(per_gamma), springs.extension));
-        if (uses_velocities) {
+        const Lanes viscous = hn::Mul(set(viscosity), springs.stiffness);
+        if (about_base) {
+            const Lanes axial = hn::Mul(springs.stiffness, hn::Min(set(1), slack));
+            const Lanes a = hn::Sub(springs.stiffness, axial), along = hn::Add(viscous, axial);
             const Lanes3 v = relative();
-            const Lanes resisted = about_base ? along : hn::Mul(set(viscosity), springs.stiffness);
-            push = hn::MulAdd(resisted, dot(springs.direction, v), push);
-            if (about_base) force = mul_add(a, v, force);
+            push = hn::MulAdd(along, dot(springs.direction, v), push);
+            force = mul_add(push, springs.direction, mul_add(a, v, force));
+            return {a, hn::Sqrt(along) * springs.direction};
         }
+        if (uses_velocities) {
+            const Lanes rate = dot(springs.direction, relative());
+            push = hn::MulAdd(viscous, rate, push);
+            slack = hn::NegMulAdd(hn::Mul(set(damping), rate), springs.per_length, slack);
+        }
+        const Lanes along = hn::Max(hn::MulAdd(springs.stiffness, hn::Min(set(1), slack), viscous), set(0));
         force = mul_add(push, springs.direction, force);
-        return {a, hn::Sqrt(along) * springs.direction};
+        return {hn::Sub(hn::Add(springs.stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
     }
 
     /// Rows of W and b, for the lanes from particle `i` on.
@@ -166,7 +182,9 @@ struct Linearisation {
                         &matrix.inverse_diagonal[lane_index(i, 0, 6)]);
     }
 
-    bool about_base, uses_velocities;
+    bool about_base;
+    float damping;
+    bool uses_velocities;
     float squared;
     SpringStiffness of_kind;
     float per_gamma, viscosity;

@@ -1,0 +1,37 @@
+#pragma once
+// How far a step's velocities are from solving its equation: one figure with one meaning for every method.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/mesh/cook.h"
+#include "cloth/system/implicit_system.h"
+#include "cloth/system/step_equation.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+/// |D^-1 r(v)| / max(|D^-1 r(v_free)|, |D^-1 M (v_free - v_base)|), where r(v) = gamma f(x_base + gamma v, v)
+/// - M (v - v_base), contacts included, D is the diagonal that each particle has in it, and v_free is where
+/// external forces alone lead: 0 where the equation is solved, 1 where fabric and contacts have done nothing.
+/// A norm of impulses that are left, against those that fabric and contacts have to give.
+///
+/// Springs are looked at for one particle in 128, and at least 16, the same ones in every step, which costs
+/// less than a hundredth of one. Finite elements are all looked at.
+class StepResidual {
+  public:
+    StepResidual(const CookedCloth& model, const ClothSettings& settings);
+    /// `system` is asked for the forces of finite elements only.
+    [[nodiscard]] float operator()(Parallel& parallel, const StepEquation& equation,
+                                   std::span<const Vec4> velocities, ImplicitSystem* system = nullptr);
+    [[nodiscard]] std::size_t bytes() const noexcept { return free_.bytes() + left_.bytes(); }
+
+  private:
+    [[nodiscard]] float of_elements(Parallel& parallel, const StepEquation& equation,
+                                    std::span<const Vec4> velocities, ImplicitSystem& system);
+
+    const CookedCloth& model_;
+    AlignedBuffer<Vec4> free_, left_;  // of finite elements: v_free, and what it or v leaves
+};
+
+}  // namespace weft
