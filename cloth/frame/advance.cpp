@@ -23,18 +23,21 @@ HWY_INLINE PackedRows limited(const PackedRows& velocities, float max_speed) {
 void advance_block(const StepEquation& equation, const Advance& change, const BlockRange& range) {
     const Lanes gamma = hn::Set(Tag(), equation.gamma);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const PackedRows v_before = load_packed(&equation.velocities[i]);
-        const PackedRows v = limited(v_before + load_packed(&change.velocity_changes[i]), change.max_speed);
+        const PackedRows v = limited(load_packed(&change.solved[i]), change.max_speed);
         const PackedRows x = mul_add(gamma, v, load_packed(&equation.base_positions[i]));  // w stays: 0 in v
-        if (change.history != nullptr) {
-            const HistoryRows record = change.history->rows(i);
-            store_packed(x - load_packed(&equation.positions[i]), record.displacements);
-            store_packed(v - v_before, record.velocity_changes);
-            store_packed(x, record.arrivals);
+        if (StepRecord* const record = change.record) {
+            store_packed(x - load_packed(&equation.positions[i]), &record->displacements[i]);
+            store_packed(v - load_packed(&equation.velocities[i]), &record->velocity_changes[i]);
+            store_packed(x, &record->arrivals[i]);
         }
         store_packed(v, &change.velocities[i]);
         store_packed(x, &change.positions[i]);
     }
+}
+
+void limit_block(const BlockRange& range, float max_speed, Vec4* velocities) {
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes)
+        store_packed(limited(load_packed(velocities + i), max_speed), velocities + i);
 }
 
 }  // namespace
@@ -45,11 +48,18 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(advance_block);
+HWY_EXPORT(limit_block);
 
 void advance(Parallel& parallel, const StepEquation& equation, const Advance& change) {
-    if (change.history != nullptr) change.history->set_step(equation.h);
+    if (change.record != nullptr) change.record->h = equation.h;
     parallel.ranges(static_cast<std::uint32_t>(change.positions.size()), [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(advance_block)(equation, change, range);
+    });
+}
+
+void limit_speeds(Parallel& parallel, float max_speed, std::span<Vec4> velocities) {
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
+        HWY_DYNAMIC_DISPATCH(limit_block)(range, max_speed, velocities.data());
     });
 }
 

@@ -9,14 +9,6 @@ namespace weft {
 
 namespace {
 
-/// Whether what a solver is made from differs; all else it reads at each step.
-bool needs_another_solver(const ClothSettings& a, const ClothSettings& b) {
-    const FiniteElements &from = a.finite_elements, &to = b.finite_elements;
-    return a.method.index() != b.method.index() || from.enabled != to.enabled ||
-           from.dihedral != to.dihedral || from.consistent_mass != to.consistent_mass ||
-           (from.bending > 0) != (to.bending > 0);
-}
-
 std::size_t bytes_of(const CookedCloth& model) {
     return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
@@ -28,57 +20,103 @@ std::size_t bytes_of(const CookedCloth& model) {
                sizeof(std::uint32_t);
 }
 
+std::vector<std::uint32_t> particles_of(const std::vector<Pin>& pins) {
+    std::vector<std::uint32_t> particles;
+    particles.reserve(pins.size());
+    for (const Pin& pin : pins) particles.push_back(pin.particle);
+    return particles;
+}
+
 }  // namespace
 
 Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
+      settings(initial),
       state(model.particle_count),
-      velocity_change(model.particle_count),
+      solved(model.particle_count),
       surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     std::ranges::copy(model.positions.span(), state.positions.data());
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
+    set_inverse_masses();
+    solver = make_solver(model, initial, state.positions.span());
+    limits = make_limits(model, initial, {});
     apply(initial);
 }
 
+bool Cloth::is_second_order(const ClothSettings& of, const Solver& with) const {
+    return of.time_scheme == TimeScheme::bdf2 && with.is_implicit();
+}
+
+/// Null if the present one serves.
+std::unique_ptr<Solver> Cloth::solver_for(const ClothSettings& changed) const {
+    if (solver->serves(changed)) return nullptr;
+    std::unique_ptr<Solver> made = make_solver(model, changed, state.positions.span());
+    made->reserve_pins(state.pins.size());
+    return made;
+}
+
 void Cloth::apply(const ClothSettings& changed) {
-    // Memory first: if there is none, nothing has changed yet.
-    if (!solver || needs_another_solver(settings, changed)) solver = make_solver(model, changed);
-    if (changed.tethers.enabled && !tethers) tethers.emplace(model);
-    if (changed.self_collision.enabled && !self_contacts) self_contacts.emplace(model.positions.span());
-    const bool second_order = changed.time_scheme == TimeScheme::bdf2 && solver->is_implicit();
-    if (second_order && !history) history.emplace(model.particle_count);
-    set_colliders(has_colliders_);
-    if (!second_order) history.reset();
-    if (!changed.tethers.enabled) {
-        tethers.reset();
-        tethers_are_attached = false;
+    std::unique_ptr<Solver> other_solver = solver_for(changed);
+    const Solver& with = other_solver ? *other_solver : *solver;
+    const bool second_order = is_second_order(changed, with);
+    const bool has_limits = have_same_limits(settings, changed);
+    const bool needs_contacts = has_colliders_ && with.is_implicit() && !contacts;
+    Limits other_limits = has_limits ? Limits() : make_limits(model, changed, particles_of(state.pins));
+    std::optional<History> new_history;
+    StepRecord new_record;
+    if (second_order && !history) {
+        new_history.emplace(model.particle_count);
+        new_record = StepRecord(model.particle_count);
     }
+    std::optional<SelfContacts> new_self_contacts;
+    if (changed.self_collision.enabled && !self_contacts) new_self_contacts.emplace(model.positions.span());
+    std::optional<ContactBuffers> new_contacts;
+    if (needs_contacts) new_contacts.emplace(model.particle_count);
+
+    // From here on nothing can fail.
+    const bool is_other_density = changed.fabric.areal_density != settings.fabric.areal_density;
+    settings = changed;
+    if (is_other_density) set_inverse_masses();
+    if (other_solver) solver = std::move(other_solver);
+    if (is_other_density) solver->inverse_masses_changed(state.positions.span());
+    if (!has_limits) limits = std::move(other_limits);
+    if (new_history) {
+        history = std::move(new_history);
+        state.record = std::move(new_record);
+    }
+    if (!second_order) {
+        history.reset();
+        state.record = {};
+    }
+    if (new_self_contacts) self_contacts = std::move(new_self_contacts);
     if (!changed.self_collision.enabled) {
         self_contacts.reset();
         self_counts = {};
     }
-    settings = changed;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        set_inverse_mass(i, find_pin(i) == nullptr ? inverse_mass_when_free(i) : 0.0f);
+    take_contacts(std::move(new_contacts), has_colliders_);
+}
+
+std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders) const {
+    if (!any_colliders || !solver->is_implicit() || contacts) return std::nullopt;
+    return std::optional<ContactBuffers>(std::in_place, model.particle_count);
+}
+
+void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept {
+    has_colliders_ = any_colliders;
+    if (made) {
+        contacts = std::move(made->contacts);
+        state.held = std::move(made->held);
     }
+    if (any_colliders && solver->is_implicit()) return;
+    contacts.reset();
+    state.held = {};
 }
 
-void Cloth::set_colliders(bool any) {
-    has_colliders_ = any;
-    const bool needed = any && solver->is_implicit();
-    if (needed && !contacts) contacts.emplace(model.particle_count);
-    if (!needed) contacts.reset();
-}
-
-void Cloth::set_air(bool on, bool gusts) {
-    const auto provide = [&](AlignedBuffer<Vec4>& buffer, bool needed) {
-        const std::size_t size = needed ? model.particle_count : 0;
-        if (buffer.size() != size) buffer = AlignedBuffer<Vec4>(size);
-    };
-    provide(air_forces, on);
-    provide(air_velocities, on && gusts);
+AirBuffers Cloth::make_air(bool on, bool gusts) const {
+    const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
+    return {.forces = sized(on), .velocities = sized(on && gusts)};
 }
 
 float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
@@ -86,38 +124,84 @@ float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
     return m > 0 ? 1.0f / m : 0.0f;
 }
 
-void Cloth::set_inverse_mass(std::uint32_t particle, float inverse_mass) {
-    state.positions[particle].w = inverse_mass;
-    state.previous_positions[particle].w = inverse_mass;
-    solver_is_prepared = false;
+void Cloth::set_inverse_masses() {
+    for (std::uint32_t i = 0; i < model.particle_count; ++i)
+        state.positions[i].w = state.previous_positions[i].w = inverse_mass_when_free(i);
+    for (const Pin& pin : state.pins)
+        state.positions[pin.particle].w = state.previous_positions[pin.particle].w = 0;
 }
 
 Pin* Cloth::find_pin(std::uint32_t particle) {
-    const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
-    return at != pins.end() && at->particle == particle ? &*at : nullptr;
+    const auto at = std::ranges::lower_bound(state.pins, particle, {}, &Pin::particle);
+    return at != state.pins.end() && at->particle == particle ? &*at : nullptr;
 }
 
-void Cloth::pin(std::uint32_t particle) {
-    if (find_pin(particle) != nullptr) return;
-    const auto at = std::ranges::lower_bound(pins, particle, {}, &Pin::particle);
-    pins.insert(at, {particle, xyz(state.positions[particle])});
-    tethers_are_attached = false;
-    state.velocities[particle] = {};
-    set_inverse_mass(particle, 0);
+void Cloth::pin(std::span<const std::uint32_t> particles) {
+    std::vector<Pin> pins = state.pins;
+    pins.reserve(pins.size() + particles.size());
+    for (const std::uint32_t i : particles) pins.push_back({i, xyz(state.positions[i])});
+    // Of two pins of one particle the earlier stays.
+    std::ranges::stable_sort(pins, {}, &Pin::particle);
+    const auto again = std::ranges::unique(pins, {}, &Pin::particle);
+    pins.erase(again.begin(), again.end());
+    change_pins(std::move(pins));
 }
 
-void Cloth::unpin(std::uint32_t particle) {
-    std::erase_if(pins, [&](const Pin& pin) { return pin.particle == particle; });
-    tethers_are_attached = false;
-    set_inverse_mass(particle, inverse_mass_when_free(particle));
+void Cloth::unpin(std::span<const std::uint32_t> particles) {
+    std::vector<std::uint32_t> ascending(particles.begin(), particles.end());
+    std::ranges::sort(ascending);
+    std::vector<Pin> pins = state.pins;
+    std::erase_if(pins, [&](const Pin& pin) { return std::ranges::binary_search(ascending, pin.particle); });
+    change_pins(std::move(pins));
+}
+
+void Cloth::change_pins(std::vector<Pin>&& pins) {
+    if (pins.size() == state.pins.size()) return;  // pins are only added, or only taken away
+    const std::vector<std::uint32_t> now = particles_of(pins), before = particles_of(state.pins);
+    solver->reserve_pins(pins.size());
+    for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, now);
+
+    // From here on nothing can fail.
+    for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
+    const auto set_inverse_mass = [&](std::uint32_t particle, float inverse_mass) {
+        state.positions[particle].w = state.previous_positions[particle].w = inverse_mass;
+        solver->inverse_mass_changed(particle, state.positions.span());
+    };
+    for (const std::uint32_t i : now) {
+        if (std::ranges::binary_search(before, i)) continue;
+        state.velocities[i] = {};
+        set_inverse_mass(i, 0);
+    }
+    bool any_released = false;
+    for (const std::uint32_t i : before) {
+        if (std::ranges::binary_search(now, i)) continue;
+        set_inverse_mass(i, inverse_mass_when_free(i));
+        any_released = true;
+    }
+    state.pins = std::move(pins);
     // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
-    if (history) history->forget();
+    if (any_released) state.record.h = 0;
+}
+
+void Cloth::restore(const ClothState& saved) {
+    ClothState copy = saved;
+    solver->reserve_pins(copy.pins.size());
+    const std::vector<std::uint32_t> pins = particles_of(copy.pins);
+    for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, pins);
+
+    // From here on nothing can fail.
+    for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
+    state = std::move(copy);
+    solver->inverse_masses_changed(state.positions.span());
 }
 
 void Cloth::restore_start_of_step() {
     std::ranges::copy(state.previous_positions.span(), state.positions.data());
     std::ranges::fill(state.velocities.span(), Vec4{});
-    if (history) history->forget();
+    std::ranges::fill(state.held.normals.span(), Vec4{});
+    std::ranges::fill(state.held.rubbed.span(), 0.0f);
+    std::ranges::fill(state.held.touching.span(), 0u);
+    state.record.h = 0;
 }
 
 float Cloth::self_collision_distance() const {
@@ -130,11 +214,12 @@ ClothInfo Cloth::info() const {
     double mass_sum = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
-    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + velocity_change.bytes() +
-                 (history ? history->bytes() : 0) + (tethers ? tethers->bytes() : 0) +
-                 (self_contacts ? self_contacts->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-                 surface.bytes() + air_velocities.bytes() + air_forces.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+    std::size_t of_limits = 0;
+    for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
+    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + solved.bytes() +
+                 (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
+                 (contacts ? contacts->bytes() : 0) + surface.bytes() + air.forces.bytes() +
+                 air.velocities.bytes() + partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

@@ -1,16 +1,17 @@
 #pragma once
-// A cloth in a World: its rest model, its state, and the memory that its solver needs. Nothing in it grows in
-// a step.
+// A cloth in a World: its rest model, its state, and the memory that its steps need. Calls of the host make
+// and free that memory; no step does.
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cloth/frame/history.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/survey.h"
-#include "cloth/limits/tethers.h"
+#include "cloth/limits/limit.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/surface/surface.h"
@@ -21,31 +22,52 @@
 
 namespace weft {
 
-/// A pinned particle and where it shall be at the end of the next step [m].
-struct Pin {
-    std::uint32_t particle;
-    Vector3 target;
+/// Memory for the air at the particles.
+struct AirBuffers {
+    AlignedBuffer<Vec4> forces;      ///< see ExternalForces; empty without air
+    AlignedBuffer<Vec4> velocities;  ///< of the gusty air [m/s]; empty without gusts
 };
 
+/// Memory for colliders in the equation of an implicit solver.
+struct ContactBuffers {
+    explicit ContactBuffers(std::uint32_t particles) : contacts(particles), held(particles) {}
+
+    Contacts contacts;
+    HeldContacts held;
+};
+
+/// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
+/// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
     Cloth(CookedCloth cooked, const ClothSettings& settings);
 
-    /// Takes validated settings over; makes or frees what self-collision needs.
-    void apply(const ClothSettings& settings);
-    /// Makes or frees what air and its gusts need.
-    void set_air(bool on, bool gusts);
-    /// Makes or frees what colliders need of an implicit solver.
-    void set_colliders(bool any);
+    /// Takes validated settings over.
+    void apply(const ClothSettings& changed);
+    /// Holds particles where they are. Those that are pinned already stay so.
+    void pin(std::span<const std::uint32_t> particles);
+    void pin(std::uint32_t particle) { pin(std::span(&particle, 1)); }
+    /// Those that are not pinned stay so.
+    void unpin(std::span<const std::uint32_t> particles);
+    void unpin(std::uint32_t particle) { unpin(std::span(&particle, 1)); }
+    /// Null if the particle is not pinned.
+    [[nodiscard]] Pin* find_pin(std::uint32_t particle);
+
+    [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
+    void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
+    /// None, where they are not needed or there already.
+    [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const;
+    void take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept;
+
+    /// Of another state of this cloth, with normals that belong to it. May run out of memory; then nothing
+    /// has changed.
+    void restore(const ClothState& saved);
+    /// Puts the cloth back to where the step began, at rest.
+    void restore_start_of_step();
+
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
     }
-    /// Null if the particle is not pinned.
-    [[nodiscard]] Pin* find_pin(std::uint32_t particle);
-    void pin(std::uint32_t particle);
-    void unpin(std::uint32_t particle);
-    /// Puts the cloth back to where the step began, at rest.
-    void restore_start_of_step();
     /// Least distance between particles that self-collision keeps [m].
     [[nodiscard]] float self_collision_distance() const;
     /// Counts of the mesh, mass and memory.
@@ -54,33 +76,33 @@ struct Cloth {
     CookedCloth model;
     ClothSettings settings;
     ClothState state;
-    std::unique_ptr<Solver> solver;
-    bool solver_is_prepared = false;              ///< for the present pins and masses
-    AlignedBuffer<Vec4> velocity_change;          ///< of the present substep [m/s], w 0
-    std::optional<History> history;               ///< only with BDF2
-    std::optional<LongRangeAttachments> tethers;  ///< only with tethers on
-    bool tethers_are_attached = false;            ///< to the present pins
-    std::optional<SelfContacts> self_contacts;    ///< only with self-collision on
-    std::optional<Contacts> contacts;             ///< only with colliders, and if the solver is implicit
-    std::vector<Pin> pins;                        ///< in ascending order of particles
+    std::unique_ptr<Solver> solver;             ///< for the present settings and pins
+    AlignedBuffer<Vec4> solved;                 ///< velocities that the solver found [m/s], w 0
+    std::optional<History> history;             ///< only with BDF2
+    Limits limits;                              ///< attached to the present pins
+    std::optional<SelfContacts> self_contacts;  ///< only with self-collision on
+    std::optional<Contacts> contacts;           ///< only with colliders, and if the solver is implicit
 
     Surface surface;
-    AlignedBuffer<Vec4> air_velocities;  ///< of the gusty air at each particle [m/s]; empty without gusts
-    AlignedBuffer<Vec4> air_forces;      ///< see ExternalForces
+    AirBuffers air;
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 
-    bool solver_failed = false;           ///< in a substep of the present step
-    bool restored = false;                ///< by the present step's guard
-    float residual = 0;                   ///< the largest of the present step's substeps
+    // Of the present step; a step that is done leaves them for the report.
+    bool solver_failed = false;           ///< in one of its substeps
+    bool restored = false;                ///< by its guard
+    float residual = 0;                   ///< the largest of its substeps
     Survey extent{};                      ///< of the state, as last surveyed
-    SelfContactCounts self_counts;        ///< of the last substep
-    std::uint32_t collider_contacts = 0;  ///< particles that met a collider in the last substep
+    SelfContactCounts self_counts;        ///< of its last substep
+    std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
 
   private:
     bool has_colliders_ = false;
 
-    void set_inverse_mass(std::uint32_t particle, float inverse_mass);
+    [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
+    [[nodiscard]] std::unique_ptr<Solver> solver_for(const ClothSettings& changed) const;
+    void change_pins(std::vector<Pin>&& pins);
+    void set_inverse_masses();
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };
 

@@ -5,7 +5,21 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "cloth/system/sparse/stencil-inl.h"
+#include "engine/simd/lanes-inl.h"
+
+#ifndef WEFT_CLOTH_FRAME_HISTORY_TYPES
+#define WEFT_CLOTH_FRAME_HISTORY_TYPES
+namespace weft {
+
+/// What the kernel reads, and the bases that it writes.
+struct BaseRows {
+    const Vec4 *positions, *velocities;                       // the present ones
+    const Vec4 *displacements, *velocity_changes, *arrivals;  // recorded
+    Vec4 *base_positions, *base_velocities;
+};
+
+}  // namespace weft
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -13,13 +27,12 @@ namespace {
 
 // Curtiss and Hirschfelder 1952: x_base = (4 x_n - x_n-1) / 3 = x_n + (x_n - x_n-1) / 3, and v likewise. A
 // pinned particle's bases are such that x_base + gamma v is x_n + h v.
-void make_bases(const HistoryRows& rows, const BlockRange& range, float h, const Vec4* positions,
-                const Vec4* velocities) {
+void make_bases(const BaseRows& rows, const BlockRange& range, float h) {
     const Tag d;
     const Lanes third = hn::Set(d, 1.0f / 3.0f), zero = hn::Zero(d);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        const Lanes4 position = load_rows(positions + i);
-        const Lanes3 x = xyz(position), v = xyz(load_rows(velocities + i)),
+        const Lanes4 position = load_rows(rows.positions + i);
+        const Lanes3 x = xyz(position), v = xyz(load_rows(rows.velocities + i)),
                      arrival = xyz(load_rows(rows.arrivals + i));
         const auto is_free = hn::Ne(position.w, zero);
         const auto went_on =
@@ -43,15 +56,16 @@ namespace weft {
 HWY_EXPORT(make_bases);
 
 void History::begin(Parallel& parallel, const ClothState& state) {
-    const HistoryRows rows = this->rows();
+    const BaseRows rows{.positions = state.positions.data(),
+                        .velocities = state.velocities.data(),
+                        .displacements = state.record.displacements.data(),
+                        .velocity_changes = state.record.velocity_changes.data(),
+                        .arrivals = state.record.arrivals.data(),
+                        .base_positions = base_positions_.data(),
+                        .base_velocities = base_velocities_.data()};
     parallel.ranges(state.size(), [&](const BlockRange& range) {
-        HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, h_, state.positions.data(), state.velocities.data());
+        HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, state.record.h);
     });
-}
-
-std::size_t History::bytes() const noexcept {
-    return displacements_.bytes() + velocity_changes_.bytes() + arrivals_.bytes() + base_positions_.bytes() +
-           base_velocities_.bytes();
 }
 
 }  // namespace weft

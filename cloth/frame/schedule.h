@@ -1,38 +1,43 @@
 #pragma once
-// Which cloths are stepped side by side, each by one thread, and which one after the other, each by all
-// threads. It decides when a cloth is stepped, never what comes out.
+// Which cloths are taken side by side, each by one thread, and which one after the other, each by all
+// threads. It decides when a cloth is worked on, never what comes out.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "cloth/frame/cloth.h"
-#include "engine/slot_map.h"
-#include "weft/world.h"
 
 namespace weft {
 
 class Schedule {
   public:
     /// Up to so many cloths are planned without allocation.
-    void reserve(std::size_t cloths) { entries_.reserve(cloths); }
+    void reserve(std::size_t cloths);
 
-    void plan(SlotMap<ClothId, std::unique_ptr<Cloth>>& cloths, int threads);
+    /// Each cloth for itself.
+    void plan(std::span<Cloth* const> cloths, int threads);
+    /// Islands: the first cloth of each cloth's island, as Islands finds them.
+    void plan(std::span<Cloth* const> cloths, std::span<const std::uint32_t> first_of, int threads);
 
-    /// The work of a cloth that is planned.
-    struct Entry {
-        Cloth* cloth;
-        std::uint64_t work;  // particles moved in a step
+    /// Cloths that are taken together; mostly one.
+    struct Group {
+        std::span<Cloth* const> cloths;
+        std::uint64_t work;    // particles moved in a step
+        std::uint32_t blocks;  // of the largest
         bool is_whole;
     };
-    /// Cloths for one thread each; the largest first, so that the last to end are small.
-    [[nodiscard]] std::span<const Entry> side_by_side() const { return std::span(entries_).first(whole_); }
-    /// Cloths for all threads together.
-    [[nodiscard]] std::span<const Entry> in_turn() const { return std::span(entries_).subspan(whole_); }
+    /// For one thread each; the largest first, so that the last to end are small.
+    [[nodiscard]] std::span<const Group> side_by_side() const { return std::span(groups_).first(whole_); }
+    /// For all threads together.
+    [[nodiscard]] std::span<const Group> in_turn() const { return std::span(groups_).subspan(whole_); }
 
   private:
-    std::vector<Entry> entries_;
+    void share_out(int threads);
+
+    std::vector<Cloth*> members_;  // island by island
+    std::vector<std::uint32_t> next_;
+    std::vector<Group> groups_;
     std::size_t whole_ = 0;
 };
 

@@ -1,7 +1,9 @@
 #include "cloth/frame/simulation.h"
 
 #include <algorithm>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace weft {
 
@@ -17,42 +19,84 @@ Parallel make_parallel(const WorldSettings& settings) {
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 
+bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
+    return a.threads == b.threads && a.executor.run == b.executor.run && a.executor.user == b.executor.user &&
+           a.executor.width == b.executor.width;
+}
+
+/// What each cloth is to take over, once all of it has been made.
+template <class Made>
+using ForCloths = std::vector<std::pair<Cloth*, Made>>;
+
 }  // namespace
 
+Simulation::Motions Simulation::make_motions(int threads, std::size_t colliders) {
+    Motions motions(static_cast<std::size_t>(threads));
+    for (std::vector<ColliderMotion>& of_thread : motions) of_thread.reserve(colliders);
+    return motions;
+}
+
 Simulation::Simulation(const WorldSettings& initial)
-    : settings(initial), parallel(make_parallel(initial)), profiler(stage_names) {
+    : settings(initial),
+      parallel(make_parallel(initial)),
+      profiler(stage_names),
+      motions_(make_motions(parallel.width(), 0)) {
     parallel.trace_to(&profiler.trace());
-    reserve_motions(0);
 }
 
 void Simulation::apply(const WorldSettings& changed) {
-    const bool other_threads =
-        changed.threads != settings.threads || changed.executor.run != settings.executor.run ||
-        changed.executor.user != settings.executor.user || changed.executor.width != settings.executor.width;
-    if (other_threads) {
-        parallel = make_parallel(changed);
-        parallel.trace_to(&profiler.trace());
-        reserve_motions(colliders.size());
+    std::optional<Parallel> threads;
+    Motions motions;
+    if (!have_same_threads(changed, settings)) {
+        threads.emplace(make_parallel(changed));
+        motions = make_motions(threads->width(), state.colliders.size());
     }
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        cloth->set_air(changed.wind.air_density > 0, has_gusts(changed.wind));
-    });
+    const bool on = changed.wind.air_density > 0, gusts = has_gusts(changed.wind);
+    ForCloths<AirBuffers> air;
+    if (on != air_is_on() || gusts != has_gusts(settings.wind)) {
+        air.reserve(cloths.size());
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+            air.emplace_back(cloth.get(), cloth->make_air(on, gusts));
+        });
+    }
+
+    // From here on nothing can fail.
+    if (threads) {
+        parallel = *std::move(threads);
+        parallel.trace_to(&profiler.trace());
+        motions_ = std::move(motions);
+    }
+    for (auto& [cloth, made] : air) cloth->take_air(std::move(made));
     settings = changed;
 }
 
 void Simulation::expect_colliders(std::size_t count) {
-    reserve_motions(count);
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->set_colliders(count > 0); });
-}
+    for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
+    ForCloths<std::optional<ContactBuffers>> contacts;
+    if (count > 0) {
+        contacts.reserve(cloths.size());
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+            contacts.emplace_back(cloth.get(), cloth->make_contacts(true));
+        });
+    }
 
-void Simulation::reserve_motions(std::size_t count) {
-    motions_.resize(static_cast<std::size_t>(parallel.width()));
-    for (std::vector<ColliderMotion>& motions : motions_) motions.reserve(count);
+    // From here on nothing can fail.
+    for (auto& [cloth, made] : contacts) cloth->take_contacts(std::move(made), true);
+    if (count == 0)
+        cloths.for_each(
+            [](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->take_contacts(std::nullopt, false); });
 }
 
 void Simulation::prepare(Cloth& cloth) {
-    cloth.set_air(air_is_on(), has_gusts(settings.wind));
-    cloth.set_colliders(colliders.size() > 0);
+    const std::size_t count = cloths.size() + 1;
+    present_.reserve(count);
+    boxes_.reserve(count);
+    each_.reserve(count);
+    islands_.reserve(count);
+    finder_.reserve(count);
+    const bool any_colliders = state.colliders.size() > 0;
+    cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
+    cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);
 }

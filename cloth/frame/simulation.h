@@ -1,11 +1,12 @@
 #pragma once
 // What a World holds, and the frame: how all of it advances by one step.
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "cloth/frame/cloth.h"
+#include "cloth/frame/islands.h"
+#include "cloth/frame/meeting.h"
 #include "cloth/frame/schedule.h"
 #include "cloth/solvers/stages.h"
 #include "collision/collider_contacts.h"
@@ -16,28 +17,37 @@
 
 namespace weft {
 
-/// A collider now, and where the host wants it at the end of the next step.
-struct ColliderSlot {
-    Collider current, target;
-};
-
-/// What a thread has to itself while it steps a cloth.
+/// What a thread has to itself while it works on a cloth.
 struct Worker {
     Parallel& parallel;                    ///< of all threads, or of this one alone
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
 };
 
-/// Settings are validated before they get here.
+/// One of the equal parts that a step is cut into.
+struct Substep {
+    int index, count;  ///< of how many in the step
+    float h;           ///< [s]
+
+    /// One of `parts` of this one.
+    [[nodiscard]] Substep part(int k, int parts, float step) const {
+        const int of_all = count * parts;
+        return {index * parts + k, of_all, step / static_cast<float>(of_all)};
+    }
+    [[nodiscard]] bool is_first() const { return index == 0; }
+    /// Where it begins and ends, as parts of the step.
+    [[nodiscard]] float begin() const { return static_cast<float>(index) / static_cast<float>(count); }
+    [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
+};
+
+/// Settings are validated before they get here. Calls that can run out of memory change nothing then.
 struct Simulation {
     explicit Simulation(const WorldSettings& settings);
     void apply(const WorldSettings& settings);
 
-    /// Makes or frees what so many colliders need, so that no step needs to allocate it.
+    /// Makes or frees what so many colliders need.
     void expect_colliders(std::size_t count);
-    /// So many cloths are stepped without allocation.
-    void reserve_cloths(std::size_t count) { schedule_.reserve(count); }
-    /// Gives a new cloth its bounds and normals, so that it can be drawn before its first step, and memory
-    /// for gusts.
+    /// Makes room for a cloth, gives it its bounds, its normals and what it needs of air and colliders, so
+    /// that it can be drawn before its first step, and no step allocates for it.
     void prepare(Cloth& cloth);
     /// The frame. Precondition: dt is in (0, 1].
     void step(float dt);
@@ -46,28 +56,38 @@ struct Simulation {
     Parallel parallel;
     Profiler profiler;
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths;
-    SlotMap<ColliderId, ColliderSlot> colliders;
-    double time = 0;                    ///< [s] since the start
-    std::array<double, 3> wind_path{};  ///< path of the mean wind since the start [m]
+    WorldState state;
+    std::unique_ptr<Meeting> meeting;  ///< null: cloths do not meet
     StepReport report;
 
   private:
-    void reserve_motions(std::size_t count);
-    void begin();
-    template <class StepCloth>
-    void for_each_cloth(const StepCloth& step_cloth);
-    void begin_cloth(Cloth& cloth, float dt) const;
-    void feel_wind(Worker& worker, Cloth& cloth);
-    void move_colliders(Worker& worker, float begin, float end) const;
-    void air_forces(Worker& worker, Cloth& cloth, bool first_substep);
-    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
-    void solve(Worker& worker, Cloth& cloth, const StepEquation& equation);
-    void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep);
-    void hold_by_tethers(Worker& worker, Cloth& cloth);
-    void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
-    void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
+    using Motions = std::vector<std::vector<ColliderMotion>>;
+    [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
+
+    void begin(float dt);
+    void meet(const Substep& substep);
+    template <class Work>
+    void for_each_group(const Schedule& schedule, const Work& work);
+    template <class Work>
+    void for_each_cloth(const Work& work);
+
+    void move_pins(Cloth& cloth, float dt) const;
+    void predict(Worker& worker, Cloth& cloth, const Substep& substep);
+    void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
+    void settle(Worker& worker, Cloth& cloth, float h);
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
+
+    void move_colliders(Worker& worker, const Substep& substep) const;
+    void feel_wind(Worker& worker, Cloth& cloth);
+    void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
+    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
+    void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation);
+    void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
+    void hold_within_limits(Worker& worker, Cloth& cloth);
+    void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
+    void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
+    [[nodiscard]] Bounds predicted_box(const Cloth& cloth, float h) const;
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);
     void end(float dt);
@@ -76,8 +96,11 @@ struct Simulation {
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
 
     Parallel serial_{1};
-    Schedule schedule_;
-    std::vector<std::vector<ColliderMotion>> motions_;  // one list for each thread
+    std::vector<Cloth*> present_;  // the cloths of a step, in the order of their ids
+    Schedule each_, islands_;      // each cloth for itself; those that may touch together
+    std::vector<Bounds> boxes_;
+    Islands finder_;
+    Motions motions_;  // one list for each thread
 };
 
 }  // namespace weft

@@ -1,20 +1,53 @@
 #pragma once
-// What changes from step to step, one array an attribute.
+// All that changes from step to step. What is not in here is made from the mesh and the settings, or anew in
+// each step: a World that gets a copy of its state back goes on with the same bytes.
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "cloth/system/contacts.h"
 #include "engine/aligned_buffer.h"
+#include "engine/slot_map.h"
+#include "engine/vector.h"
+#include "weft/collider.h"
 #include "weft/types.h"
 
 namespace weft {
 
-/// Loose and pinned particles have inverse mass 0.
+/// A pinned particle and where it shall be at the end of the next step [m].
+struct Pin {
+    std::uint32_t particle;
+    Vector3 target;
+};
+
+/// What BDF2 knows of the last step; empty without it.
+struct StepRecord {
+    float h = 0;                           ///< its length [s]; 0: there was none
+    AlignedBuffer<Vec4> displacements;     ///< [m]
+    AlignedBuffer<Vec4> velocity_changes;  ///< [m/s]
+    AlignedBuffer<Vec4> arrivals;          ///< where it ended [m]
+
+    StepRecord() = default;
+    explicit StepRecord(std::uint32_t particles)
+        : displacements(particles), velocity_changes(particles), arrivals(particles) {}
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return displacements.bytes() + velocity_changes.bytes() + arrivals.bytes();
+    }
+};
+
+/// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
     AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step, w likewise
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
     AlignedBuffer<Vec4> normals;             ///< x y z of unit length, w 0
+    std::vector<Pin> pins;                   ///< in ascending order of particles
+    StepRecord record;                       ///< only with BDF2
+    HeldContacts held;                       ///< only with colliders, and if the solver is implicit
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)
@@ -22,8 +55,61 @@ struct ClothState {
 
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes();
+        return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
+               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes();
     }
 };
+
+/// A collider now, and where the host wants it at the end of the next step.
+struct ColliderSlot {
+    Collider current, target;
+};
+
+/// What a World has besides its cloths.
+struct WorldState {
+    explicit WorldState(SlotMap<ColliderId, ColliderSlot> no_colliders = {})
+        : colliders(std::move(no_colliders)) {}
+
+    std::uint64_t steps = 0;            ///< taken since the World was made
+    double time = 0;                    ///< [s] since then
+    std::array<double, 3> wind_path{};  ///< path of the mean wind since then [m]
+    SlotMap<ColliderId, ColliderSlot> colliders;
+};
+
+/// visit(span) for every part of a state, in one order: for hashing, writing out, and reading back. `State`
+/// may be const.
+template <class State, class Visit>
+requires std::same_as<std::remove_const_t<State>, ClothState>
+void for_each_part(State& state, const Visit& visit) {
+    visit(state.positions.span());
+    visit(state.previous_positions.span());
+    visit(state.velocities.span());
+    visit(state.normals.span());
+    for (auto& pin : state.pins) {
+        visit(std::span(&pin.particle, 1));
+        visit(std::span(pin.target.data(), 3));
+    }
+    visit(std::span(&state.record.h, 1));
+    visit(state.record.displacements.span());
+    visit(state.record.velocity_changes.span());
+    visit(state.record.arrivals.span());
+    visit(state.held.normals.span());
+    visit(state.held.rubbed.span());
+    visit(state.held.touching.span());
+}
+
+template <class State, class Visit>
+requires std::same_as<std::remove_const_t<State>, WorldState>
+void for_each_part(State& state, const Visit& visit) {
+    visit(std::span(&state.steps, 1));
+    visit(std::span(&state.time, 1));
+    visit(std::span(state.wind_path));
+    state.colliders.for_each([&](ColliderId, auto& slot) {
+        for (auto* collider : {&slot.current, &slot.target}) {
+            visit(std::span(&collider->friction, 1));
+            std::visit([&](auto& shape) { visit(std::span(&shape, 1)); }, collider->shape);
+        }
+    });
+}
 
 }  // namespace weft

@@ -1,8 +1,9 @@
-// The frame: one function that reads as the method, and the stages that it names.
+// The frame: one function that reads as the method, and the phases that it names.
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cloth/frame/advance.h"
@@ -21,162 +22,194 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 }  // namespace
 
 void Simulation::step(float dt) {
-    begin();
+    begin(dt);
+    for (int s = 0; s < settings.substeps; ++s) {
+        const Substep substep = Substep{0, 1, dt}.part(s, settings.substeps, dt);
+        for_each_cloth([&](Worker& worker, Cloth& cloth) { predict(worker, cloth, substep); });
+        meet(substep);
+        for_each_group(meeting ? islands_ : each_, [&](Worker& worker, std::span<Cloth* const> island) {
+            const bool touch = island.size() > 1;
+            if (touch) meeting->meet(worker.parallel, island, substep.h);
+            for (Cloth* cloth : island) solve(worker, *cloth, dt, substep);
+            if (touch) meeting->settle(worker.parallel, island, substep.h);
+        });
+    }
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
-        const auto timer = timed(Stage::cloths);
-        begin_cloth(cloth, dt);
-        feel_wind(worker, cloth);
-        const int substeps = settings.substeps * cloth.settings.substeps;
-        const auto all = static_cast<float>(substeps);
-        for (int s = 0; s < substeps; ++s) {
-            move_colliders(worker, static_cast<float>(s) / all, static_cast<float>(s + 1) / all);
-            air_forces(worker, cloth, s == 0);
-            const StepEquation equation = equation_of(worker, cloth, dt / all);
-            solve(worker, cloth, equation);
-            advance(worker, cloth, equation, s == 0);
-            hold_by_tethers(worker, cloth);
-            collide_with_colliders(worker, cloth, equation.h);
-            avoid_self_collision(worker, cloth, equation.h);
-        }
         guard(worker, cloth);
         finish(worker, cloth);
     });
     end(dt);
 }
 
-// Cloths do not meet: each takes its whole step by itself. First the threads take small cloths, each the next
-// that is left, then all of them work on one large cloth after the other. No loop runs within another.
-template <class StepCloth>
-void Simulation::for_each_cloth(const StepCloth& step_cloth) {
-    schedule_.plan(cloths, parallel.width());
-    const std::span<const Schedule::Entry> small = schedule_.side_by_side();
+// First the threads take what suits one of them, each the next group that is left, then all of them work on
+// one large group after the other. No loop runs within another.
+template <class Work>
+void Simulation::for_each_group(const Schedule& schedule, const Work& work) {
+    const std::span<const Schedule::Group> small = schedule.side_by_side();
     std::atomic<std::size_t> next = 0;
     parallel.blocks(static_cast<std::uint32_t>(std::min(motions_.size(), small.size())),
                     [&](std::uint32_t thread) {
                         Worker worker{serial_, motions_[thread]};
-                        for (std::size_t i; (i = next.fetch_add(1)) < small.size();)
-                            step_cloth(worker, *small[i].cloth);
+                        for (std::size_t i; (i = next.fetch_add(1)) < small.size();) {
+                            const auto timer = timed(Stage::cloths);
+                            work(worker, small[i].cloths);
+                        }
                     });
     Worker all{parallel, motions_[0]};
-    for (const Schedule::Entry& entry : schedule_.in_turn()) step_cloth(all, *entry.cloth);
+    for (const Schedule::Group& group : schedule.in_turn()) {
+        const auto timer = timed(Stage::cloths);
+        work(all, group.cloths);
+    }
 }
 
-void Simulation::begin() {
+template <class Work>
+void Simulation::for_each_cloth(const Work& work) {
+    for_each_group(each_, [&](Worker& worker, std::span<Cloth* const> one) { work(worker, *one.front()); });
+}
+
+void Simulation::begin(float dt) {
     profiler.begin_step();
-    report = {.step = report.step + 1, .substeps = settings.substeps};
+    report = {.step = ++state.steps, .substeps = settings.substeps};
+    present_.clear();
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        present_.push_back(cloth.get());
+        cloth->residual = 0;
+        move_pins(*cloth, dt);
+    });
+    each_.plan(present_, parallel.width());
 }
 
-void Simulation::begin_cloth(Cloth& cloth, float dt) const {
-    cloth.residual = 0;
-    for (const Pin& pin : cloth.pins) {
+/// A pin goes along a straight line to its target, all through the step.
+void Simulation::move_pins(Cloth& cloth, float dt) const {
+    for (const Pin& pin : cloth.state.pins) {
         const Vector3 velocity = (pin.target - xyz(cloth.state.positions[pin.particle])) / dt;
         set_xyz(cloth.state.velocities[pin.particle], limited(velocity, settings.max_speed));
     }
 }
 
-void Simulation::move_colliders(Worker& worker, float begin, float end) const {
+// Gusts change little in a step: they are sampled once, at its start, and felt in every substep. A step
+// begins with the normals that the last one ended with, since only steps move particles.
+void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
+    if (!air_is_on()) return;
+    if (substep.is_first()) feel_wind(worker, cloth);
+    air_forces(worker, cloth, !substep.is_first());
+}
+
+// Which cloths may touch: those whose boxes over the substep, grown by how far they feel each other, overlap.
+void Simulation::meet(const Substep& substep) {
+    if (!meeting) return;
+    boxes_.clear();
+    for (const Cloth* cloth : present_) boxes_.push_back(predicted_box(*cloth, substep.h));
+    finder_.find(boxes_, [&](std::uint32_t i, std::uint32_t j) {
+        return meeting->may_touch(*present_[i], *present_[j]);
+    });
+    islands_.plan(present_, finder_.first_of(), parallel.width());
+}
+
+// A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
+// meet its colliders each.
+void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
+    const int parts = cloth.settings.substeps;
+    for (int k = 0; k < parts; ++k) {
+        const Substep part = substep.part(k, parts, dt);
+        move_colliders(worker, part);
+        if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
+        const StepEquation equation = equation_of(worker, cloth, part.h);
+        solve_equation(worker, cloth, equation);
+        advance(worker, cloth, equation, part.is_first());
+        settle(worker, cloth, part.h);
+    }
+}
+
+// What must hold exactly, the most important last: no particle inside a collider, none too fast.
+void Simulation::settle(Worker& worker, Cloth& cloth, float h) {
+    hold_within_limits(worker, cloth);
+    avoid_self_collision(worker, cloth, h);
+    collide_with_colliders(worker, cloth, h);
+    if (cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
+        limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
+}
+
+void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
     worker.motions.clear();
-    colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        worker.motions.push_back(
-            {blend(slot.current, slot.target, begin), blend(slot.current, slot.target, end)});
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        worker.motions.push_back({blend(slot.current, slot.target, substep.begin()),
+                                  blend(slot.current, slot.target, substep.end())});
     });
 }
 
-// Gusts change little in a step: they are sampled once, at its start, and felt in every substep.
 void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
-    if (!air_is_on() || cloth.air_velocities.size() == 0) return;
+    if (cloth.air.velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    WindField(settings.wind, wind_path, time)
-        .sample(worker.parallel, cloth.state.positions.span(), cloth.air_velocities.span());
+    WindField(settings.wind, state.wind_path, state.time)
+        .sample(worker.parallel, cloth.state.positions.span(), cloth.air.velocities.span());
 }
 
-// A step begins with the normals that the last one ended with, since only steps move particles.
-void Simulation::air_forces(Worker& worker, Cloth& cloth, bool first_substep) {
-    if (!air_is_on()) return;
+void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {
     const auto timer = timed(Stage::wind);
     cloth.surface.compute_air_forces(worker.parallel,
                                      {.wind = settings.wind,
                                       .positions = cloth.state.positions.span(),
                                       .velocities = cloth.state.velocities.span(),
-                                      .air_velocities = cloth.air_velocities.span(),
-                                      .has_moved = !first_substep},
-                                     cloth.air_forces.span());
+                                      .air_velocities = cloth.air.velocities.span(),
+                                      .has_moved = has_moved},
+                                     cloth.air.forces.span());
 }
 
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
-    const ClothState& state = cloth.state;
-    const bool second_order = cloth.history && cloth.history->holds(h);
+    const ClothState& now = cloth.state;
+    // BDF2 needs a step of the same length before this one; the first is of backward Euler.
+    const bool second_order = cloth.history && now.record.h == h;
     if (second_order) {
         const auto timer = timed(Stage::assemble);
-        cloth.history->begin(worker.parallel, state);
+        cloth.history->begin(worker.parallel, now);
     }
     return {.settings = cloth.settings,
             .h = h,
             .gamma = second_order ? History::gamma(h) : h,
-            .positions = state.positions.span(),
-            .velocities = state.velocities.span(),
-            .base_positions = second_order ? cloth.history->base_positions() : state.positions.span(),
-            .base_velocities = second_order ? cloth.history->base_velocities() : state.velocities.span(),
+            .positions = now.positions.span(),
+            .velocities = now.velocities.span(),
+            .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
+            .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
             .external = {.gravity = to_vector(settings.gravity),
                          .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air_forces).span()},
+                         .air = std::as_const(cloth.air.forces).span()},
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr};
 }
 
-void Simulation::solve(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.solver_is_prepared) {
-        cloth.solver->prepare(cloth.model, cloth.settings, cloth.state.positions.span());
-        cloth.solver_is_prepared = true;
-    }
-    if (cloth.contacts) cloth.contacts->begin(worker.motions);
-    const float residual = cloth.solver->solve({.parallel = worker.parallel,
-                                                .profiler = profiler,
-                                                .model = cloth.model,
-                                                .settings = cloth.settings,
-                                                .equation = equation,
-                                                .touches_collider = cloth.collider_contacts > 0,
-                                                .velocity_change = cloth.velocity_change.span()});
-    if (cloth.contacts)
-        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.velocity_change).span());
-    cloth.solver_failed |= std::isnan(residual);
-    cloth.residual = std::max(cloth.residual, residual);
+void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
+    if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
+    const SolveResult result = cloth.solver->solve({.parallel = worker.parallel,
+                                                    .profiler = profiler,
+                                                    .model = cloth.model,
+                                                    .settings = cloth.settings,
+                                                    .equation = equation,
+                                                    .velocities = cloth.solved.span()});
+    if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.solved).span());
+    cloth.solver_failed |= !result.ok;
+    cloth.residual = std::max(cloth.residual, result.residual);
 }
 
-// The first substep writes the new positions over the previous ones and swaps the two, so that the start of
-// the step stays behind for the renderer's blend and for guard().
-void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool first_substep) {
+// The step's first substep writes the new positions over the previous ones and swaps the two, so that the
+// start of the step stays behind for the renderer's blend and for guard().
+void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first) {
     const auto timer = timed(Stage::advance);
-    ClothState& state = cloth.state;
+    ClothState& now = cloth.state;
     weft::advance(worker.parallel, equation,
-                  {.velocity_changes = std::as_const(cloth.velocity_change).span(),
+                  {.solved = std::as_const(cloth.solved).span(),
                    .max_speed = settings.max_speed,
-                   .velocities = state.velocities.span(),
-                   .positions = (first_substep ? state.previous_positions : state.positions).span(),
-                   .history = cloth.history ? &*cloth.history : nullptr});
-    if (first_substep) std::swap(state.positions, state.previous_positions);
+                   .velocities = now.velocities.span(),
+                   .positions = (is_first ? now.previous_positions : now.positions).span(),
+                   .record = cloth.history ? &now.record : nullptr});
+    if (is_first) std::swap(now.positions, now.previous_positions);
 }
 
-void Simulation::hold_by_tethers(Worker& worker, Cloth& cloth) {
-    if (!cloth.tethers) return;
-    const auto timer = timed(Stage::tethers);
-    if (!cloth.tethers_are_attached) {
-        std::vector<std::uint32_t> particles;
-        for (const Pin& pin : cloth.pins) particles.push_back(pin.particle);
-        cloth.tethers->attach(cloth.model, particles);
-        cloth.tethers_are_attached = true;
+void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
+    for (const std::unique_ptr<Limit>& limit : cloth.limits) {
+        const auto timer = timed(Stage::limits);
+        limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
+                    cloth.state.velocities.span());
     }
-    cloth.tethers->hold(worker.parallel, cloth.settings.tethers.slack, cloth.state.positions.span(),
-                        cloth.state.velocities.span());
-}
-
-void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
-    cloth.collider_contacts = 0;
-    if (worker.motions.empty()) return;
-    const auto timer = timed(Stage::colliders);
-    cloth.collider_contacts =
-        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
-                cloth.contacts ? std::as_const(*cloth.contacts).normals() : std::span<const Vec4>(),
-                cloth.state.positions.span(), cloth.state.velocities.span(), cloth.partial_counts.span());
 }
 
 void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
@@ -196,21 +229,49 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
                                      cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
+void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
+    cloth.collider_contacts = 0;
+    if (worker.motions.empty()) return;
+    const auto timer = timed(Stage::colliders);
+    cloth.collider_contacts =
+        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
+                std::as_const(cloth.state.held.normals).span(), cloth.state.positions.span(),
+                cloth.state.velocities.span(), cloth.partial_counts.span());
+}
+
+// Neither rounding nor the speed limit may make a pin miss its target.
 void Simulation::guard(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::guard);
-    cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
+    const auto look = [&] {
+        for (const Pin& pin : cloth.state.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
+        return survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
+    };
+    cloth.extent = look();
     cloth.restored = std::exchange(cloth.solver_failed, false) || !cloth.extent.sound;
-    if (cloth.restored) {
-        cloth.restore_start_of_step();
-        cloth.extent = survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
-    }
-    // Neither rounding nor the speed limit may make a pin miss its target.
-    for (const Pin& pin : cloth.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
+    if (!cloth.restored) return;
+    cloth.restore_start_of_step();
+    cloth.extent = look();
 }
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::normals);
     update_normals(worker.parallel, cloth);
+}
+
+/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends, grown by how far
+/// it feels others.
+Bounds Simulation::predicted_box(const Cloth& cloth, float h) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Vector3 lower = Vector3::Constant(infinity), upper = -lower;
+    const Vector3 fall = h * h * to_vector(settings.gravity);
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 here = xyz(cloth.state.positions[i]);
+        const Vector3 there = here + h * xyz(cloth.state.velocities[i]);
+        lower = lower.cwiseMin(here).cwiseMin(there).cwiseMin(there + fall);
+        upper = upper.cwiseMax(here).cwiseMax(there).cwiseMax(there + fall);
+    }
+    const Vector3 reach = Vector3::Constant(meeting->reach(cloth));
+    return {to_vec3(lower - reach), to_vec3(upper + reach)};
 }
 
 void Simulation::add_to_report(const Cloth& cloth) {
@@ -231,13 +292,14 @@ void Simulation::add_to_report(const Cloth& cloth) {
 }
 
 void Simulation::end(float dt) {
-    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) { add_to_report(*cloth); });
+    for (const Cloth* cloth : present_) add_to_report(*cloth);
     const Vec3& wind = settings.wind.velocity;
-    wind_path[0] += static_cast<double>(wind.x) * static_cast<double>(dt);
-    wind_path[1] += static_cast<double>(wind.y) * static_cast<double>(dt);
-    wind_path[2] += static_cast<double>(wind.z) * static_cast<double>(dt);
-    time += static_cast<double>(dt);
-    colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
+    const double seconds = static_cast<double>(dt);
+    state.wind_path[0] += static_cast<double>(wind.x) * seconds;
+    state.wind_path[1] += static_cast<double>(wind.y) * seconds;
+    state.wind_path[2] += static_cast<double>(wind.z) * seconds;
+    state.time += seconds;
+    state.colliders.for_each([](ColliderId, ColliderSlot& slot) { slot.current = slot.target; });
     profiler.end_step();
     report.milliseconds = profiler.last_step_ms();
 }

@@ -10,7 +10,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "cloth/system/sparse/stencil-inl.h"
+#include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

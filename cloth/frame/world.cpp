@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
@@ -20,15 +21,14 @@ struct World::Impl {
 
 namespace {
 
-/// Runs `make` and turns what memory could not be had into an error: nothing throws out of a World.
+/// Runs `make` and turns what memory or threads could not be had into an error: nothing throws out of a
+/// World. So does each error text that is made in there.
 template <class Make>
-auto without_exceptions(const Make& make) -> decltype(make()) {
+auto without_exceptions(const Make& make) noexcept -> decltype(make()) {
     try {
         return make();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_memory, "out of memory; nothing was changed"};
-    } catch (const std::exception& e) {
-        return Error{ErrorCode::out_of_memory, std::string("the system refused a resource: ") + e.what()};
+    } catch (...) {
+        return Error{ErrorCode::out_of_memory, "out of memory"};  // so short that it needs none
     }
 }
 
@@ -41,7 +41,7 @@ Error stale_id(const char* type, Id id) {
                                      "} is of an object that was removed, or of another World"};
 }
 
-/// With all the memory that its steps will need, but what depends on pins.
+/// With all the memory that its steps will need.
 Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
                                           const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
@@ -49,8 +49,6 @@ Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& me
     if (!cooked) return cooked.error();
     auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
     simulation.prepare(*cloth);
-    cloth->solver->prepare(cloth->model, cloth->settings, cloth->state.positions.span());
-    cloth->solver_is_prepared = true;
     return cloth;
 }
 
@@ -65,13 +63,54 @@ Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
     return map[vertex];
 }
 
+/// The particles of mesh vertices.
+Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth, std::span<const std::uint32_t> vertices) {
+    std::vector<std::uint32_t> particles;
+    particles.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+        const auto particle = particle_of(cloth, vertex);
+        if (!particle) return particle.error();
+        particles.push_back(*particle);
+    }
+    return particles;
+}
+
 /// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
 template <class Simulation, class Use>
 auto with_cloth(Simulation& simulation, ClothId id, const Use& use)
     -> decltype(use(**simulation.cloths.find(id))) {
-    auto* slot = simulation.cloths.find(id);
-    if (slot == nullptr) return stale_id("ClothId", id);
-    return use(**slot);
+    return without_exceptions([&]() -> decltype(use(**simulation.cloths.find(id))) {
+        auto* slot = simulation.cloths.find(id);
+        if (slot == nullptr) return stale_id("ClothId", id);
+        return use(**slot);
+    });
+}
+
+/// Calls `use` with the particles of mesh vertices of a cloth.
+template <class Use>
+Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const std::uint32_t> vertices,
+                            const Use& use) {
+    return with_cloth(simulation, id, [&](Cloth& cloth) -> Result<void> {
+        const auto particles = particles_of(cloth, vertices);
+        if (!particles) return particles.error();
+        use(cloth, *particles);
+        return {};
+    });
+}
+
+/// Calls `use` with the slot of a collider that may become `target`.
+template <class Use>
+Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider& target, const Use& use) {
+    return without_exceptions([&]() -> Result<void> {
+        if (auto valid = validate(target); !valid) return valid.error();
+        ColliderSlot* const slot = simulation.state.colliders.find(id);
+        if (slot == nullptr) return stale_id("ColliderId", id);
+        if (slot->current.shape.index() != target.shape.index())
+            return Error{ErrorCode::invalid_argument,
+                         "the collider is of another kind of shape; remove it and add the new one"};
+        use(*slot);
+        return {};
+    });
 }
 
 }  // namespace
@@ -82,8 +121,10 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldSettings& settings) {
-    if (const auto valid = validate(settings); !valid) return valid.error();
-    return without_exceptions([&]() -> Result<World> { return World(std::make_unique<Impl>(settings)); });
+    return without_exceptions([&]() -> Result<World> {
+        if (const auto valid = validate(settings); !valid) return valid.error();
+        return World(std::make_unique<Impl>(settings));
+    });
 }
 
 const WorldSettings& World::settings() const noexcept {
@@ -91,8 +132,8 @@ const WorldSettings& World::settings() const noexcept {
 }
 
 Result<void> World::set_settings(const WorldSettings& settings) {
-    if (const auto valid = validate(settings); !valid) return valid.error();
     return without_exceptions([&]() -> Result<void> {
+        if (auto valid = validate(settings); !valid) return valid;
         impl_->simulation.apply(settings);
         return {};
     });
@@ -102,7 +143,6 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
     return without_exceptions([&]() -> Result<ClothId> {
         auto cloth = make_cloth(impl_->simulation, mesh, settings);
         if (!cloth) return cloth.error();
-        impl_->simulation.reserve_cloths(impl_->simulation.cloths.size() + 1);
         return impl_->simulation.cloths.insert(std::move(cloth).value());
     });
 }
@@ -116,8 +156,10 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 }
 
 Result<void> World::remove_cloth(ClothId id) {
-    if (!impl_->simulation.cloths.erase(id)) return stale_id("ClothId", id);
-    return {};
+    return without_exceptions([&]() -> Result<void> {
+        if (!impl_->simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        return {};
+    });
 }
 
 Result<ClothSettings> World::cloth_settings(ClothId id) const {
@@ -126,12 +168,10 @@ Result<ClothSettings> World::cloth_settings(ClothId id) const {
 }
 
 Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings) {
-    if (const auto valid = validate(settings); !valid) return valid.error();
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) {
-        return without_exceptions([&]() -> Result<void> {
-            cloth.apply(settings);
-            return {};
-        });
+    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+        if (auto valid = validate(settings); !valid) return valid;
+        cloth.apply(settings);
+        return {};
     });
 }
 
@@ -153,20 +193,19 @@ Result<ClothView> World::cloth(ClothId id) const {
     });
 }
 
-Result<void> World::pin(ClothId id, std::uint32_t vertex) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        const auto particle = particle_of(cloth, vertex);
-        if (!particle) return particle.error();
-        return without_exceptions([&]() -> Result<void> {
-            cloth.pin(*particle);
-            return {};
-        });
-    });
+Result<void> World::pin(ClothId id, std::span<const std::uint32_t> vertices) {
+    return with_particles(impl_->simulation, id, vertices,
+                          [](Cloth& cloth, const auto& particles) { cloth.pin(particles); });
+}
+
+Result<void> World::unpin(ClothId id, std::span<const std::uint32_t> vertices) {
+    return with_particles(impl_->simulation, id, vertices,
+                          [](Cloth& cloth, const auto& particles) { cloth.unpin(particles); });
 }
 
 Result<void> World::move_pin(ClothId id, std::uint32_t vertex, const Vec3& target) {
-    if (const auto valid = validate_point("move_pin's target", target); !valid) return valid.error();
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+        if (auto valid = validate_point("move_pin's target", target); !valid) return valid;
         const auto particle = particle_of(cloth, vertex);
         if (!particle) return particle.error();
         Pin* pin = cloth.find_pin(*particle);
@@ -179,47 +218,45 @@ Result<void> World::move_pin(ClothId id, std::uint32_t vertex, const Vec3& targe
     });
 }
 
-Result<void> World::unpin(ClothId id, std::uint32_t vertex) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        const auto particle = particle_of(cloth, vertex);
-        if (!particle) return particle.error();
-        cloth.unpin(*particle);
-        return {};
-    });
-}
-
 Result<ColliderId> World::add_collider(const Collider& collider) {
-    if (const auto valid = validate(collider); !valid) return valid.error();
     return without_exceptions([&]() -> Result<ColliderId> {
+        if (const auto valid = validate(collider); !valid) return valid.error();
         Simulation& simulation = impl_->simulation;
-        simulation.expect_colliders(simulation.colliders.size() + 1);
-        return simulation.colliders.insert({collider, collider});
+        const ColliderId id = simulation.state.colliders.insert({collider, collider});
+        try {
+            simulation.expect_colliders(simulation.state.colliders.size());
+        } catch (...) {
+            simulation.state.colliders.erase(id);
+            throw;
+        }
+        return id;
     });
 }
 
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
-    if (const auto valid = validate(target); !valid) return valid.error();
-    ColliderSlot* slot = impl_->simulation.colliders.find(id);
-    if (slot == nullptr) return stale_id("ColliderId", id);
-    if (slot->current.shape.index() != target.shape.index()) {
-        return Error{
-            ErrorCode::invalid_argument,
-            "move_collider was given another kind of shape; remove the collider and add the new one"};
-    }
-    slot->target = target;
-    return {};
+    return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) { slot.target = target; });
+}
+
+Result<void> World::place_collider(ColliderId id, const Collider& place) {
+    return with_collider(impl_->simulation, id, place,
+                         [&](ColliderSlot& slot) { slot = {.current = place, .target = place}; });
 }
 
 Result<void> World::remove_collider(ColliderId id) {
-    if (!impl_->simulation.colliders.erase(id)) return stale_id("ColliderId", id);
-    impl_->simulation.expect_colliders(impl_->simulation.colliders.size());
-    return {};
+    return without_exceptions([&]() -> Result<void> {
+        WorldState& state = impl_->simulation.state;
+        if (!state.colliders.erase(id)) return stale_id("ColliderId", id);
+        if (state.colliders.size() == 0) impl_->simulation.expect_colliders(0);
+        return {};
+    });
 }
 
 Result<Collider> World::collider(ColliderId id) const {
-    const ColliderSlot* slot = impl_->simulation.colliders.find(id);
-    if (slot == nullptr) return stale_id("ColliderId", id);
-    return slot->current;
+    return without_exceptions([&]() -> Result<Collider> {
+        const ColliderSlot* slot = impl_->simulation.state.colliders.find(id);
+        if (slot == nullptr) return stale_id("ColliderId", id);
+        return slot->current;
+    });
 }
 
 const StepReport& World::step(float dt) noexcept {
@@ -227,7 +264,7 @@ const StepReport& World::step(float dt) noexcept {
     if (dt > 0 && dt <= 1) {
         impl_->simulation.step(dt);
     } else {
-        report = {.flags = StepFlags::invalid_dt, .step = report.step};
+        report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
     }
     return report;
 }
@@ -250,9 +287,10 @@ Result<void> World::write_trace(const std::filesystem::path& file) const {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
+    const auto add = [&](auto part) { hash.add(part); };
+    for_each_part(std::as_const(impl_->simulation.state), add);
     impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        hash.add(std::as_const(cloth->state.positions).span());
-        hash.add(std::as_const(cloth->state.velocities).span());
+        for_each_part(std::as_const(cloth->state), add);
     });
     return hash.value();
 }

@@ -45,26 +45,24 @@ std::size_t count_groups(std::span<const GeodesicSource> sources) {
 
 }  // namespace
 
-void LongRangeAttachments::attach(const CookedCloth& model, std::span<const std::uint32_t> pins) {
+void LongRangeAttachments::prepare(const CookedCloth& model, std::span<const std::uint32_t> pins) {
     const std::vector<GeodesicSource> sources = group_pins(model, pins);
     geodesics_.march(model, sources);
-    layers_.resize(std::min(count_groups(sources), Geodesics::most_reached));
-    for (std::size_t k = 0; k < layers_.size(); ++k) {
-        Layer& layer = layers_[k];
-        if (layer.pins.size() == 0) {
-            layer.pins = AlignedBuffer<std::uint32_t>(model.particle_count);
-            layer.lengths = AlignedBuffer<float>(model.particle_count);
-        }
+    std::vector<Layer> layers(std::min(count_groups(sources), Geodesics::most_reached));
+    for (Layer& layer : layers) {
+        layer.pins = AlignedBuffer<std::uint32_t>(model.particle_count);
+        layer.lengths = AlignedBuffer<float>(model.particle_count);
     }
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         std::array<GeodesicReach, Geodesics::most_reached> ways;
         std::ranges::copy(geodesics_.from(i), ways.begin());
         std::ranges::sort(ways, {}, &GeodesicReach::group);
-        for (std::size_t k = 0; k < layers_.size(); ++k) {
-            layers_[k].pins[i] = ways[k].source;
-            layers_[k].lengths[i] = static_cast<float>(ways[k].distance);
+        for (std::size_t k = 0; k < layers.size(); ++k) {
+            layers[k].pins[i] = ways[k].source;
+            layers[k].lengths[i] = static_cast<float>(ways[k].distance);
         }
     }
+    prepared_ = std::move(layers);
 }
 
 void LongRangeAttachments::hold(Parallel& parallel, float slack, std::span<Vec4> positions,

@@ -8,8 +8,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "cloth/limits/limit.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/mesh/geodesics.h"
 #include "engine/aligned_buffer.h"
@@ -17,18 +19,23 @@
 
 namespace weft {
 
-class LongRangeAttachments {
+class LongRangeAttachments final : public Limit {
   public:
     static constexpr std::uint32_t none = GeodesicReach::none;
 
     explicit LongRangeAttachments(const CookedCloth& model) : geodesics_(model) {}
 
-    /// Finds each particle's pins and their distances, for steps to come. Precondition: pins ascend.
-    void attach(const CookedCloth& model, std::span<const std::uint32_t> pins);
+    /// Finds each particle's pins and their distances, for steps to come.
+    void prepare(const CookedCloth& model, std::span<const std::uint32_t> pins) override;
+    void commit() noexcept override { layers_ = std::move(prepared_); }
 
     /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they
     /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
     void hold(Parallel& parallel, float slack, std::span<Vec4> positions, std::span<Vec4> velocities) const;
+    void hold(Parallel& parallel, const ClothSettings& settings, std::span<Vec4> positions,
+              std::span<Vec4> velocities) const override {
+        hold(parallel, settings.tethers.slack, positions, velocities);
+    }
 
     /// One tether of each particle. Holds have one order for all particles: with an order of its own for
     /// each, the nearest last, say, neighbours would follow different holds and part.
@@ -37,11 +44,11 @@ class LongRangeAttachments {
         AlignedBuffer<float> lengths;       ///< [m]
     };
     [[nodiscard]] std::span<const Layer> layers() const { return layers_; }
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
     Geodesics geodesics_;
-    std::vector<Layer> layers_;
+    std::vector<Layer> layers_, prepared_;
 };
 
 }  // namespace weft

@@ -16,10 +16,10 @@ enum class Stage : std::uint32_t {
     solve,
     cycles,
     advance,
-    tethers,
-    colliders,
+    limits,
     self_search,
     self_response,
+    colliders,
     guard,
     normals
 };
@@ -32,10 +32,10 @@ inline constexpr std::array stage_names{
     StageName{"solve", 2},          //
     StageName{"cycles", 3},         //
     StageName{"advance", 2},        //
-    StageName{"tethers", 2},        //
-    StageName{"colliders", 2},      //
+    StageName{"limits", 2},         //
     StageName{"self search", 2},    //
     StageName{"self response", 2},  //
+    StageName{"colliders", 2},      //
     StageName{"guard", 2},          //
     StageName{"normals", 2},
 };

@@ -27,15 +27,17 @@ struct ContactBlock {
     float per_mass;          // the spring's stiffness is gamma^-2 (per_mass m + least) [N/m]
     float least;             // [kg]
     float* blocks;
-    Vec4 *impulses, *normals;
+    Vec4* impulses;
+    Vec4* normals;
+    const float* rubbed;
 };
 
 struct PressedGroup {
     const float* blocks;
     const Vec4* velocities;
-    const Vec4* changes;  // null: none
-    Vec4* impulses;
+    const Vec4* impulses;
     Vec4* normals;
+    float* rubbed;
 };
 
 }  // namespace weft
@@ -76,7 +78,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
     // sooner.
-    const Lanes took = load_rows(block.impulses + i).w;
+    const Lanes took = load_lanes(block.rubbed + i);
     const Lanes again =
         hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
     // What is not a number, after a failed step, holds as a limit without end does.
@@ -101,17 +103,16 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     return true;
 }
 
-/// The impulses at velocities + changes, along the normals and across them.
+/// The impulses at these velocities, along the normals and across them.
 void press_group(const PressedGroup& group) {
     for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
         const Lanes3 n = xyz(load_rows(group.normals + i));
-        Lanes3 v = xyz(load_rows(group.velocities + i));
-        if (group.changes != nullptr) v = v + xyz(load_rows(group.changes + i));
+        const Lanes3 v = xyz(load_rows(group.velocities + i));
         const Lanes3 at_rest = xyz(load_rows(group.impulses + i));
         const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
         const Lanes pressed = dot(impulse, n);
         const Lanes3 rubbed = impulse - pressed * n;
-        store_rows(at_rest, hn::Sqrt(dot(rubbed, rubbed)), group.impulses + i);
+        hn::Store(hn::Sqrt(dot(rubbed, rubbed)), Tag(), group.rubbed + i);
         store_rows(n, hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed), group.normals + i);
     }
 }
@@ -142,17 +143,15 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
-Contacts::Contacts(std::uint32_t particles) : normals_(particles) {
-    const std::uint32_t groups = (particles + Stencil::lanes - 1) / Stencil::lanes;
-    rows_.blocks = AlignedBuffer<float>(std::size_t{6} * groups * Stencil::lanes);
+Contacts::Contacts(std::uint32_t particles) {
+    rows_.blocks = AlignedBuffer<float>(std::size_t{6} * Stencil::whole_groups(particles));
     rows_.impulses = AlignedBuffer<Vec4>(particles);
-    rows_.touching = AlignedBuffer<std::uint32_t>(groups);
 }
 
 void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> velocities,
                          const BlockRange& range) {
     const bool is_first = passes_ == 1;
-    if (!is_first) press(range, velocities, {});
+    if (!is_first) press(range, velocities);
     const ClothSettings& settings = equation.settings;
     const float gamma = equation.gamma;
     const std::uint32_t size = range.end - range.begin;
@@ -171,30 +170,33 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
                              .impulses = rows_.impulses.data() + range.begin,
-                             .normals = normals_.data() + range.begin};
+                             .normals = held_->normals.data() + range.begin,
+                             .rubbed = held_->rubbed.data() + range.begin};
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
-        std::uint32_t& touching = rows_.touching[i / Stencil::lanes];
+        std::uint32_t& touching = held_->touching[i / Stencil::lanes];
         const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);
-        if (touching != 0 && !touches) std::fill_n(normals_.data() + i, Stencil::lanes, Vec4{});
+        if (touching != 0 && !touches) {
+            std::fill_n(held_->normals.data() + i, Stencil::lanes, Vec4{});
+            std::fill_n(held_->rubbed.data() + i, Stencil::lanes, 0.0f);
+        }
         touching = touches ? 1 : 0;
     }
 }
 
-void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes) {
-    parallel.ranges(static_cast<std::uint32_t>(changes.size()),
-                    [&](const BlockRange& range) { press(range, equation.velocities, changes); });
+void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
+                    [&](const BlockRange& range) { press(range, velocities); });
 }
 
-void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities,
-                     std::span<const Vec4> changes) {
+void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         if (!rows_.touches(i)) continue;
         HWY_DYNAMIC_DISPATCH(press_group)
         ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
           .velocities = velocities.data() + i,
-          .changes = changes.empty() ? nullptr : changes.data() + i,
           .impulses = rows_.impulses.data() + i,
-          .normals = normals_.data() + i});
+          .normals = held_->normals.data() + i,
+          .rubbed = held_->rubbed.data() + i});
     }
 }
 

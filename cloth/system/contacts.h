@@ -14,12 +14,29 @@
 
 namespace weft {
 
+/// How hard particles press on colliders, and rub, from one step to the next.
+struct HeldContacts {
+    AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
+    AlignedBuffer<float> rubbed;            ///< what the damper took when last looked at [kg m/s]
+    AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether a particle of it is in contact; else
+                                            ///< normals and rubbed are 0
+
+    HeldContacts() = default;
+    explicit HeldContacts(std::uint32_t particles)
+        : normals(particles),
+          rubbed(particles),
+          touching((particles + Stencil::lanes - 1) / Stencil::lanes) {}
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return normals.bytes() + rubbed.bytes() + touching.bytes();
+    }
+};
+
 /// Contact gives particle i, at the velocity v_i, the impulse c_i - G_i v_i [kg m/s].
 struct ContactRows {
-    AlignedBuffer<float> blocks;            ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
-    AlignedBuffer<Vec4> impulses;           ///< c; w what the damper took when last looked at [kg m/s]
-    AlignedBuffer<std::uint32_t> touching;  ///< per group: whether a particle of it is in contact; else the
-                                            ///< group's blocks and impulses may hold anything
+    AlignedBuffer<float> blocks;              ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
+    AlignedBuffer<Vec4> impulses;             ///< c, w 0
+    std::span<const std::uint32_t> touching;  ///< see HeldContacts; of a group that does not touch, blocks
+                                              ///< and impulses may hold anything
 
     [[nodiscard]] bool touches(std::uint32_t i) const { return touching[i / Stencil::lanes] != 0; }
     /// Of a particle in a group that touches.
@@ -43,9 +60,11 @@ class Contacts {
   public:
     explicit Contacts(std::uint32_t particles);
 
-    /// A substep begins, in which colliders move so. They must outlive it.
-    void begin(std::span<const ColliderMotion> colliders) {
+    /// A substep begins, in which colliders move so, with what the last one left. Both must outlive it.
+    void begin(std::span<const ColliderMotion> colliders, HeldContacts& held) {
         colliders_ = colliders;
+        held_ = &held;
+        rows_.touching = held.touching.span();
         passes_ = 0;
     }
     /// Another linearisation begins, in which every block is to be linearised before its rows are read.
@@ -56,22 +75,17 @@ class Contacts {
     /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
     /// near.
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
-    /// The substep ends with the equation's velocities + changes: keeps how hard particles press, for the
-    /// next one's friction.
-    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> changes);
-    /// Normals of contact, 0 without it; w the impulse along it [kg m/s].
-    [[nodiscard]] std::span<const Vec4> normals() const noexcept { return normals_.span(); }
+    /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
+    void finish(Parallel& parallel, std::span<const Vec4> velocities);
 
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.touching.bytes() + normals_.bytes();
-    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return rows_.blocks.bytes() + rows_.impulses.bytes(); }
 
   private:
-    void press(const BlockRange& range, std::span<const Vec4> velocities, std::span<const Vec4> changes);
+    void press(const BlockRange& range, std::span<const Vec4> velocities);
 
     ContactRows rows_;
-    AlignedBuffer<Vec4> normals_;
+    HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
     int passes_ = 0;  // of this substep
 };

@@ -77,8 +77,8 @@ Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSetting
     simulation_->prepare(*made);
     simulation_->cloths.insert(std::move(made));
     const auto add = [&](const Collider& collider) {
-        simulation_->expect_colliders(simulation_->colliders.size() + 1);
-        simulation_->colliders.insert({collider, collider});
+        simulation_->state.colliders.insert({collider, collider});
+        simulation_->expect_colliders(simulation_->state.colliders.size());
     };
     if (kind == SceneKind::draped) add({.shape = Sphere{{0, 0, 0}, 0.3f}, .friction = 1});
     if (kind == SceneKind::garment) {
@@ -106,7 +106,7 @@ StepEquation Scene::equation() const {
             .base_velocities = state.velocities.span(),
             .external = {.gravity = to_vector(simulation_->settings.gravity),
                          .air_damping = cloth_->settings.air_damping,
-                         .air = std::as_const(cloth_->air_forces).span()}};
+                         .air = std::as_const(cloth_->air.forces).span()}};
 }
 
 Scene& cached_scene(const std::string& name, const std::function<Scene()>& make) {

@@ -40,14 +40,14 @@ struct Scene {
     }
     void compute(Parallel& parallel, bool gusts) {
         cloth.surface.compute_normals(parallel, cloth.state.positions.span(), cloth.state.normals.span());
-        cloth.set_air(true, false);
+        cloth.take_air(cloth.make_air(true, false));
         cloth.surface.compute_air_forces(parallel,
                                          {.wind = breeze,
                                           .positions = cloth.state.positions.span(),
                                           .velocities = cloth.state.velocities.span(),
                                           .air_velocities = gusts ? air.span() : std::span<Vec4>(),
                                           .has_moved = false},
-                                         cloth.air_forces.span());
+                                         cloth.air.forces.span());
     }
 
     Cloth cloth;
@@ -100,7 +100,7 @@ TEST_P(AirKernels, ForcesAreAThirdOfEachTrianglesForce) {
                 }
             }
             for (std::uint32_t i = 0; i < n; ++i)
-                EXPECT_LE((load(cloth.air_forces[i]).cast<double>() - expected[i]).norm(),
+                EXPECT_LE((load(cloth.air.forces[i]).cast<double>() - expected[i]).norm(),
                           3e-6 * sizes[i] + 1e-12)
                     << "particle " << i;
         }
@@ -161,7 +161,7 @@ std::vector<Vec4> everything(Scene& scene, Parallel& parallel, bool gusts) {
     AlignedBuffer<Vec4> air(scene.cloth.model.particle_count);
     WindField(breeze, {1, 2, 3}, 4).sample(parallel, scene.cloth.state.positions.span(), air.span());
     std::vector<Vec4> rows;
-    for (const AlignedBuffer<Vec4>* part : {&scene.cloth.state.normals, &scene.cloth.air_forces, &air}) {
+    for (const AlignedBuffer<Vec4>* part : {&scene.cloth.state.normals, &scene.cloth.air.forces, &air}) {
         rows.insert(rows.end(), part->data(), part->data() + part->size());
         for (const Vec4* pad = part->data() + part->size(); pad < part->data() + part->bytes() / sizeof(Vec4);
              ++pad)
@@ -225,7 +225,7 @@ TEST(Normals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     };
     step("before the first step");
     cloth.pin(3);
-    cloth.pins[0].target += Vector3(0.1f, 0.2f, 0);
+    cloth.state.pins[0].target += Vector3(0.1f, 0.2f, 0);
     step("with a pin that moves");
     settings.substeps = 3;
     simulation.apply(settings);

@@ -21,7 +21,7 @@ constexpr float h = 1.0f / 60;
 /// A crumpled cloth that lies half in a floor which rises, and slides on it.
 struct LyingCloth {
     explicit LyingCloth(bool elements = false)
-        : cloth(crumpled(sheet(6, 7), 0.04f, 60.0f)), contacts(cloth.model.particle_count) {
+        : cloth(crumpled(sheet(6, 7), 0.04f, 60.0f)), contacts(cloth.model.particle_count), held(cloth.model.particle_count) {
         if (elements) {
             ClothSettings settings = cloth.settings;
             settings.finite_elements = {.enabled = true, .warp = 60, .weft = 40};
@@ -40,12 +40,12 @@ struct LyingCloth {
     StepEquation equation() {
         StepEquation result = equation_of(cloth, h);
         result.contacts = &contacts;
-        contacts.begin(motions);
+        contacts.begin(motions, held);
         return result;
     }
     [[nodiscard]] std::uint32_t touching() const {
         return static_cast<std::uint32_t>(std::ranges::count_if(
-            contacts.normals(), [](const Vec4& n) { return xyz(n).squaredNorm() > 0; }));
+            held.normals.span(), [](const Vec4& n) { return xyz(n).squaredNorm() > 0; }));
     }
     /// How hard particles press is known from a step before, which made them `faster` times as fast.
     void press(float faster = 1) {
@@ -53,14 +53,15 @@ struct LyingCloth {
         const auto system = make_system(cloth.model, cloth.settings);
         const StepEquation present = equation();
         system->linearise(serial, present, cloth.state.velocities.span(), LinearisedAbout::base);
-        AlignedBuffer<Vec4> changes(cloth.model.particle_count);
-        for (std::uint32_t i = 0; i < changes.size(); ++i)
-            set_xyz(changes[i], (faster - 1) * xyz(cloth.state.velocities[i]));
-        contacts.finish(serial, present, changes.span());
+        AlignedBuffer<Vec4> velocities(cloth.model.particle_count);
+        for (std::uint32_t i = 0; i < velocities.size(); ++i)
+            set_xyz(velocities[i], faster * xyz(cloth.state.velocities[i]));
+        contacts.finish(serial, velocities.span());
     }
 
     Cloth cloth;
     Contacts contacts;
+    HeldContacts held;
     std::vector<ColliderMotion> motions;
 };
 
@@ -110,10 +111,10 @@ TEST(Contacts, RowsAreThoseOfTheLaw) {
             }
             const AlignedBuffer<Vec4>& velocities = lying.cloth.state.velocities;
             std::vector<double> stored, took(velocities.size(), 0.0);
-            for (const Vec4& normal : lying.contacts.normals())
+            for (const Vec4& normal : lying.held.normals.span())
                 stored.push_back(static_cast<double>(normal.w));
             for (std::uint32_t i = 0; pressed_before && i < took.size(); ++i)
-                if (stored[i] > 0) took[i] = static_cast<double>(lying.contacts.rows().impulses[i].w);
+                if (stored[i] > 0) took[i] = static_cast<double>(lying.held.rubbed[i]);
 
             Parallel serial(1);
             const auto system = make_system(lying.cloth.model, lying.cloth.settings);

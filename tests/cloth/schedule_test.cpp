@@ -20,16 +20,24 @@ namespace {
 class Planned {
   public:
     explicit Planned(std::span<const std::uint32_t> sides) {
-        for (const std::uint32_t side : sides)
-            cloths_.insert(std::make_unique<Cloth>(cook(sheet(side, side)).value(), ClothSettings{}));
+        for (const std::uint32_t side : sides) {
+            cloths_.push_back(std::make_unique<Cloth>(cook(sheet(side, side)).value(), ClothSettings{}));
+            present_.push_back(cloths_.back().get());
+        }
     }
     const Schedule& on(int threads) {
-        schedule_.plan(cloths_, threads);
+        schedule_.plan(present_, threads);
         return schedule_;
     }
+    const Schedule& on(int threads, std::span<const std::uint32_t> first_of) {
+        schedule_.plan(present_, first_of, threads);
+        return schedule_;
+    }
+    [[nodiscard]] const Cloth* cloth(std::size_t i) const { return present_[i]; }
 
   private:
-    SlotMap<ClothId, std::unique_ptr<Cloth>> cloths_;
+    std::vector<std::unique_ptr<Cloth>> cloths_;
+    std::vector<Cloth*> present_;
     Schedule schedule_;
 };
 
@@ -46,8 +54,11 @@ TEST(Schedule, PlansEachClothOnceAndTheLargestFirst) {
         const Schedule& schedule = cloths.on(threads);
         std::map<const Cloth*, int> planned;
         for (const auto entries : {schedule.side_by_side(), schedule.in_turn()}) {
-            EXPECT_TRUE(std::ranges::is_sorted(entries, std::ranges::greater(), &Schedule::Entry::work));
-            for (const Schedule::Entry& entry : entries) ++planned[entry.cloth];
+            EXPECT_TRUE(std::ranges::is_sorted(entries, std::ranges::greater(), &Schedule::Group::work));
+            for (const Schedule::Group& entry : entries) {
+                ASSERT_EQ(entry.cloths.size(), 1u);
+                ++planned[entry.cloths[0]];
+            }
         }
         EXPECT_EQ(planned.size(), sides.size());
         EXPECT_EQ(schedule.side_by_side().size() + schedule.in_turn().size(), sides.size());
@@ -58,7 +69,7 @@ TEST(Schedule, KeepsALargeClothForAllThreads) {
     Planned mix(many_small_and({128})), alone(std::array{128u});
     for (const int threads : {2, 4, 16}) {
         ASSERT_EQ(mix.on(threads).in_turn().size(), 1u) << threads;
-        EXPECT_EQ(mix.on(threads).in_turn()[0].cloth->model.particle_count, 128u * 128u);
+        EXPECT_EQ(mix.on(threads).in_turn()[0].cloths[0]->model.particle_count, 128u * 128u);
         EXPECT_EQ(alone.on(threads).in_turn().size(), 1u);
     }
 }
@@ -67,6 +78,24 @@ TEST(Schedule, GivesClothsOfFewBlocksToOneThreadEach) {
     Planned few_blocks(std::array{40u, 40u, 40u, 40u, 40u, 40u, 40u, 40u});  // 7 blocks each
     EXPECT_EQ(few_blocks.on(8).side_by_side().size(), 8u) << "no thread waits, and none does two";
     EXPECT_EQ(few_blocks.on(16).in_turn().size(), 8u) << "eight threads would wait";
+}
+
+TEST(Schedule, TakesTheClothsOfAnIslandTogetherInTheirOrder) {
+    Planned cloths(std::array{8u, 8u, 8u, 8u, 64u, 8u, 8u});
+    const std::array first_of{0u, 1u, 0u, 3u, 1u, 0u, 6u};
+    const Schedule& schedule = cloths.on(4, first_of);
+    std::map<std::vector<const Cloth*>, int> islands;
+    for (const auto groups : {schedule.side_by_side(), schedule.in_turn()})
+        for (const Schedule::Group& group : groups)
+            ++islands[{group.cloths.begin(), group.cloths.end()}];
+    const std::map<std::vector<const Cloth*>, int> expected{
+        {{cloths.cloth(0), cloths.cloth(2), cloths.cloth(5)}, 1},
+        {{cloths.cloth(1), cloths.cloth(4)}, 1},
+        {{cloths.cloth(3)}, 1},
+        {{cloths.cloth(6)}, 1}};
+    EXPECT_EQ(islands, expected);
+    ASSERT_EQ(schedule.in_turn().size(), 1u);
+    EXPECT_EQ(schedule.in_turn()[0].work, 64u * 64 + 64) << "an island is as large as its cloths in sum";
 }
 
 // A cloth is part of two kinds of World: large and small, with contacts, gusts and a moving collider.

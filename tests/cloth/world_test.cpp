@@ -286,7 +286,7 @@ TEST(Profile, StagesAddUpToTheStep) {
     const std::span<const StageTime> stages = world.profile();
     float sum = 0, in_cloths = 0, parts = 0, whole = 0;  // parts: of the last stage seen that has some
     for (const StageTime& stage : stages.first(stages.size() - 1)) {
-        const bool used = std::string_view(stage.name) != "tethers";
+        const bool used = std::string_view(stage.name) != "limits";
         EXPECT_EQ(stage.last > 0, used) << stage.name << ": a stage takes time if the scene has use for it";
         if (stage.depth == 1) sum += stage.last;
         if (stage.depth == 2) in_cloths += stage.last;

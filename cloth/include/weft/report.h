@@ -13,8 +13,8 @@ enum class StepFlags : std::uint32_t {
     none = 0,
     /// dt was zero, negative, not finite or above 1 s: nothing was done. Pass a step in (0, 1] s.
     invalid_dt = 1u << 0,
-    /// A cloth's state stopped being finite, or ran faster than 1000 m/s. It is back at the start of the
-    /// step, at rest. Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.
+    /// A cloth's state stopped being finite, or left the 100 km around the origin. It is back at the start of
+    /// the step, at rest. Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.
     state_restored = 1u << 1,
     /// Particles had more close neighbours than a contact list holds (16); the rest wait for the next step.
     /// Lower SelfCollision::distance.

@@ -70,7 +70,8 @@ struct Wind {
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2]
     Wind wind;
-    /// Particles go no faster [m/s], > 0: a pin or a collider that jumps cannot shoot the cloth off.
+    /// No particle is faster after any stage of a step [m/s], > 0: a pin or a collider that jumps cannot
+    /// shoot the cloth off.
     float max_speed = 100.0f;
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.

@@ -37,8 +37,8 @@ struct ClothInfo {
         0;                ///< warning: particles of no triangle; they have no mass and stay where they are
     float mean_edge = 0;  ///< mean rest length of structural springs [m]
     float mass = 0;       ///< [kg]
-    /// Memory of this cloth, solver included, within 1 %. Each step reuses it. What changed settings need is
-    /// in it after the next step, and so are tethers to up to four holds, 8 bytes a particle each.
+    /// Memory of this cloth, solver included, within 1 %. Each step reuses it. Tethers to up to four holds
+    /// take 8 bytes a particle each.
     std::uint64_t bytes = 0;
     friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
 };
@@ -82,22 +82,30 @@ class World {
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     [[nodiscard]] Result<ClothView> cloth(ClothId id) const;
 
-    /// Holds a particle where it is, until move_pin or unpin. Vertices are those of the mesh that was given.
-    Result<void> pin(ClothId id, std::uint32_t vertex);
+    /// Holds particles where they are, until move_pin or unpin: all of them or, with an error, none. Vertices
+    /// are those of the mesh that was given; one that is pinned already stays so. With tethers on, each call
+    /// measures the cloth anew: pin many in one call.
+    Result<void> pin(ClothId id, std::span<const std::uint32_t> vertices);
+    Result<void> pin(ClothId id, std::uint32_t vertex) { return pin(id, {&vertex, 1}); }
     /// The pinned vertex moves to `target` [m] along a straight line over the next step.
     Result<void> move_pin(ClothId id, std::uint32_t vertex, const Vec3& target);
-    Result<void> unpin(ClothId id, std::uint32_t vertex);
+    /// All of them or, with an error, none. A vertex that is not pinned stays free.
+    Result<void> unpin(ClothId id, std::span<const std::uint32_t> vertices);
+    Result<void> unpin(ClothId id, std::uint32_t vertex) { return unpin(id, {&vertex, 1}); }
 
-    /// The first of a World gives each cloth of an implicit method 56 bytes a particle more.
+    /// The first of a World gives each cloth of an implicit method 61 bytes a particle more.
     Result<ColliderId> add_collider(const Collider& collider);
     /// The collider moves there over the next step, and pushes and drags what it meets. The same kind of
     /// shape.
     Result<void> move_collider(ColliderId id, const Collider& target);
+    /// The collider is there at once, without a velocity: what it comes to hold is put outside, and neither
+    /// pushed nor dragged. The same kind of shape.
+    Result<void> place_collider(ColliderId id, const Collider& place);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
-    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. Does not allocate after
-    /// warm-up.
+    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. It never allocates, and
+    /// prepares nothing: what a change needs is made by the call that changes it.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
 
@@ -110,7 +118,8 @@ class World {
     /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
 
-    /// Of all positions and velocities: the same for any number of threads, with the same binary.
+    /// Of all that changes from step to step, pins and colliders included: the same for any number of
+    /// threads, with the same binary.
     [[nodiscard]] std::uint64_t state_hash() const;
 
   private:
