@@ -33,7 +33,7 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
-      solved(model.particle_count),
+      next_velocities(model.particle_count),
       surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
@@ -216,7 +216,7 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     std::size_t of_limits = 0;
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
-    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + solved.bytes() +
+    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
                  (contacts ? contacts->bytes() : 0) + surface.bytes() + air.forces.bytes() +
                  air.velocities.bytes() + partial_counts.bytes() + partial_surveys.bytes();

@@ -77,7 +77,7 @@ struct Cloth {
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;             ///< for the present settings and pins
-    AlignedBuffer<Vec4> solved;                 ///< velocities that the solver found [m/s], w 0
+    AlignedBuffer<Vec4> next_velocities;        ///< that the solver found in the last substep [m/s], w 0
     std::optional<History> history;             ///< only with BDF2
     Limits limits;                              ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;  ///< only with self-collision on

@@ -21,7 +21,8 @@ Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by i
 
 }  // namespace
 
-std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings) {
+std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings,
+                                    std::span<const Vec4> positions) {
     using Made = std::unique_ptr<Solver>;
     return std::visit(
         Overload{
@@ -33,9 +34,11 @@ std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSetting
             [&](const ConjugateGradient&) -> Made {
                 return std::make_unique<ConjugateGradientSolver>(model, settings);
             },
-            [&](const Multilevel&) -> Made { return std::make_unique<MultilevelSolver>(model, settings); },
-            [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings); },
-            [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, settings); },
+            [&](const Multilevel&) -> Made {
+                return std::make_unique<MultilevelSolver>(model, settings, positions);
+            },
+            [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings, positions); },
+            [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, positions); },
         },
         settings.method);
 }

@@ -184,8 +184,8 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
                                                     .model = cloth.model,
                                                     .settings = cloth.settings,
                                                     .equation = equation,
-                                                    .velocities = cloth.solved.span()});
-    if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.solved).span());
+                                                    .velocities = cloth.next_velocities.span()});
+    if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
     cloth.residual = std::max(cloth.residual, result.residual);
 }
@@ -196,7 +196,7 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     const auto timer = timed(Stage::advance);
     ClothState& now = cloth.state;
     weft::advance(worker.parallel, equation,
-                  {.solved = std::as_const(cloth.solved).span(),
+                  {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
                    .velocities = now.velocities.span(),
                    .positions = (is_first ? now.previous_positions : now.positions).span(),

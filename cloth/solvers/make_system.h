@@ -11,4 +11,15 @@ namespace weft {
 [[nodiscard]] std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model,
                                                           const ClothSettings& settings);
 
+/// The settings that make_system reads. All others reach a system at each step.
+struct SystemKind {
+    explicit SystemKind(const ClothSettings& settings)
+        : elements(settings.finite_elements.enabled),
+          bending(elements && settings.finite_elements.bending > 0),
+          dihedral(elements && settings.finite_elements.dihedral),
+          consistent_mass(elements && settings.finite_elements.consistent_mass) {}
+    bool elements, bending, dihedral, consistent_mass;
+    friend bool operator==(const SystemKind&, const SystemKind&) = default;
+};
+
 }  // namespace weft

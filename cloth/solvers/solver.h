@@ -19,24 +19,34 @@ struct SolverStep {
     const CookedCloth& model;
     const ClothSettings& settings;
     const StepEquation& equation;
-    bool touches_collider;            ///< a component without pins that touches nothing falls freely
-    std::span<Vec4> velocity_change;  ///< what the solver is to find, w 0
+    std::span<Vec4>
+        velocities;  ///< the result: at the end of the step, w 0; another buffer than the equation's
 
     [[nodiscard]] auto timed(Stage stage) const { return profiler.time(static_cast<std::uint32_t>(stage)); }
 };
 
-/// Owns all memory that its method needs; nothing of it grows in a step.
+struct SolveResult {
+    /// What is left of the linear system, |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0.
+    float residual = 0;
+    bool ok = true;  ///< false: no solution was found, and the velocities may hold anything
+};
+
+/// Owns all memory that its method needs. Only its constructor and reserve_pins() take any.
 class Solver {
   public:
     virtual ~Solver() = default;
-    /// Fills velocity_change; 0 for pinned particles. Returns what is left of the linear system,
-    /// |D^-1 (b - W dv)| / |D^-1 b|, for methods that have one, else 0; not a number where it found no
-    /// solution.
-    virtual float solve(const SolverStep& step) = 0;
-    /// Before the first step, and before any step that follows a change of pins or settings. May allocate.
-    /// `positions` have inverse masses in w, 0 for pinned particles.
-    virtual void prepare(const CookedCloth& /*model*/, const ClothSettings& /*settings*/,
-                         std::span<const Vec4> /*positions*/) {}
+    /// Fills the step's velocities. Pinned particles keep theirs.
+    virtual SolveResult solve(const SolverStep& step) = 0;
+    /// Whether make_solver would make the same solver from these settings; what else they say, solve() reads
+    /// at each step. What the study makes serves no settings.
+    [[nodiscard]] virtual bool serves(const ClothSettings& /*settings*/) const { return false; }
+    /// May throw. From then on that many particles can be pinned at a time without taking memory.
+    virtual void reserve_pins(std::size_t /*count*/) {}
+    /// A particle's inverse mass, in w of `positions`, has changed: it was pinned (0) or let go.
+    virtual void inverse_mass_changed(std::uint32_t /*particle*/,
+                                      std::span<const Vec4> /*positions*/) noexcept {}
+    /// Those of any particles have.
+    virtual void inverse_masses_changed(std::span<const Vec4> /*positions*/) noexcept {}
     /// Whether it solves the equation in any time scheme; else it takes h, positions and velocities from it.
     [[nodiscard]] virtual bool is_implicit() const noexcept { return true; }
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;

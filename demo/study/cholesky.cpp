@@ -30,7 +30,7 @@ CholeskySolver::CholeskySolver(const CookedCloth& model, const ClothSettings& se
       matrix_(model.particle_count, pairs_of(model)),
       exact_solve_(model.particle_count, direct_up_to) {}
 
-float CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system) {
+SolveResult CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
     fill_matrix(step, system);
     Eigen::VectorXd right_side(3 * static_cast<Eigen::Index>(b.size())), change;
@@ -42,9 +42,9 @@ float CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& syste
         matrix_, right_side, 1e-10, [&](const auto& r, auto& z) { cycle->apply(r, z); }, change);
     for (std::uint32_t i = 0; i < b.size(); ++i) {
         const Eigen::Vector3d change_i = change.segment<3>(3 * static_cast<Eigen::Index>(i));
-        step.velocity_change[i] = to_vec4(change_i.cast<float>(), 0);
+        dv[i] = to_vec4(change_i.cast<float>(), 0);
     }
-    return 0;
+    return {};
 }
 
 // Rows of pinned particles become those of the identity. The blocks in them, which may hold anything, are not

@@ -17,7 +17,7 @@ class CholeskySolver final : public LinearSolver {
                    std::uint32_t direct_up_to = std::numeric_limits<std::uint32_t>::max());
 
   protected:
-    float solve_linear(const SolverStep& step, ImplicitSystem& system) override;
+    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
 
   private:
     void fill_matrix(const SolverStep& step, ImplicitSystem& system);

@@ -17,14 +17,14 @@ namespace weft::study {
 class ExplicitEulerSolver final : public Solver {
   public:
     ExplicitEulerSolver(const CookedCloth& model, const ClothSettings& settings);
-    float solve(const SolverStep& step) override;
+    SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
     SymplecticEulerSolver forces_;
-    AlignedBuffer<Vec4> pending_;     // h f / m of the last step
-    AlignedBuffer<Vec4> velocities_;  // at the present positions
+    AlignedBuffer<Vec4> pending_;            // h f / m of the last step
+    AlignedBuffer<Vec4> velocities_, next_;  // at the present positions, and a step later
 };
 
 }  // namespace weft::study

@@ -44,7 +44,10 @@ Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
     : frame_(scene.frame), simulation_(with_threads(scene.world, thread_count(threads))) {
     auto made = std::make_unique<Cloth>(cooked(scene), point.applied_to(scene.cloth));
     cloth_ = made.get();
-    if (point.make_solver) cloth_->solver = point.make_solver(cloth_->model, cloth_->settings);
+    if (point.make_solver) {
+        cloth_->solver = point.make_solver(cloth_->model, cloth_->settings);
+        cloth_->solver->inverse_masses_changed(std::as_const(cloth_->state).positions.span());
+    }
     place(scene, cloth_->state);
     for (const std::uint32_t vertex : scene.pins) cloth_->pin(cloth_->model.vertex_to_particle[vertex]);
     simulation_.prepare(*cloth_);
@@ -54,7 +57,7 @@ Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
 void Run::restart(const StudyScene& scene) {
     std::ranges::fill(cloth_->state.velocities.span(), Vec4{});
     place(scene, cloth_->state);
-    if (cloth_->history) cloth_->history->forget();
+    cloth_->state.record.h = 0;
 }
 
 double Run::step() {

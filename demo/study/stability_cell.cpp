@@ -60,8 +60,8 @@ double height(const Cloth& cloth) {
 
 /// Whether the last solve left a number that is none, which the state before a restore would hold.
 bool is_broken(const Cloth& cloth) {
-    return std::ranges::any_of(cloth.velocity_change.span(),
-                               [](const Vec4& dv) { return !xyz(dv).allFinite(); });
+    return std::ranges::any_of(cloth.next_velocities.span(),
+                               [](const Vec4& v) { return !xyz(v).allFinite(); });
 }
 
 /// So that a frame is one substep, and the state is looked at after each.

@@ -22,8 +22,8 @@ class ShortChebyshevSolver final : public LinearSolver {
     }
 
   protected:
-    float solve_linear(const SolverStep& step, ImplicitSystem& system) override {
-        return solve_chebyshev(step.parallel, system, iterations, interval, vectors_, step.velocity_change);
+    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override {
+        return {.residual = solve_chebyshev(step.parallel, system, iterations, interval, vectors_, dv)};
     }
 
   private:

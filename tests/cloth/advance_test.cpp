@@ -22,13 +22,10 @@ struct Substep {
     Substep(Parallel& parallel, bool second_order)
         : cloth(crumpled(sheet(23, 29), 0.1f, 10)),
           start(cloth.model.particle_count),
-          changes(random_rows(start.size(), 1, 5)),
-          solved(start.size()),
+          solved(random_rows(start.size(), 1.5f, 5)),
           history(start.size()) {
         cloth.pin(17);
         if (second_order) cloth.state.record = StepRecord(start.size());
-        for (std::uint32_t i = 0; i < start.size(); ++i)
-            solved[i] = to_vec4(xyz(cloth.state.velocities[i]) + xyz(changes[i]), 0);
         std::ranges::copy(cloth.state.positions.span(), start.positions.data());
         std::ranges::copy(cloth.state.velocities.span(), start.velocities.data());
         StepEquation equation = equation_of(cloth, h);
@@ -41,7 +38,7 @@ struct Substep {
     }
     Cloth cloth;
     ClothState start;
-    AlignedBuffer<Vec4> changes, solved;
+    AlignedBuffer<Vec4> solved;
     History history;
 };
 
@@ -52,12 +49,12 @@ class AdvanceKernels : public testing::TestWithParam<std::int64_t> {
     Parallel serial{1};
 };
 
-TEST_P(AdvanceKernels, AddTheChangeHoldTheSpeedAndMove) {
+TEST_P(AdvanceKernels, HoldTheSpeedAndMove) {
     const Substep substep(serial, false);
     const ClothState &start = substep.start, &end = substep.cloth.state;
     int held = 0;
     for (std::uint32_t i = 0; i < end.size(); ++i) {
-        Vector3 v = xyz(start.velocities[i]) + xyz(substep.changes[i]);
+        Vector3 v = xyz(substep.solved[i]);
         if (v.norm() > max_speed) {
             v *= max_speed / v.norm();
             ++held;

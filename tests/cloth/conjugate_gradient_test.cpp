@@ -35,7 +35,7 @@ struct Problem {
     template <class Precondition>
     float solve(int iterations, const Precondition& precondition) {
         std::ranges::fill(dv.span(), Vec4{});
-        return conjugate_gradients(serial, *system, iterations, precondition, vectors, dv.span());
+        return conjugate_gradients(serial, *system, iterations, precondition, vectors, dv.span()).residual;
     }
     /// Of dv, in the energy norm, relative to that of dv = 0.
     [[nodiscard]] double error() const {

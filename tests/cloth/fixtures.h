@@ -77,6 +77,13 @@ inline AlignedBuffer<Vec4> random_rows(std::uint32_t n, float size, std::uint32_
     return rows;
 }
 
+inline Eigen::VectorXd flat(std::span<const Vec4> values);
+
+/// What the cloth's solver found in its last solve, less the velocities that it started from.
+inline Eigen::VectorXd velocity_change(const Cloth& cloth) {
+    return flat(cloth.next_velocities.span()) - flat(cloth.state.velocities.span());
+}
+
 inline Eigen::VectorXd flat(std::span<const Vec4> values) {
     Eigen::VectorXd result(3 * static_cast<Eigen::Index>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) {

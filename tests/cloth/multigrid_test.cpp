@@ -222,11 +222,11 @@ int iterations_needed(const Cloth& cloth) {
     CgVectors vectors(cloth.model.particle_count);
     for (int k = 1; k < 100; ++k) {
         AlignedBuffer<Vec4> dv(cloth.model.particle_count);
-        const float left = conjugate_gradients(
+        const SolveResult left = conjugate_gradients(
             levels.serial, *levels.system, k + 1,
             [&](auto r, auto z) { levels.multigrid->cycle(levels.serial, *levels.system, r, z); }, vectors,
             dv.span());
-        if (left < 0.01f) return k;
+        if (left.residual < 0.01f) return k;
     }
     return 100;
 }
@@ -247,17 +247,15 @@ Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1)
     cloth.settings.method = method;
     Parallel parallel(threads);
     Profiler profiler(stage_names);
-    MultilevelSolver solver(cloth.model, cloth.settings);
-    solver.prepare(cloth.model, cloth.settings, cloth.state.positions.span());
+    MultilevelSolver solver(cloth.model, cloth.settings, cloth.state.positions.span());
     const StepEquation equation = equation_of(cloth, h);
     solver.solve({.parallel = parallel,
                   .profiler = profiler,
                   .model = cloth.model,
                   .settings = cloth.settings,
                   .equation = equation,
-                  .touches_collider = false,
-                  .velocity_change = cloth.velocity_change.span()});
-    return flat(cloth.velocity_change.span());
+                  .velocities = cloth.next_velocities.span()});
+    return velocity_change(cloth);
 }
 
 TEST(MultilevelSolver, OnePassIsTheLinearisedStep) {

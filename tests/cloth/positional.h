@@ -12,8 +12,7 @@ namespace weft::test {
 inline AlignedBuffer<Vec4> velocity_change(Cloth& cloth, const Method& method, float h,
                                            const Vector3& gravity = {0, -9.81f, 0}) {
     cloth.settings.method = method;
-    const auto solver = make_solver(cloth.model, cloth.settings);
-    solver->prepare(cloth.model, cloth.settings, cloth.state.positions.span());
+    const auto solver = make_solver(cloth.model, cloth.settings, cloth.state.positions.span());
     AlignedBuffer<Vec4> change(cloth.model.particle_count);
     Parallel serial(1);
     Profiler profiler(stage_names);
@@ -23,8 +22,9 @@ inline AlignedBuffer<Vec4> velocity_change(Cloth& cloth, const Method& method, f
                    .model = cloth.model,
                    .settings = cloth.settings,
                    .equation = equation,
-                   .touches_collider = false,
-                   .velocity_change = change.span()});
+                   .velocities = change.span()});
+    for (std::uint32_t i = 0; i < change.size(); ++i)
+        change[i] = to_vec4(xyz(change[i]) - xyz(cloth.state.velocities[i]), 0);
     return change;
 }
 

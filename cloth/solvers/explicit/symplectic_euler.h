@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "cloth/solvers/make_system.h"
 #include "cloth/solvers/solver.h"
-#include "cloth/system/implicit_system.h"
 
 namespace weft {
 
@@ -13,11 +13,13 @@ namespace weft {
 class SymplecticEulerSolver final : public Solver {
   public:
     SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings);
-    float solve(const SolverStep& step) override;
+    SolveResult solve(const SolverStep& step) override;
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
+    SystemKind kind_;
     std::unique_ptr<ImplicitSystem> system_;  // for its forces
 };
 

@@ -79,11 +79,12 @@ ChebyshevSolver::ChebyshevSolver(const CookedCloth& model, const ClothSettings& 
       vectors_(model.particle_count),
       area_(std::reduce(model.rest_area.span().begin(), model.rest_area.span().end(), 0.0)) {}
 
-float ChebyshevSolver::solve_linear(const SolverStep& step, ImplicitSystem& system) {
+SolveResult ChebyshevSolver::solve_linear(const SolverStep& step, ImplicitSystem& system,
+                                          std::span<Vec4> dv) {
     const int iterations = std::get<Chebyshev>(step.settings.method).iterations;
     const double least = least_eigenvalue(step.model.info, step.settings, area_, step.equation.gamma);
-    return solve_chebyshev(step.parallel, system, iterations, chebyshev_interval(iterations, least), vectors_,
-                           step.velocity_change);
+    return {.residual = solve_chebyshev(step.parallel, system, iterations,
+                                        chebyshev_interval(iterations, least), vectors_, dv)};
 }
 
 bool ChebyshevSolver::solves_mean_motion_apart(const ClothSettings& settings) const {

@@ -68,10 +68,13 @@ float solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations
 class ChebyshevSolver final : public LinearSolver {
   public:
     ChebyshevSolver(const CookedCloth& model, const ClothSettings& settings);
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override {
+        return std::holds_alternative<Chebyshev>(settings.method) && serves_system(settings);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    float solve_linear(const SolverStep& step, ImplicitSystem& system) override;
+    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
     [[nodiscard]] bool solves_mean_motion_apart(const ClothSettings& settings) const override;
 
   private:

@@ -41,14 +41,15 @@ void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> resi
 ConjugateGradientSolver::ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings)
     : LinearSolver(model, settings), vectors_(model.particle_count) {}
 
-float ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSystem& system) {
+SolveResult ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSystem& system,
+                                                  std::span<Vec4> dv) {
     const auto block_diagonal = [&](std::span<const Vec4> residual, std::span<Vec4> preconditioned) {
         system.precondition(step.parallel, residual, 1.0f, preconditioned);
     };
-    clear(step.parallel, step.velocity_change);
+    clear(step.parallel, dv);
     return conjugate_gradients(step.parallel, system,
                                std::get<ConjugateGradient>(step.settings.method).iterations, block_diagonal,
-                               vectors_, step.velocity_change);
+                               vectors_, dv);
 }
 
 std::size_t ConjugateGradientSolver::bytes() const noexcept {

@@ -2,7 +2,6 @@
 // Preconditioned conjugate gradients on W dv = b.
 
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -39,13 +38,13 @@ void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> resi
 /// writes z = P r from r, of which w may be anything, P symmetric and positive definite on the free particles
 /// and 0 on the pinned ones, of which nothing more is needed: a direction that is 0 there stays so (the
 /// filter of Baraff and Witkin 1998). Each iteration multiplies once and preconditions once. It ends early
-/// where single precision has nothing left to find; at what is not finite it gives up and returns not a
-/// number. Returns |P (b - W dv)| / |P b| of the last iterate that was preconditioned: the last but one,
+/// where single precision has nothing left to find; at what is not finite it gives up, and the result is not
+/// ok. Its residual is |P (b - W dv)| / |P b| of the last iterate that was preconditioned: the last but one,
 /// unless it ended early; 0 for b = 0.
 template <class Precondition>
-float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
-                          const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
-    constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+SolveResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
+                                const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
+    constexpr SolveResult failed{.ok = false};
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     std::span<const Vec4> residual = system.right_side().span();
     Products first, now;
@@ -65,27 +64,30 @@ float conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterat
             turn_direction(parallel, static_cast<float>(now.b_x / before), vectors);
             now.x_wx = multiply_direction().x_wx;
         }
-        if (!std::isfinite(now.b_x)) return no_number;
+        if (!std::isfinite(now.b_x)) return failed;
         if (!(now.b_x > rounding * first.b_x)) break;
         const double alpha = now.b_x / now.x_wx;
-        if (std::isnan(now.x_wx)) return no_number;
+        if (std::isnan(now.x_wx)) return failed;
         if (!(now.x_wx > 0) || !std::isfinite(alpha)) break;
         advance_along(parallel, static_cast<float>(alpha), vectors, dv);
         if (is_last) break;
         update_residual(parallel, static_cast<float>(alpha), residual, vectors);
         residual = vectors.residual.span();
     }
-    return first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f;
+    return {.residual = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f};
 }
 
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).
 class ConjugateGradientSolver final : public LinearSolver {
   public:
     ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings);
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override {
+        return std::holds_alternative<ConjugateGradient>(settings.method) && serves_system(settings);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    float solve_linear(const SolverStep& step, ImplicitSystem& system) override;
+    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
 
   private:
     CgVectors vectors_;

@@ -31,9 +31,9 @@ JacobiSolver::JacobiSolver(const CookedCloth& model, const ClothSettings& settin
       scratch_(model.particle_count),
       partials_(block_count(model.particle_count)) {}
 
-float JacobiSolver::solve_linear(const SolverStep& step, ImplicitSystem& system) {
-    return solve_jacobi(step.parallel, system, std::get<Jacobi>(step.settings.method).iterations, scratch_,
-                        partials_.span(), step.velocity_change);
+SolveResult JacobiSolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
+    const int iterations = std::get<Jacobi>(step.settings.method).iterations;
+    return {.residual = solve_jacobi(step.parallel, system, iterations, scratch_, partials_.span(), dv)};
 }
 
 bool JacobiSolver::solves_mean_motion_apart(const ClothSettings& settings) const {

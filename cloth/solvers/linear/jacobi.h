@@ -16,10 +16,13 @@ float solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, A
 class JacobiSolver final : public LinearSolver {
   public:
     JacobiSolver(const CookedCloth& model, const ClothSettings& settings);
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override {
+        return std::holds_alternative<Jacobi>(settings.method) && serves_system(settings);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    float solve_linear(const SolverStep& step, ImplicitSystem& system) override;
+    SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
     [[nodiscard]] bool solves_mean_motion_apart(const ClothSettings& settings) const override;
 
   private:

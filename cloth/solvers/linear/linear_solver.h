@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cloth/solvers/linear/mean_motion.h"
+#include "cloth/solvers/make_system.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/system/implicit_system.h"
 
@@ -13,18 +14,23 @@ namespace weft {
 class LinearSolver : public Solver {
   public:
     LinearSolver(const CookedCloth& model, const ClothSettings& settings);
-    float solve(const SolverStep& step) final;
+    SolveResult solve(const SolverStep& step) final;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    /// Solves W dv = b into step.velocity_change; see Solver::solve for what it returns.
-    virtual float solve_linear(const SolverStep& step, ImplicitSystem& system) = 0;
+    /// Solves W dv = b.
+    virtual SolveResult solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
+    /// Of Solver::serves, what all of them have in common.
+    [[nodiscard]] bool serves_system(const ClothSettings& settings) const {
+        return kind_ == SystemKind(settings);
+    }
     /// Whether the method leaves the motion of a whole component so unsolved that it is to be solved apart.
     [[nodiscard]] virtual bool solves_mean_motion_apart(const ClothSettings& /*settings*/) const {
         return false;
     }
 
   private:
+    SystemKind kind_;
     std::unique_ptr<ImplicitSystem> system_;
     MeanMotion mean_motion_;
 };

@@ -13,22 +13,25 @@ namespace weft {
 
 class MultilevelSolver final : public Solver {
   public:
-    MultilevelSolver(const CookedCloth& model, const ClothSettings& settings);
-    float solve(const SolverStep& step) override;
-    void prepare(const CookedCloth& model, const ClothSettings& settings,
-                 std::span<const Vec4> positions) override;
+    MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
+                     std::span<const Vec4> positions);
+    SolveResult solve(const SolverStep& step) override;
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
+    void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    float solve_nonlinear(const SolverStep& step, int iterations);
-    float solve_in_passes(const SolverStep& step, const Multilevel& method);
+    SolveResult solve_nonlinear(const SolverStep& step, int iterations);
+    SolveResult solve_in_passes(const SolverStep& step, const Multilevel& method);
     void linearise(const SolverStep& step);
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
+    Fabric fabric_;  // by which the levels were made
+    FiniteElements elements_;
     std::unique_ptr<ImplicitSystem> system_;
-    std::unique_ptr<Multigrid> multigrid_;  // made by the first prepare
-    AlignedBuffer<Vec4> velocities_;        // the iterate
+    std::unique_ptr<Multigrid> multigrid_;
     CgVectors vectors_;
     AlignedBuffer<double> partials_;
 };

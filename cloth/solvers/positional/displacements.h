@@ -16,8 +16,8 @@ class Displacements {
 
     /// Moves all particles as if nothing but external forces acted.
     void predict(const SolverStep& step);
-    /// The velocity change that ends where they have been moved to; 0 for pinned particles.
-    void find_velocity_change(const SolverStep& step) const;
+    /// The velocities that end where they have been moved to.
+    void find_velocities(const SolverStep& step) const;
 
     [[nodiscard]] std::span<const Vec4> start() const { return start_.span(); }
     [[nodiscard]] std::span<Vec4> moved() { return moved_.span(); }

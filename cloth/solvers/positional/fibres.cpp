@@ -22,26 +22,35 @@ Fibres::SetSolver solver_of(const Fibres& method, FibreKind kind) {
 
 }  // namespace
 
-FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& /*settings*/)
-    : sets_(make_fibre_sets(model)),
+FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& settings,
+                           std::span<const Vec4> positions)
+    : method_(std::get<Fibres>(settings.method)),
+      sets_(make_fibre_sets(model)),
+      occurrences_(sets_.particles.span(), model.particle_count),
       displacements_(model.particle_count, sets_.stand_ins),
       weights_(sets_.particles.size()),
-      multipliers_(sets_.rest_lengths.size()) {}
-
-void FibresSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
-                           std::span<const Vec4> positions) {
-    for (std::size_t at = 0; at < weights_.size(); ++at) {
-        const std::uint32_t particle = sets_.particles[at];
-        weights_[at] = particle < model.particle_count ? positions[particle].w : 0.0f;
-    }
-    const Fibres& method = std::get<Fibres>(settings.method);
+      multipliers_(sets_.rest_lengths.size()) {
     std::size_t rows = 0;
     for (const FibreSet& set : sets_.sets) {
-        if (solver_of(method, set.kind) == Fibres::SetSolver::ldlt)
+        if (solver_of(method_, set.kind) == Fibres::SetSolver::ldlt)
             rows = std::max<std::size_t>(rows, sets_.rows[set.groups_end] - sets_.rows[set.groups_begin]);
     }
-    const std::size_t floats = rows * FibreGroup::scratch_rows * FibreSets::lanes;
-    if (scratch_.size() != floats) scratch_ = AlignedBuffer<float>(floats);
+    scratch_ = AlignedBuffer<float>(rows * FibreGroup::scratch_rows * FibreSets::lanes);
+    inverse_masses_changed(positions);
+}
+
+bool FibresSolver::serves(const ClothSettings& settings) const {
+    const auto* const method = std::get_if<Fibres>(&settings.method);
+    return method != nullptr && method->vertical == method_.vertical &&
+           method->horizontal == method_.horizontal && method->shear == method_.shear;
+}
+
+void FibresSolver::inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept {
+    for (const std::uint32_t at : occurrences_.of(particle)) weights_[at] = positions[particle].w;
+}
+
+void FibresSolver::inverse_masses_changed(std::span<const Vec4> positions) noexcept {
+    for (std::uint32_t i = 0; i < positions.size(); ++i) inverse_mass_changed(i, positions);
 }
 
 void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
@@ -71,20 +80,20 @@ void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
     });
 }
 
-float FibresSolver::solve(const SolverStep& step) {
+SolveResult FibresSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
     displacements_.predict(step);
     std::ranges::fill(multipliers_.span(), 0.0f);
     const int iterations = std::get<Fibres>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k)
         for (const FibreSet& set : sets_.sets) solve_set(step, set);
-    displacements_.find_velocity_change(step);
-    return 0;
+    displacements_.find_velocities(step);
+    return {};
 }
 
 std::size_t FibresSolver::bytes() const noexcept {
-    return sets_.bytes() + displacements_.bytes() + weights_.bytes() + multipliers_.bytes() +
-           scratch_.bytes();
+    return sets_.bytes() + occurrences_.bytes() + displacements_.bytes() + weights_.bytes() +
+           multipliers_.bytes() + scratch_.bytes();
 }
 
 }  // namespace weft

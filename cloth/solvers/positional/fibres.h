@@ -6,26 +6,31 @@
 #include "cloth/solvers/positional/displacements.h"
 #include "cloth/solvers/positional/fibre_kernels.h"
 #include "cloth/solvers/positional/fibre_sets.h"
+#include "cloth/solvers/positional/occurrences.h"
 #include "cloth/solvers/solver.h"
 
 namespace weft {
 
 class FibresSolver final : public Solver {
   public:
-    FibresSolver(const CookedCloth& model, const ClothSettings& settings);
+    FibresSolver(const CookedCloth& model, const ClothSettings& settings, std::span<const Vec4> positions);
 
-    float solve(const SolverStep& step) override;
-    void prepare(const CookedCloth& model, const ClothSettings& settings,
-                 std::span<const Vec4> positions) override;
+    SolveResult solve(const SolverStep& step) override;
+    /// Its memory is made for the set solvers, not for the iterations.
+    [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
+    void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
     void solve_set(const SolverStep& step, const FibreSet& set);
 
+    Fibres method_;  // that it was made for
     FibreSets sets_;
+    Occurrences occurrences_;  // in sets_.particles
     Displacements displacements_;
-    AlignedBuffer<float> weights_;      // like sets_.particles
+    AlignedBuffer<float> weights_;      // inverse masses, like sets_.particles
     AlignedBuffer<float> multipliers_;  // like sets_.rest_lengths
     AlignedBuffer<float> scratch_;      // for the largest set that is factorised
 };

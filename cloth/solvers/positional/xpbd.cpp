@@ -4,8 +4,11 @@
 
 namespace weft {
 
-XpbdSolver::XpbdSolver(const CookedCloth& model, const ClothSettings& /*settings*/)
-    : colours_(colour_springs(model)),
+XpbdSolver::XpbdSolver(const CookedCloth& model, std::span<const Vec4> positions)
+    : model_(model),
+      colours_(colour_springs(model)),
+      firsts_(colours_.first.span(), model.particle_count),
+      seconds_(colours_.second.span(), model.particle_count),
       springs_(colours_.springs()),
       displacements_(model.particle_count, SpringColours::stand_ins) {
     for (std::uint32_t s = 0; s < colours_.springs(); ++s) {
@@ -13,52 +16,59 @@ XpbdSolver::XpbdSolver(const CookedCloth& model, const ClothSettings& /*settings
         if (half_edge != SpringColours::no_half_edge)
             springs_.rest_lengths[s] = model.rest_lengths[half_edge];
     }
+    inverse_masses_changed(positions);
 }
 
-void XpbdSolver::prepare(const CookedCloth& /*model*/, const ClothSettings& /*settings*/,
-                         std::span<const Vec4> positions) {
-    for (std::uint32_t s = 0; s < colours_.springs(); ++s) {
-        if (colours_.half_edges[s] == SpringColours::no_half_edge) continue;
-        springs_.first_weights[s] = positions[colours_.first[s]].w;
-        springs_.second_weights[s] = positions[colours_.second[s]].w;
+void XpbdSolver::inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept {
+    for (const std::uint32_t s : firsts_.of(particle)) {
+        springs_.first_weights[s] = positions[particle].w;
+        find_response(s);
     }
-    h_ = 0;
+    for (const std::uint32_t s : seconds_.of(particle)) {
+        springs_.second_weights[s] = positions[particle].w;
+        find_response(s);
+    }
+}
+
+void XpbdSolver::inverse_masses_changed(std::span<const Vec4> positions) noexcept {
+    for (std::uint32_t i = 0; i < positions.size(); ++i) inverse_mass_changed(i, positions);
+}
+
+void XpbdSolver::find_responses(const Stiffness& stiffness) {
+    if (stiffness == stiffness_) return;
+    stiffness_ = stiffness;
+    for (std::uint32_t s = 0; s < colours_.springs(); ++s) find_response(s);
 }
 
 // With kappa = k h^2 = 1 / alpha~:  response = kappa / (1 + kappa (1 + gamma) (w_a + w_b)), release =
 // response / kappa.
-void XpbdSolver::find_responses(const CookedCloth& model, const Fabric& fabric, float h) {
-    if (h == h_) return;
-    h_ = h;
-    const std::array<float, 3> stiffness = stiffnesses(fabric);
-    const float gamma = fabric.damping / h;
-    for (std::uint32_t s = 0; s < colours_.springs(); ++s) {
-        const std::uint32_t half_edge = colours_.half_edges[s];
-        if (half_edge == SpringColours::no_half_edge) continue;
-        const float kappa = stiffness[static_cast<std::size_t>(model.kinds[half_edge])] * h * h;
-        const float weight = springs_.first_weights[s] + springs_.second_weights[s];
-        springs_.releases[s] = 1.0f / (1.0f + kappa * (1.0f + gamma) * weight);
-        springs_.responses[s] = kappa * springs_.releases[s];
-    }
+void XpbdSolver::find_response(std::uint32_t spring) noexcept {
+    const std::uint32_t half_edge = colours_.half_edges[spring];
+    if (half_edge == SpringColours::no_half_edge) return;
+    const float kappa = stiffness_.kappa[static_cast<std::size_t>(model_.kinds[half_edge])];
+    const float weight = springs_.first_weights[spring] + springs_.second_weights[spring];
+    springs_.releases[spring] = 1.0f / (1.0f + kappa * (1.0f + stiffness_.gamma) * weight);
+    springs_.responses[spring] = kappa * springs_.releases[spring];
 }
 
-float XpbdSolver::solve(const SolverStep& step) {
+SolveResult XpbdSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
-    const float h = step.equation.h;
-    find_responses(step.model, step.settings.fabric, h);
+    const Fabric& fabric = step.settings.fabric;
+    const float h = step.equation.h, gamma = fabric.damping / h;
+    const auto [stretch, shear, bend] = stiffnesses(fabric);
+    find_responses({.kappa = {stretch * h * h, shear * h * h, bend * h * h}, .gamma = gamma});
     displacements_.predict(step);
     const int iterations = std::get<Xpbd>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k) {
-        sweep_springs(step.parallel, colours_, step.settings.fabric.damping / h,
-                      {.first = k == 0, .last = k + 1 == iterations}, springs_, displacements_.start().data(),
-                      displacements_.moved().data());
+        sweep_springs(step.parallel, colours_, gamma, {.first = k == 0, .last = k + 1 == iterations},
+                      springs_, displacements_.start().data(), displacements_.moved().data());
     }
-    displacements_.find_velocity_change(step);
-    return 0;
+    displacements_.find_velocities(step);
+    return {};
 }
 
 std::size_t XpbdSolver::bytes() const noexcept {
-    return colours_.bytes() + springs_.bytes() + displacements_.bytes();
+    return colours_.bytes() + firsts_.bytes() + seconds_.bytes() + springs_.bytes() + displacements_.bytes();
 }
 
 }  // namespace weft

@@ -103,44 +103,46 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
     return step;
 }
 
-void ConvergedSolver::prepare(const CookedCloth& model, const ClothSettings& settings,
-                              std::span<const Vec4> positions) {
+ConvergedSolver::ConvergedSolver(const CookedCloth& model, const ClothSettings& settings, double tolerance)
+    : tolerance_(tolerance), approach_settings_(settings) {
     if (model.particle_count <= ExactSolve::usual_limit) return;
-    if (!approach_) {
-        approach_settings_ = settings;
-        approach_settings_.method = Multilevel{.passes = 16, .iterations = 8};
-        approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_);
-    }
-    approach_->prepare(model, approach_settings_, positions);
+    approach_settings_.method = Multilevel{.passes = 16, .iterations = 8};
+    approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_, model.positions.span());
 }
 
-Flat ConvergedSolver::approach(const SolverStep& step, const Flat& start) {
+void ConvergedSolver::inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept {
+    if (approach_) approach_->inverse_mass_changed(particle, positions);
+}
+
+void ConvergedSolver::inverse_masses_changed(std::span<const Vec4> positions) noexcept {
+    if (approach_) approach_->inverse_masses_changed(positions);
+}
+
+Flat ConvergedSolver::approach(const SolverStep& step) {
     if (!approach_) return {};
-    const float residual = approach_->solve({.parallel = step.parallel,
-                                             .profiler = step.profiler,
-                                             .model = step.model,
-                                             .settings = approach_settings_,
-                                             .equation = step.equation,
-                                             .touches_collider = step.touches_collider,
-                                             .velocity_change = step.velocity_change});
-    if (!std::isfinite(residual)) return {};
-    return start + flat(step.velocity_change);
+    const SolveResult result = approach_->solve({.parallel = step.parallel,
+                                                 .profiler = step.profiler,
+                                                 .model = step.model,
+                                                 .settings = approach_settings_,
+                                                 .equation = step.equation,
+                                                 .velocities = step.velocities});
+    return result.ok ? flat(step.velocities) : Flat();
 }
 
-float ConvergedSolver::solve(const SolverStep& step) {
+SolveResult ConvergedSolver::solve(const SolverStep& step) {
     const StepFunctional functional(step.model, step.equation);
-    const Flat nearby = approach(step, functional.start());
+    const Flat nearby = approach(step);
     if (step.model.particle_count > largest_for_newton && nearby.size() > 0)
-        return static_cast<float>(functional.residual(nearby).norm() /
-                                  functional.residual(functional.start()).norm());
+        return {.residual = static_cast<float>(functional.residual(nearby).norm() /
+                                               functional.residual(functional.start()).norm())};
     if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
     const NewtonResult result = newton_->minimise(step, functional, tolerance_, nearby);
     for (std::uint32_t i = 0; i < functional.particles(); ++i) {
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
-        const Eigen::Vector3d change = result.velocities.segment<3>(at) - functional.start().segment<3>(at);
-        step.velocity_change[i] = to_vec4(change.cast<float>(), 0);
+        step.velocities[i] = to_vec4(result.velocities.segment<3>(at).cast<float>(), 0);
     }
-    return static_cast<float>(*std::ranges::min_element(result.residuals) / result.residuals.front());
+    return {.residual =
+                static_cast<float>(*std::ranges::min_element(result.residuals) / result.residuals.front())};
 }
 
 }  // namespace weft::study

@@ -53,15 +53,15 @@ class ConvergedSolver final : public Solver {
     static constexpr double converged = 1e-8;                    ///< of the first residual
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
-    explicit ConvergedSolver(double tolerance = converged) : tolerance_(tolerance) {}
-    void prepare(const CookedCloth& model, const ClothSettings& settings,
-                 std::span<const Vec4> positions) override;
-    float solve(const SolverStep& step) override;
+    ConvergedSolver(const CookedCloth& model, const ClothSettings& settings, double tolerance = converged);
+    SolveResult solve(const SolverStep& step) override;
+    void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
+    void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 
   private:
     /// Velocities near the solution; none for small cloths, and where there are none.
-    [[nodiscard]] Flat approach(const SolverStep& step, const Flat& start);
+    [[nodiscard]] Flat approach(const SolverStep& step);
 
     double tolerance_;
     std::unique_ptr<Newton> newton_;

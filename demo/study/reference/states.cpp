@@ -149,7 +149,8 @@ MethodPoint method_of(Reference reference) {
         if (reference == Reference::linearised)
             return std::make_unique<CholeskySolver>(model, settings, ExactSolve::usual_limit);
         const bool is_rough = reference == Reference::rough;
-        return std::make_unique<ConvergedSolver>(is_rough ? 1e-3 : ConvergedSolver::converged);
+        return std::make_unique<ConvergedSolver>(model, settings,
+                                                 is_rough ? 1e-3 : ConvergedSolver::converged);
     };
     return point;
 }

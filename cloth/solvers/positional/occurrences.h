@@ -1,0 +1,36 @@
+#pragma once
+// Where each particle occurs in a list of particles.
+
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace weft {
+
+class Occurrences {
+  public:
+    /// Particles of the list from `particles` on are stand-ins, and are left out.
+    Occurrences(std::span<const std::uint32_t> list, std::uint32_t particles) : offsets_(particles + 1) {
+        for (const std::uint32_t i : list)
+            if (i < particles) ++offsets_[i + 1];
+        std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+        places_.resize(offsets_.back());
+        std::vector<std::uint32_t> next = offsets_;
+        for (std::uint32_t at = 0; at < list.size(); ++at)
+            if (list[at] < particles) places_[next[list[at]]++] = at;
+    }
+
+    /// Ascending.
+    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t particle) const noexcept {
+        return std::span(places_).subspan(offsets_[particle], offsets_[particle + 1] - offsets_[particle]);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return (offsets_.size() + places_.size()) * sizeof(std::uint32_t);
+    }
+
+  private:
+    std::vector<std::uint32_t> offsets_, places_;
+};
+
+}  // namespace weft
