@@ -8,4 +8,7 @@ inline constexpr bool speeds_may_exceed_the_limit = false;
 /// Issue 19, A7: slivers and tiny densities.
 inline constexpr bool masses_may_be_infinite = true;
 
+/// Issue 19, A12: a mesh that claims rows and columns and numbers its vertices otherwise is taken as a grid.
+inline constexpr bool claimed_grids_are_believed = true;
+
 }  // namespace weft::fuzz::known_faults

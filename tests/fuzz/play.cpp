@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <map>
 #include <tuple>
 
 #include "tests/fuzz/known_faults.h"
+#include "tests/fuzz/snapshot.h"
 #include "tests/fuzz/text.h"
 
 namespace weft::fuzz {
@@ -15,16 +15,6 @@ namespace weft::fuzz {
 namespace {
 
 std::size_t played = 0;
-
-std::uint64_t fingerprint(std::span<const Vec4> values, std::uint64_t hash) {
-    for (const Vec4& value : values) {
-        std::uint64_t words[2];
-        std::memcpy(words, &value, sizeof words);
-        for (const std::uint64_t word : words)
-            hash = (hash ^ word) * 0x100000001b3u;  // FNV-1a, a word at a time
-    }
-    return hash;
-}
 
 bool is_finite(const Vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
@@ -34,21 +24,12 @@ float length(const Vec4& v) {
     return std::hypot(v.x, v.y, v.z);
 }
 
-/// All that a host can ask of a World and that no failed call may change.
-std::string snapshot(const World& world, std::span<const std::optional<ClothId>> cloths,
-                     std::span<const std::optional<ColliderId>> colliders) {
-    std::string text = text_of(world.settings()) + "\nhash " + std::to_string(world.state_hash()) +
-                       "\nstep " + std::to_string(world.report().step) + '\n';
-    for (const auto& id : cloths) {
-        if (!id || !world.cloth(*id)) continue;
-        const ClothView view = world.cloth(*id).value();
-        text += text_of(world.cloth_settings(*id).value()) + '\n' + text_of(world.cloth_info(*id).value()) +
-                '\n' + std::to_string(fingerprint(view.normals, fingerprint(view.previous_positions, 0))) +
-                '\n';
-    }
-    for (const auto& id : colliders)
-        if (id && world.collider(*id)) text += text_of(world.collider(*id).value()) + '\n';
-    return text;
+template <class Id>
+std::vector<Id> ids_of(std::span<const std::optional<Id>> made) {
+    std::vector<Id> ids;
+    for (const auto& id : made)
+        if (id) ids.push_back(*id);
+    return ids;
 }
 
 class Player {
@@ -131,7 +112,8 @@ class Player {
         return all;
     }
     [[nodiscard]] std::string snapshot_now() const {
-        return options_.checked ? snapshot(world_, cloths_, colliders_) : std::string();
+        return options_.checked ? snapshot(world_, ids_of<ClothId>(cloths_), ids_of<ColliderId>(colliders_))
+                                : std::string();
     }
 
     const Script& script_;

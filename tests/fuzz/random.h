@@ -36,7 +36,8 @@ class Random {
     float of_any_size(float low, float high) {
         if (chance(0.1)) return low;
         if (chance(0.1)) return high;
-        return low * std::exp(static_cast<float>(unit()) * std::log(high / low));
+        const double decades = std::log(static_cast<double>(high) / static_cast<double>(low));
+        return static_cast<float>(static_cast<double>(low) * std::exp(unit() * decades));
     }
     Vec3 point(float reach) {
         const float x = between(-reach, reach), y = between(-reach, reach), z = between(-reach, reach);
