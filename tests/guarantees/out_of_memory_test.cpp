@@ -71,10 +71,29 @@ void PrintTo(const Call& call, std::ostream* out) {
     *out << call.name;
 }
 
+/// How a World looks in which memory never ran out.
+struct Expected {
+    explicit Expected(const Call& call) {
+        Scene late(call.before, call.bare), soon(call.before, call.bare);
+        before = late.look();
+        late.step();
+        without = late.look();
+        EXPECT_TRUE(call.make(late)) << "even with memory";
+        late.step();
+        with_late = late.look();
+        EXPECT_TRUE(call.make(soon));
+        soon.step();
+        with = soon.look();
+    }
+    std::string before;
+    std::string with, without;  ///< the call, and two steps on
+    std::string with_late;      ///< the call after the first two of four steps
+};
+
 /// Empty if all is as it must be; else what is not.
-std::string fault_at(const Call& call, std::uint64_t allowed, MemoryRunsOut::For how_long, bool& ran_out) {
+std::string fault_at(const Call& call, const Expected& expected, std::uint64_t allowed,
+                     MemoryRunsOut::For how_long, bool& ran_out) {
     Scene scene(call.before, call.bare);
-    const std::string before = scene.look();
     Answer answer;
     {
         const MemoryRunsOut memory(allowed, how_long);
@@ -86,31 +105,28 @@ std::string fault_at(const Call& call, std::uint64_t allowed, MemoryRunsOut::For
         }
         ran_out = memory.happened();
     }
-    Scene twin(call.before, call.bare);
     if (answer) {
-        if (!call.make(twin)) return "it works only where memory runs out";
-    } else {
-        if (answer.error().code != ErrorCode::out_of_memory) return "its error is " + answer.error().message;
-        if (scene.look() != before) return "it failed and changed something";
+        scene.step();
+        return scene.look() == expected.with ? "" : "it worked, and later steps differ";
     }
+    if (answer.error().code != ErrorCode::out_of_memory) return "its error is " + answer.error().message;
+    if (scene.look() != expected.before) return "it failed and changed something";
     scene.step();
-    twin.step();
-    if (scene.look() != twin.look())
-        return answer ? "it worked, and later steps differ" : "it failed, and later steps differ";
-    // Now there is memory: all that the first try left behind must not stand in the way.
-    if (!answer && (!call.make(scene) || !call.make(twin))) return "with memory it fails as well";
+    if (scene.look() != expected.without) return "it failed, and later steps differ";
+    // Now there is memory: what the first try left behind must not stand in the way.
+    if (!call.make(scene)) return "with memory it fails as well";
     scene.step();
-    twin.step();
-    return scene.look() == twin.look() ? "" : "it failed, and the next try does something else";
+    return scene.look() == expected.with_late ? "" : "it failed, and the next try does something else";
 }
 
 class OutOfMemory : public testing::TestWithParam<Call> {};
 
 TEST_P(OutOfMemory, ChangesNothing) {
+    const Expected expected(GetParam());
     for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
         bool ran_out = true;
         for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
-            const std::string fault = fault_at(GetParam(), allowed, how_long, ran_out);
+            const std::string fault = fault_at(GetParam(), expected, allowed, how_long, ran_out);
             EXPECT_EQ(fault, "") << "after " << allowed << " allocations, memory gone for "
                                  << (how_long == MemoryRunsOut::For::one ? "one" : "good");
         }
