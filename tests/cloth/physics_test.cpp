@@ -249,8 +249,8 @@ TEST(Wind, StormsDoNotBreakTheCloth) {
         for (std::uint32_t r = 0; r < 20; ++r) ASSERT_TRUE(world.pin(id, 20 * r).ok());
         for (int k = 0; k < 120; ++k) {
             EXPECT_EQ(world.step(h).flags, StepFlags::none) << speed << " m/s, step " << k;
+            EXPECT_LT(world.report().peak_speed, 2 * speed) << "hardly faster than the gusts, step " << k;
         }
-        EXPECT_LT(world.report().peak_speed, 3 * speed);
     }
 }
 

@@ -11,8 +11,19 @@ namespace {
 std::atomic<std::uint64_t> allocations = 0;
 std::atomic<std::int64_t> bytes = 0;
 
+std::atomic<bool> running_out = false, ran_out = false, for_good = false;
+std::atomic<std::int64_t> left = 0;
+
+bool runs_out_now() noexcept {
+    if (!running_out || left-- > 0) return false;
+    if (!for_good && ran_out) return false;
+    ran_out = true;
+    return true;
+}
+
 void* allocate(std::size_t size, std::size_t alignment) noexcept {
     ++allocations;
+    if (runs_out_now()) return nullptr;
     // aligned_alloc wants whole multiples of the alignment.
     const std::size_t whole = (size + alignment - 1) / alignment * alignment;
     void* const memory = std::aligned_alloc(alignment, whole == 0 ? alignment : whole);
@@ -45,6 +56,21 @@ std::uint64_t allocation_count() noexcept {
 
 std::int64_t allocated_bytes() noexcept {
     return bytes;
+}
+
+MemoryRunsOut::MemoryRunsOut(std::uint64_t allowed, For how_long) noexcept {
+    left = static_cast<std::int64_t>(allowed);
+    ran_out = false;
+    for_good = how_long == For::good;
+    running_out = true;
+}
+
+MemoryRunsOut::~MemoryRunsOut() {
+    running_out = false;
+}
+
+bool MemoryRunsOut::happened() const noexcept {
+    return ran_out;
 }
 
 }  // namespace weft

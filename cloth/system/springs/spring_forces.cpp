@@ -337,6 +337,7 @@ class SpringsOfGrid {
   private:
     HWY_INLINE void read_ahead() {
         loop_.read_ahead([this](std::uint32_t j) HWY_ATTR {
+            // The last group reads what fills it, behind the spans.
             const Lanes3 x = xyz(load_rows(state_.positions.data() + j)),
                          v = xyz(load_rows(state_.velocities.data() + j));
             return std::array<Lanes3, 2>{state_.time_ahead == 0 ? x : mul_add(set(state_.time_ahead), v, x),

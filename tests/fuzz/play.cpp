@@ -1,0 +1,378 @@
+#include "tests/fuzz/play.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <tuple>
+
+#include "tests/fuzz/known_faults.h"
+#include "tests/fuzz/snapshot.h"
+#include "tests/fuzz/text.h"
+
+namespace weft::fuzz {
+
+namespace {
+
+std::size_t played = 0;
+
+bool is_finite(const Vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+float length(const Vec4& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+
+template <class Id>
+std::vector<Id> ids_of(std::span<const std::optional<Id>> made) {
+    std::vector<Id> ids;
+    for (const auto& id : made)
+        if (id) ids.push_back(*id);
+    return ids;
+}
+
+class Player {
+  public:
+    Player(const Script& script, const PlayOptions& options)
+        : script_(script),
+          options_(options),
+          world_(make_world()),
+          cloths_(script.cloths),
+          pins_(script.cloths) {}
+
+    Fingerprints play() {
+        Fingerprints fingerprints;
+        for (played = 0; played < script_.operations.size(); ++played) {
+            const Operation& operation = script_.operations[played];
+            const bool left_out = options_.without && operation.cloth == *options_.without;
+            if (!left_out) call(operation);
+            fingerprints.push_back(fingerprints_now());
+        }
+        return fingerprints;
+    }
+
+  private:
+    void call(const Operation& operation);
+
+    // Each makes the call, and returns its answer where there is one.
+    using Answered = std::optional<Result<void>>;
+    Answered make(const Operation& operation, const AddCloth& call);
+    Answered make(const Operation&, const MeasureCloth& call);
+    Answered make(const Operation& operation, const RemoveCloth&);
+    Answered make(const Operation& operation, const SetClothSettings& call);
+    Answered make(const Operation& operation, const Pin& call);
+    Answered make(const Operation& operation, const MovePin& call);
+    Answered make(const Operation& operation, const Unpin& call);
+    Answered make(const Operation&, const AddCollider& call);
+    Answered make(const Operation&, const MoveCollider& call);
+    Answered make(const Operation&, const PlaceCollider& call);
+    Answered make(const Operation&, const RemoveCollider& call);
+    Answered make(const Operation&, const SetWorldSettings& call);
+    Answered make(const Operation&, const Step& call);
+    Answered make(const Operation&, const StartTrace& call);
+    Answered make(const Operation&, const MoveWorld&);
+
+    void check(bool holds, const std::string& what) const {
+        if (options_.checked && !holds) throw Failure{played, what};
+    }
+    void check_answer(const Operation& operation, const Result<void>& answer,
+                      const std::string& before) const;
+    void check_cloth(std::size_t cloth) const;
+    void check_step(const StepReport& report, std::uint64_t steps_before) const;
+    void check_pins(std::size_t cloth) const;
+
+    [[nodiscard]] WorldSettings with_threads(WorldSettings settings) const {
+        // What is out of range stays so: the call must be refused whoever makes it.
+        if (!options_.threads || settings.threads < 0 || settings.threads > 256) return settings;
+        settings.threads = *options_.threads;
+        settings.executor = {};
+        return settings;
+    }
+    [[nodiscard]] World make_world() const {
+        auto made = World::create(with_threads(script_.world));
+        if (!made) throw Failure{0, "World::create: " + made.error().message};
+        return std::move(made).value();
+    }
+    /// False as well for the id of a cloth that was removed.
+    [[nodiscard]] bool is_there(std::size_t cloth) const {
+        return cloth != Operation::no_cloth && cloths_[cloth] && world_.cloth(*cloths_[cloth]).ok();
+    }
+    [[nodiscard]] std::uint32_t particle(std::size_t cloth, std::uint32_t vertex) const {
+        return world_.cloth(*cloths_[cloth])->vertex_to_particle[vertex];
+    }
+    [[nodiscard]] std::vector<std::uint64_t> fingerprints_now() const {
+        std::vector<std::uint64_t> all;
+        for (std::size_t i = 0; i < cloths_.size(); ++i) {
+            all.push_back(0);
+            if (!is_there(i)) continue;
+            const ClothView view = world_.cloth(*cloths_[i]).value();
+            all.back() = fingerprint(view.velocities, fingerprint(view.positions, 1));
+        }
+        return all;
+    }
+    [[nodiscard]] std::string snapshot_now() const {
+        return options_.checked ? snapshot(world_, ids_of<ClothId>(cloths_), ids_of<ColliderId>(colliders_))
+                                : std::string();
+    }
+
+    const Script& script_;
+    PlayOptions options_;
+    World world_;
+    std::vector<std::optional<ClothId>> cloths_;
+    std::vector<std::optional<ColliderId>> colliders_;
+    std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
+};
+
+void Player::call(const Operation& operation) {
+    // Of a cloth of which no mesh could be made there is no id.
+    const bool adds = std::holds_alternative<AddCloth>(operation.call);
+    if (operation.cloth != Operation::no_cloth && !adds && !cloths_[operation.cloth]) return;
+    const std::string before = snapshot_now();
+    const Answered answer =
+        std::visit([&](const auto& call) { return make(operation, call); }, operation.call);
+    if (answer) check_answer(operation, *answer, before);
+    for (std::size_t i = 0; options_.checked && i < cloths_.size(); ++i)
+        if (is_there(i)) check_cloth(i);
+}
+
+void Player::check_answer(const Operation& operation, const Result<void>& answer,
+                          const std::string& before) const {
+    const bool stale = operation.cloth != Operation::no_cloth && !is_there(operation.cloth) &&
+                       !std::holds_alternative<AddCloth>(operation.call) &&
+                       !std::holds_alternative<RemoveCloth>(operation.call);
+    if (answer) {
+        check(operation.answer != Answer::refused && !stale, "was accepted and must be refused");
+        return;
+    }
+    check(operation.answer != Answer::accepted || stale, "was refused: " + answer.error().message);
+    check(!answer.error().message.empty(), "was refused without a word");
+    const std::string after = snapshot_now();
+    check(after == before,
+          "failed (" + answer.error().message + ") and changed the World from\n" + before + "to\n" + after);
+}
+
+Player::Answered Player::make(const Operation& operation, const AddCloth& call) {
+    const auto added = world_.add_cloth(call.mesh, call.settings);
+    if (!added) return added.error();
+    cloths_[operation.cloth] = *added;
+    check(text_of(world_.cloth_settings(*added).value()) == text_of(call.settings),
+          "settings are not those given");
+    return Result<void>();
+}
+
+Player::Answered Player::make(const Operation&, const MeasureCloth& call) {
+    const std::string before = snapshot_now();
+    const auto measured = world_.measure_cloth(call.mesh, call.settings);
+    check(snapshot_now() == before, "measuring changed the World");
+    if (!measured) return measured.error();
+    return Result<void>();
+}
+
+Player::Answered Player::make(const Operation& operation, const RemoveCloth&) {
+    const bool was_there = is_there(operation.cloth);
+    const Result<void> answer = world_.remove_cloth(*cloths_[operation.cloth]);
+    check(answer.ok() == was_there, "removing a cloth that is there must work, and once only");
+    check(!is_there(operation.cloth), "the cloth is still there");
+    return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation& operation, const SetClothSettings& call) {
+    const auto answer = world_.set_cloth_settings(*cloths_[operation.cloth], call.settings);
+    if (answer)
+        check(text_of(world_.cloth_settings(*cloths_[operation.cloth]).value()) == text_of(call.settings),
+              "settings are not those given");
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const Pin& call) {
+    const auto answer = world_.pin(*cloths_[operation.cloth], call.vertices);
+    if (!answer) return answer;
+    const ClothView view = world_.cloth(*cloths_[operation.cloth]).value();
+    for (const std::uint32_t vertex : call.vertices) {
+        const std::uint32_t i = view.vertex_to_particle[vertex];
+        const Vec4& p = view.positions[i];
+        pins_[operation.cloth].try_emplace(i, Vec3{p.x, p.y, p.z});
+    }
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const MovePin& call) {
+    const auto answer = world_.move_pin(*cloths_[operation.cloth], call.vertex, call.target);
+    if (!is_there(operation.cloth)) return answer;
+    auto& pins = pins_[operation.cloth];
+    const auto pin = pins.find(particle(operation.cloth, call.vertex));
+    if (operation.answer == Answer::either)
+        check(answer.ok() == (pin != pins.end()), "moves what is pinned, and nothing else");
+    if (answer && pin != pins.end()) pin->second = call.target;
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const Unpin& call) {
+    const auto answer = world_.unpin(*cloths_[operation.cloth], call.vertices);
+    if (!answer) return answer;
+    for (const std::uint32_t vertex : call.vertices)
+        pins_[operation.cloth].erase(particle(operation.cloth, vertex));
+    return answer;
+}
+
+Player::Answered Player::make(const Operation&, const AddCollider& call) {
+    const auto added = world_.add_collider(call.collider);
+    colliders_.push_back(added ? std::optional(*added) : std::nullopt);
+    if (!added) return added.error();
+    return Result<void>();
+}
+
+Player::Answered Player::make(const Operation& operation, const MoveCollider& call) {
+    const auto& id = colliders_[call.collider];
+    if (!id) return std::nullopt;
+    const bool there = world_.collider(*id).ok();
+    const auto answer = world_.move_collider(*id, call.target);
+    check(there || !answer, "a collider that was removed was moved");
+    if (!there) return std::nullopt;
+    // An extreme collider is refused where it is added, and then its moves have nothing to move.
+    return answer || operation.answer == Answer::refused ? Answered(answer) : std::nullopt;
+}
+
+Player::Answered Player::make(const Operation& operation, const PlaceCollider& call) {
+    const auto& id = colliders_[call.collider];
+    if (!id) return std::nullopt;
+    const bool there = world_.collider(*id).ok();
+    const auto answer = world_.place_collider(*id, call.place);
+    check(there || !answer, "a collider that was removed was placed");
+    if (!there) return std::nullopt;
+    if (answer)
+        check(text_of(world_.collider(*id).value()) == text_of(call.place), "it is not where it was placed");
+    return answer || operation.answer == Answer::refused ? Answered(answer) : std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const RemoveCollider& call) {
+    const auto& id = colliders_[call.collider];
+    if (!id) return std::nullopt;
+    const bool there = world_.collider(*id).ok();
+    check(world_.remove_collider(*id).ok() == there,
+          "removing a collider that is there must work, and once only");
+    return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const SetWorldSettings& call) {
+    const WorldSettings settings = with_threads(call.settings);
+    const auto answer = world_.set_settings(settings);
+    if (answer) check(text_of(world_.settings()) == text_of(settings), "settings are not those given");
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const Step& call) {
+    const std::uint64_t steps = world_.report().step, hash = world_.state_hash();
+    const StepReport& report = world_.step(call.dt);
+    if (operation.answer == Answer::refused) {
+        check(report.flags == StepFlags::invalid_dt, "dt is invalid, and flags say otherwise");
+        check(report.step == steps && world_.state_hash() == hash, "a step of invalid dt changed the World");
+    } else {
+        check_step(report, steps);
+    }
+    return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const StartTrace& call) {
+    static_cast<void>(world_.start_trace(call.max_events));
+    return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const MoveWorld&) {
+    World other = std::move(world_);
+    world_ = std::move(other);
+    return std::nullopt;
+}
+
+void Player::check_cloth(std::size_t cloth) const {
+    const ClothView view = world_.cloth(*cloths_[cloth]).value();
+    const ClothInfo info = world_.cloth_info(*cloths_[cloth]).value();
+    const auto of = [&](const char* what) { return "cloth " + std::to_string(cloth) + ": " + what; };
+    check(view.positions.size() == info.particles && view.velocities.size() == info.particles &&
+              view.previous_positions.size() == info.particles && view.normals.size() == info.particles,
+          of("buffers are not of its particles"));
+    if (known_faults::masses_may_be_infinite && !std::ranges::all_of(view.positions, is_finite)) return;
+    check(std::isfinite(info.mass), of("a mass that is not finite"));
+    check(std::ranges::all_of(view.positions, is_finite),
+          of("a position or inverse mass that is not finite"));
+    check(std::ranges::all_of(view.previous_positions, is_finite),
+          of("a previous position that is not finite"));
+    check(std::ranges::all_of(view.velocities, is_finite), of("a velocity that is not finite"));
+    check(std::ranges::all_of(view.normals, is_finite), of("a normal that is not finite"));
+    const Vec3 &lower = view.bounds.lower, &upper = view.bounds.upper;
+    for (const Vec4& p : view.positions) {
+        const bool within = p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y &&
+                            p.z >= lower.z && p.z <= upper.z;
+        check(within, of("a position out of its bounds: ") + text_of(Vec3{p.x, p.y, p.z}));
+    }
+    for (const auto& [i, target] : pins_[cloth])
+        check(view.positions[i].w == 0, of("a pin that is not pinned"));
+}
+
+void Player::check_step(const StepReport& report, std::uint64_t steps_before) const {
+    check(report.step == steps_before + 1, "the report counts another number of steps");
+    check(!has(report.flags, StepFlags::invalid_dt), "dt is valid, and flags say otherwise");
+    std::uint32_t cloths = 0, particles = 0;
+    for (std::size_t i = 0; i < cloths_.size(); ++i) {
+        if (!is_there(i)) continue;
+        ++cloths;
+        const ClothView view = world_.cloth(*cloths_[i]).value();
+        particles += static_cast<std::uint32_t>(view.positions.size());
+        // A cloth that was restored stands where the step began, its pins where they are told.
+        if (!has(report.flags, StepFlags::state_restored)) check_pins(i);
+        const float most = world_.settings().max_speed * 1.00001f;
+        for (const Vec4& v : view.velocities)
+            check(known_faults::speeds_may_exceed_the_limit || length(v) <= most || most < 1e-30f,
+                  "cloth " + std::to_string(i) + ": " + text_of(length(v)) + " m/s, and max_speed is " +
+                      text_of(world_.settings().max_speed));
+    }
+    check(report.cloths == cloths && report.particles == particles, "the report counts other cloths");
+    check(report.restored_cloths <= cloths, "more cloths restored than there are");
+    check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
+          "the flag and the count of restored cloths differ");
+}
+
+void Player::check_pins(std::size_t cloth) const {
+    const ClothView view = world_.cloth(*cloths_[cloth]).value();
+    for (const auto& [i, target] : pins_[cloth]) {
+        const Vec4& p = view.positions[i];
+        check(p.x == target.x && p.y == target.y && p.z == target.z,
+              "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +
+                  text_of(target) + " and lies at " + text_of(Vec3{p.x, p.y, p.z}));
+    }
+}
+
+/// Precondition: both of one script. `without`: a cloth that is not compared.
+void compare(const Fingerprints& expected, const Fingerprints& found, std::optional<std::size_t> without,
+             const std::string& how) {
+    for (std::size_t operation = 0; operation < expected.size(); ++operation)
+        for (std::size_t cloth = 0; cloth < expected[operation].size(); ++cloth)
+            if (cloth != without && expected[operation][cloth] != found[operation][cloth])
+                throw Failure{operation, "cloth " + std::to_string(cloth) + " has other bytes " + how};
+}
+
+}  // namespace
+
+std::size_t present_operation() noexcept {
+    return played;
+}
+
+Fingerprints play(const Script& script, const PlayOptions& options) {
+    try {
+        return Player(script, options).play();
+    } catch (const std::exception& thrown) {
+        throw Failure{played, std::string("an exception: ") + thrown.what()};
+    }
+}
+
+void play_all_ways(const Script& script) {
+    const Fingerprints expected = play(script);
+    compare(expected, play(script, {.threads = 1, .without = {}, .checked = false}), {}, "with one thread");
+    compare(expected, play(script, {.threads = 2, .without = {}, .checked = false}), {}, "with two threads");
+    const std::size_t without = script.seed % script.cloths;
+    compare(expected, play(script, {.threads = 1, .without = without, .checked = false}), without,
+            "without cloth " + std::to_string(without));
+}
+
+}  // namespace weft::fuzz

@@ -1,0 +1,36 @@
+#pragma once
+// Plays a script in a World and checks, after each call, what Weft promises.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/script.h"
+
+namespace weft::fuzz {
+
+/// Thrown by play() at the first promise that was not kept.
+struct Failure {
+    std::size_t operation;
+    std::string what;
+};
+
+struct PlayOptions {
+    std::optional<int> threads;          ///< in place of those that the script names, and of its executors
+    std::optional<std::size_t> without;  ///< a cloth whose calls are left out
+    bool checked = true;                 ///< false: fingerprints only
+};
+
+/// Of the positions and velocities of each cloth, after each operation; 0 for cloths that are not there.
+using Fingerprints = std::vector<std::vector<std::uint64_t>>;
+
+[[nodiscard]] Fingerprints play(const Script& script, const PlayOptions& options = {});
+
+/// Plays it as it is; with one thread, and with two; and without one of its cloths. All must agree.
+void play_all_ways(const Script& script);
+
+/// The operation that is being played, for whoever reports a crash.
+[[nodiscard]] std::size_t present_operation() noexcept;
+
+}  // namespace weft::fuzz

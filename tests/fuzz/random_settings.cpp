@@ -1,0 +1,304 @@
+#include "tests/fuzz/random_settings.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace weft::fuzz {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// Draws fields. Where a field's documented range has no upper end, reasonable ones lie within a range of
+/// their own and extreme ones anywhere.
+class Fields {
+  public:
+    Fields(Random& random, bool extreme) : random_(random), extreme_(extreme) {}
+
+    [[nodiscard]] float positive(float low, float high) {
+        if (beyond_reason()) return random_.of_any_size(1e-38f, 1e38f);
+        return random_.of_any_size(low, high);
+    }
+    [[nodiscard]] float zero_or_more(float low, float high) {
+        return random_.chance(0.2) ? 0.0f : positive(low, high);
+    }
+    [[nodiscard]] Vec3 vector(float reach) {
+        if (beyond_reason()) return random_.point(random_.of_any_size(1, 1e38f));
+        return random_.point(reach);
+    }
+    /// A combination that is not refused, but that a method may have no use for.
+    [[nodiscard]] bool odd_choice() { return beyond_reason(); }
+
+  private:
+    bool beyond_reason() { return extreme_ && random_.chance(0.15); }
+
+    Random& random_;
+    bool extreme_;
+};
+
+Method random_method(Random& random, int most_iterations) {
+    const int iterations = random.whole(1, std::max(1, most_iterations));
+    switch (random.below(8)) {
+        case 0:
+            return Jacobi{random.chance(0.1) ? 0 : iterations, random.chance(0.5)};
+        case 1:
+            return Chebyshev{iterations, random.chance(0.5)};
+        case 2:
+            return ConjugateGradient{iterations};
+        case 3:
+            return Xpbd{iterations};
+        case 4: {
+            const auto solver = [&] {
+                return random.chance(0.5) ? Fibres::SetSolver::ldlt : Fibres::SetSolver::gauss_seidel;
+            };
+            const Fibres::SetSolver vertical = solver(), horizontal = solver(), shear = solver();
+            return Fibres{iterations, vertical, horizontal, shear};
+        }
+        case 5:
+            return SymplecticEuler{};
+        default: {
+            const bool nonlinear = random.chance(0.3);
+            const int passes = random.whole(1, std::clamp(iterations, 1, 8));
+            return Multilevel{
+                .use = nonlinear ? Multilevel::Use::nonlinear_conjugate_gradient : Multilevel::Use::passes,
+                .passes = passes,
+                .iterations = std::max(1, iterations / passes)};
+        }
+    }
+}
+
+bool is_positional(const Method& method) {
+    return std::holds_alternative<Xpbd>(method) || std::holds_alternative<Fibres>(method);
+}
+
+FiniteElements random_elements(Random& random, Fields& fields, const Method& method) {
+    const bool positional = is_positional(method);
+    const bool is_explicit = std::holds_alternative<SymplecticEuler>(method);
+    FiniteElements elements;
+    elements.enabled = random.chance(0.4) && (!positional || fields.odd_choice());
+    elements.warp = fields.positive(1, 1e5f);
+    elements.weft = fields.positive(1, 1e5f);
+    elements.shear = fields.positive(1, 1e5f);
+    elements.poisson = random.chance(0.5) ? 0 : random.between(0, 0.499f);
+    elements.bending = fields.zero_or_more(1e-7f, 1e-2f);
+    elements.dihedral = random.chance(0.5);
+    elements.consistent_mass = random.chance(0.3) && ((!is_explicit && !positional) || fields.odd_choice());
+    return elements;
+}
+
+/// One field out of its range.
+void spoil(Random& random, ClothSettings& s) {
+    const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
+    float* const fields[] = {&s.fabric.areal_density,
+                             &s.fabric.stretch,
+                             &s.fabric.shear,
+                             &s.fabric.bend,
+                             &s.fabric.damping,
+                             &s.finite_elements.warp,
+                             &s.finite_elements.weft,
+                             &s.finite_elements.shear,
+                             &s.finite_elements.poisson,
+                             &s.finite_elements.bending,
+                             &s.tethers.slack,
+                             &s.self_collision.distance,
+                             &s.self_collision.friction,
+                             &s.air_damping,
+                             &s.thickness,
+                             &s.friction};
+    const std::uint32_t choice = random.below(std::size(fields) + 4);
+    if (choice < std::size(fields)) {
+        *fields[choice] = bad;
+        return;
+    }
+    switch (choice - std::size(fields)) {
+        case 0:
+            s.substeps = random.one_of({0, -1, 1025, std::numeric_limits<int>::min()});
+            break;
+        case 1:
+            s.method = Multilevel{.passes = random.one_of({0, -3, 100001})};
+            break;
+        case 2:
+            s.method = Chebyshev{.iterations = 0};
+            break;
+        default:
+            s.method = Xpbd{.iterations = -1};
+            break;
+    }
+}
+
+void spoil(Random& random, WorldSettings& s) {
+    const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
+    float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
+                             &s.wind.drag, &s.wind.lift,        &s.max_speed};
+    const std::uint32_t choice = random.below(std::size(fields) + 4);
+    if (choice < std::size(fields)) {
+        *fields[choice] = bad;
+        return;
+    }
+    switch (choice - std::size(fields)) {
+        case 0:
+            s.gravity.y = not_a_number;
+            break;
+        case 1:
+            s.wind.velocity.z = infinity;
+            break;
+        case 2:
+            s.substeps = random.one_of({0, -1, 257});
+            break;
+        default:
+            s.threads = random.one_of({-1, 257});
+            break;
+    }
+}
+
+/// Reasonable in most draws, extreme in some, out of range in few.
+Answer random_answer(Random& random) {
+    return random.chance(0.1) ? Answer::refused : random.chance(0.2) ? Answer::either : Answer::accepted;
+}
+
+Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
+    if (!random.chance(0.05)) return {collider, extreme ? Answer::either : Answer::accepted};
+    if (random.chance(0.5)) {
+        collider.friction = random.one_of({-1.0f, not_a_number, infinity});
+    } else if (auto* const sphere = std::get_if<Sphere>(&collider.shape)) {
+        (random.chance(0.5) ? sphere->radius : sphere->center.x) = not_a_number;
+    } else if (auto* const capsule = std::get_if<Capsule>(&collider.shape)) {
+        (random.chance(0.5) ? capsule->radius : capsule->b.y) = not_a_number;
+    } else {
+        std::get<Plane>(collider.shape).normal = random.chance(0.5) ? Vec3{} : Vec3{0, infinity, 0};
+    }
+    return {collider, Answer::refused};
+}
+
+Vec3 moved(Random& random, const Vec3& from) {
+    const float reach = random.chance(0.2) ? random.of_any_size(1, 1e4f) : 0.1f;
+    const Vec3 by = random.point(reach);
+    return {from.x + by.x, from.y + by.y, from.z + by.z};
+}
+
+}  // namespace
+
+std::uint64_t passes_of(const ClothSettings& settings) {
+    const auto passes = std::visit(
+        [](const auto& method) -> std::int64_t {
+            using M = std::decay_t<decltype(method)>;
+            if constexpr (std::is_same_v<M, SymplecticEuler>) {
+                return 1;
+            } else if constexpr (std::is_same_v<M, Multilevel>) {
+                return 8 * std::int64_t{method.passes} * method.iterations;
+            } else {
+                return method.iterations;
+            }
+        },
+        settings.method);
+    return static_cast<std::uint64_t>(std::max(settings.substeps, 1)) *
+           (8 + static_cast<std::uint64_t>(std::max<std::int64_t>(passes, 0)));
+}
+
+Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_passes) {
+    Drawn<ClothSettings> drawn;
+    drawn.answer = random_answer(random);
+    Fields fields(random, drawn.answer == Answer::either);
+    ClothSettings& s = drawn.value;
+    s.fabric.areal_density = fields.positive(0.02f, 5);
+    s.fabric.stretch = fields.zero_or_more(0.1f, 1e6f);
+    s.fabric.shear = fields.zero_or_more(0.1f, 1e5f);
+    s.fabric.bend = fields.zero_or_more(1e-3f, 1e4f);
+    s.fabric.damping = fields.zero_or_more(1e-6f, 1);
+    s.substeps = random.chance(0.5)
+                     ? 1
+                     : random.whole(1, static_cast<int>(std::min<std::uint64_t>(1024, most_passes / 9)));
+    const auto passes = most_passes / static_cast<std::uint64_t>(s.substeps);
+    s.method = random_method(random, static_cast<int>(std::min<std::uint64_t>(passes / 9, 200)));
+    s.finite_elements = random_elements(random, fields, s.method);
+    s.time_scheme = random.chance(0.3) ? TimeScheme::bdf2 : TimeScheme::backward_euler;
+    s.tethers.enabled = random.chance(0.3);
+    s.tethers.slack = random.chance(0.5) ? 1 : 1 + fields.zero_or_more(1e-3f, 1);
+    s.self_collision.enabled = random.chance(0.3);
+    s.self_collision.distance = fields.zero_or_more(1e-3f, 0.1f);
+    s.self_collision.friction = fields.zero_or_more(1e-2f, 2);
+    s.self_collision.search =
+        random.chance(0.2) ? SelfCollisionSearch::shifted_grids : SelfCollisionSearch::exact;
+    s.air_damping = fields.zero_or_more(1e-2f, 20);
+    s.thickness = fields.zero_or_more(1e-4f, 0.1f);
+    s.friction = fields.zero_or_more(1e-2f, 2);
+    if (drawn.answer == Answer::refused) spoil(random, s);
+    return drawn;
+}
+
+Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
+    Drawn<WorldSettings> drawn;
+    drawn.answer = random_answer(random);
+    Fields fields(random, drawn.answer == Answer::either);
+    WorldSettings& s = drawn.value;
+    s.gravity = random.chance(0.5) ? Vec3{0, -9.81f, 0} : fields.vector(30);
+    s.wind.velocity = random.chance(0.5) ? Vec3{} : fields.vector(20);
+    s.wind.gust = fields.zero_or_more(1e-2f, 2);
+    s.wind.gust_length = fields.positive(0.05f, 50);
+    s.wind.air_density = fields.zero_or_more(0.1f, 5);
+    s.wind.drag = fields.zero_or_more(0.1f, 3);
+    s.wind.lift = fields.zero_or_more(0.1f, 3);
+    s.wind.seed = static_cast<std::uint32_t>(random.next());
+    s.max_speed = fields.positive(0.1f, 1000);
+    s.substeps = random.whole(1, std::clamp(most_substeps, 1, 256));
+    s.threads = random.one_of({0, 1, 1, 2, 2, 3, 5});
+    if (random.chance(0.1)) s.executor = backwards_executor();
+    if (drawn.answer == Answer::refused) spoil(random, s);
+    return drawn;
+}
+
+Drawn<Collider> random_collider(Random& random) {
+    const bool extreme = random.chance(0.1);
+    Fields fields(random, extreme);
+    Collider collider;
+    collider.friction = fields.zero_or_more(1e-2f, 2);
+    const float radius = fields.positive(0.01f, 1);
+    switch (random.below(3)) {
+        case 0:
+            collider.shape = Sphere{fields.vector(2), radius};
+            break;
+        case 1: {
+            const Vec3 a = fields.vector(2);
+            collider.shape = Capsule{a, random.chance(0.2) ? a : fields.vector(2), radius};
+            break;
+        }
+        default: {
+            Vec3 normal = random.chance(0.5) ? Vec3{0, 1, 0} : fields.vector(3);
+            normal.y += normal.y < 0 ? -0.01f : 0.01f;  // never of no length
+            collider.shape = Plane{normal, random.between(-2, 1)};
+            break;
+        }
+    }
+    return finished(random, collider, extreme);
+}
+
+Drawn<Collider> random_move(Random& random, const Collider& from) {
+    Collider to = from;
+    if (auto* const sphere = std::get_if<Sphere>(&to.shape)) {
+        sphere->center = moved(random, sphere->center);
+        if (random.chance(0.2)) sphere->radius *= random.between(0.5f, 2);
+    } else if (auto* const capsule = std::get_if<Capsule>(&to.shape)) {
+        capsule->a = moved(random, capsule->a);
+        capsule->b = moved(random, capsule->b);
+    } else {
+        auto& plane = std::get<Plane>(to.shape);
+        plane.offset += random.between(-0.5f, 0.5f);
+        if (random.chance(0.2)) plane.normal = {-plane.normal.x, -plane.normal.y, -plane.normal.z};
+    }
+    // It may have been out of all reason before.
+    Drawn<Collider> drawn = finished(random, to, true);
+    return drawn;
+}
+
+Executor backwards_executor() {
+    return {.run =
+                [](void*, std::uint32_t count, Executor::Body body, void* context) {
+                    while (count-- > 0) body(context, count);
+                },
+            .user = nullptr,
+            .width = 2};
+}
+
+}  // namespace weft::fuzz

@@ -1,0 +1,21 @@
+#pragma once
+// Settings, each field within its documented range, with a bias to the ends; now and then beyond it.
+
+#include "tests/fuzz/random.h"
+
+namespace weft::fuzz {
+
+/// Passes over the particles that a step of the cloth takes with these settings, about.
+[[nodiscard]] std::uint64_t passes_of(const ClothSettings& settings);
+
+/// A cloth that takes at most `most_passes` of them.
+[[nodiscard]] Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_passes);
+[[nodiscard]] Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps);
+[[nodiscard]] Drawn<Collider> random_collider(Random& random);
+/// The same kind of shape elsewhere, now and then far off.
+[[nodiscard]] Drawn<Collider> random_move(Random& random, const Collider& from);
+
+/// Runs the blocks in the caller's thread, the last one first.
+[[nodiscard]] Executor backwards_executor();
+
+}  // namespace weft::fuzz

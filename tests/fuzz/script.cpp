@@ -1,0 +1,304 @@
+#include "tests/fuzz/script.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "tests/fuzz/random_mesh.h"
+#include "tests/fuzz/random_settings.h"
+
+namespace weft::fuzz {
+
+namespace {
+
+constexpr std::size_t operations = 50;
+/// Particles times passes over them that a step may take: what a draw of settings may ask for.
+constexpr std::uint64_t most_work = 400'000;
+
+struct PlannedCloth {
+    Mesh mesh;
+    ClothSettings settings;
+    bool removed = false;
+    std::vector<std::uint32_t> pinned;
+
+    [[nodiscard]] std::uint64_t work() const {
+        return removed ? 0 : mesh.positions.size() * passes_of(settings);
+    }
+};
+
+struct PlannedCollider {
+    Collider collider;
+    bool removed = false;
+};
+
+/// Draws operation by operation, with what the earlier ones have left in mind.
+class Author {
+  public:
+    explicit Author(std::uint64_t seed) : random_(seed) {
+        script_.seed = seed;
+        do {
+            world_ = random_world_settings(random_, 4);
+        } while (world_.answer == Answer::refused);
+        script_.world = world_.value;
+    }
+
+    Script write() {
+        add_cloth();
+        while (script_.operations.size() < operations) add_operation();
+        script_.cloths = cloths_.size();
+        return std::move(script_);
+    }
+
+  private:
+    void add_operation();
+    void add_cloth();
+    void measure_cloth();
+    void remove_cloth();
+    void set_cloth_settings();
+    void pin();
+    void move_pin();
+    void unpin();
+    void add_collider();
+    void move_collider();
+    void remove_collider();
+    void set_world_settings();
+    void step();
+    void start_trace();
+
+    void add(decltype(Operation::call) call, Answer answer = Answer::accepted,
+             std::size_t cloth = Operation::no_cloth) {
+        script_.operations.push_back({std::move(call), answer, cloth});
+    }
+    /// Passes that a cloth of so many particles may take in each substep of the World.
+    [[nodiscard]] std::uint64_t passes_left(std::size_t particles, std::uint64_t others_work) const {
+        const std::uint64_t per_substep = most_work / static_cast<std::uint64_t>(world_.value.substeps);
+        const std::uint64_t left = per_substep > others_work ? per_substep - others_work : 0;
+        return std::max<std::uint64_t>(left / std::max<std::size_t>(particles, 1), 9);
+    }
+    [[nodiscard]] std::uint64_t work() const {
+        return std::accumulate(
+            cloths_.begin(), cloths_.end(), std::uint64_t{0},
+            [](std::uint64_t sum, const PlannedCloth& cloth) { return sum + cloth.work(); });
+    }
+    /// One that is there in most draws, and one that was removed in a few.
+    template <class Planned>
+    std::size_t any_of(const std::vector<Planned>& all) {
+        std::size_t chosen = random_.below(all.size());
+        for (int tries = 0; tries < 5 && all[chosen].removed; ++tries) chosen = random_.below(all.size());
+        return chosen;
+    }
+    std::vector<std::uint32_t> pattern_of_vertices(const Mesh& mesh);
+
+    Random random_;
+    Script script_;
+    Drawn<WorldSettings> world_;
+    std::vector<PlannedCloth> cloths_;
+    std::vector<PlannedCollider> colliders_;
+};
+
+void Author::add_operation() {
+    struct Choice {
+        std::uint32_t weight;
+        void (Author::*add)();
+    };
+    static constexpr Choice choices[] = {
+        {36, &Author::step},
+        {6, &Author::add_cloth},
+        {1, &Author::measure_cloth},
+        {2, &Author::remove_cloth},
+        {9, &Author::pin},
+        {12, &Author::move_pin},
+        {4, &Author::unpin},
+        {6, &Author::add_collider},
+        {12, &Author::move_collider},
+        {2, &Author::remove_collider},
+        {8, &Author::set_cloth_settings},
+        {6, &Author::set_world_settings},
+        {1, &Author::start_trace},
+    };
+    std::uint32_t all = 0;
+    for (const Choice& choice : choices) all += choice.weight;
+    std::uint32_t drawn = random_.below(all);
+    for (const Choice& choice : choices) {
+        if (drawn < choice.weight) return (this->*choice.add)();
+        drawn -= choice.weight;
+    }
+}
+
+void Author::add_cloth() {
+    if (cloths_.size() >= 6) return;
+    Drawn<Mesh> mesh = random_mesh(random_);
+    const Drawn<ClothSettings> settings =
+        random_cloth_settings(random_, passes_left(mesh.value.positions.size(), work()));
+    const bool refused = mesh.answer == Answer::refused || settings.answer == Answer::refused;
+    const bool accepted = mesh.answer == Answer::accepted && settings.answer == Answer::accepted;
+    // What is refused has no place among the cloths, but for what the mesh alone decides.
+    cloths_.push_back({mesh.value, settings.value, refused, {}});
+    add(AddCloth{std::move(mesh.value), settings.value},
+        refused    ? Answer::refused
+        : accepted ? Answer::accepted
+                   : Answer::either,
+        cloths_.size() - 1);
+}
+
+void Author::measure_cloth() {
+    const Drawn<Mesh> mesh = random_mesh(random_);
+    const Drawn<ClothSettings> settings = random_cloth_settings(random_, 100);
+    const bool refused = mesh.answer == Answer::refused || settings.answer == Answer::refused;
+    add(MeasureCloth{mesh.value, settings.value}, refused ? Answer::refused : Answer::either);
+}
+
+void Author::remove_cloth() {
+    const std::size_t cloth = any_of(cloths_);
+    cloths_[cloth].removed = true;
+    add(RemoveCloth{}, Answer::accepted, cloth);
+}
+
+void Author::set_cloth_settings() {
+    const std::size_t chosen = any_of(cloths_);
+    PlannedCloth& cloth = cloths_[chosen];
+    const Drawn<ClothSettings> settings =
+        random_cloth_settings(random_, passes_left(cloth.mesh.positions.size(), work() - cloth.work()));
+    if (settings.answer != Answer::refused) cloth.settings = settings.value;
+    add(SetClothSettings{settings.value}, settings.answer, chosen);
+}
+
+/// One, the corners, a row, two rows, a column, the border, a part at random, all.
+std::vector<std::uint32_t> Author::pattern_of_vertices(const Mesh& mesh) {
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    const std::uint32_t columns = std::clamp(mesh.columns, 1u, count), rows = count / columns;
+    const auto choose = [&](const auto& is_chosen) {
+        std::vector<std::uint32_t> chosen;
+        for (std::uint32_t v = 0; v < count; ++v)
+            if (is_chosen(v / columns, v % columns)) chosen.push_back(v);
+        return chosen;
+    };
+    const std::uint32_t last_row = rows - 1, last_column = columns - 1;
+    const double part = random_.unit();
+    switch (random_.below(9)) {
+        case 0:
+            return choose([&](auto row, auto column) {
+                return (row == 0 || row == last_row) && (column == 0 || column == last_column);
+            });
+        case 1:
+            return choose([&](auto row, auto) { return row == 0; });
+        case 2:
+            return choose([&](auto row, auto) { return row == 0 || row == last_row; });
+        case 3:
+            return choose([&](auto, auto column) { return column == 0; });
+        case 4:
+            return choose([&](auto row, auto column) {
+                return row == 0 || row == last_row || column == 0 || column == last_column;
+            });
+        case 5:
+            return choose([&](auto row, auto column) { return row == column; });
+        case 6:
+            return choose([&](auto, auto) { return random_.chance(part); });
+        case 7:
+            return choose([](auto, auto) { return true; });
+        default:
+            return {random_.below(count)};
+    }
+}
+
+void Author::pin() {
+    const std::size_t chosen = any_of(cloths_);
+    PlannedCloth& cloth = cloths_[chosen];
+    if (random_.chance(0.05)) {
+        const auto beyond = static_cast<std::uint32_t>(cloth.mesh.positions.size()) + random_.below(1u << 30);
+        return add(Pin{{beyond}}, Answer::refused, chosen);
+    }
+    const std::vector<std::uint32_t> vertices = pattern_of_vertices(cloth.mesh);
+    cloth.pinned.insert(cloth.pinned.end(), vertices.begin(), vertices.end());
+    add(Pin{vertices}, Answer::accepted, chosen);
+}
+
+void Author::move_pin() {
+    const std::size_t chosen = any_of(cloths_);
+    const PlannedCloth& cloth = cloths_[chosen];
+    if (cloth.pinned.empty()) return pin();
+    const std::uint32_t vertex = cloth.pinned[random_.below(cloth.pinned.size())];
+    const Vec3 from = cloth.mesh.positions[vertex];
+    if (random_.chance(0.05))
+        return add(MovePin{vertex, {from.x, std::numeric_limits<float>::quiet_NaN(), 2e9f}}, Answer::refused,
+                   chosen);
+    const float reach = random_.chance(0.8) ? 0.05f : random_.of_any_size(0.1f, 1e4f);
+    const Vec3 by = random_.point(reach);
+    // Refused if it is no longer pinned.
+    add(MovePin{vertex, {from.x + by.x, from.y + by.y, from.z + by.z}}, Answer::either, chosen);
+}
+
+void Author::unpin() {
+    const std::size_t chosen = any_of(cloths_);
+    PlannedCloth& cloth = cloths_[chosen];
+    if (cloth.pinned.empty() || random_.chance(0.1))
+        return add(Unpin{{random_.below(cloth.mesh.positions.size())}}, Answer::accepted, chosen);
+    if (random_.chance(0.3)) {
+        add(Unpin{std::move(cloth.pinned)}, Answer::accepted, chosen);
+        cloth.pinned.clear();
+        return;
+    }
+    const std::uint32_t which = random_.below(cloth.pinned.size());
+    add(Unpin{{cloth.pinned[which]}}, Answer::accepted, chosen);
+    cloth.pinned.erase(cloth.pinned.begin() + which);
+}
+
+void Author::add_collider() {
+    if (colliders_.size() >= 12) return;
+    const Drawn<Collider> collider = random_collider(random_);
+    colliders_.push_back({collider.value, collider.answer == Answer::refused});
+    add(AddCollider{collider.value}, collider.answer);
+}
+
+void Author::move_collider() {
+    if (colliders_.empty()) return add_collider();
+    const std::size_t chosen = any_of(colliders_);
+    if (random_.chance(0.05)) {  // another kind of shape, mostly
+        const Drawn<Collider> other = random_collider(random_);
+        const bool same = other.value.shape.index() == colliders_[chosen].collider.shape.index();
+        return add(MoveCollider{chosen, other.value}, same ? Answer::either : Answer::refused);
+    }
+    const Drawn<Collider> moved = random_move(random_, colliders_[chosen].collider);
+    if (moved.answer != Answer::refused) colliders_[chosen].collider = moved.value;
+    if (random_.chance(0.2)) return add(PlaceCollider{chosen, moved.value}, moved.answer);
+    add(MoveCollider{chosen, moved.value}, moved.answer);
+}
+
+void Author::remove_collider() {
+    if (colliders_.empty()) return;
+    const std::size_t chosen = any_of(colliders_);
+    colliders_[chosen].removed = true;
+    add(RemoveCollider{chosen});
+}
+
+void Author::set_world_settings() {
+    const std::uint64_t all = std::max<std::uint64_t>(work(), 1);
+    const Drawn<WorldSettings> drawn =
+        random_world_settings(random_, static_cast<int>(std::min<std::uint64_t>(most_work / all, 256)));
+    if (drawn.answer != Answer::refused) world_ = drawn;
+    add(SetWorldSettings{drawn.value}, drawn.answer);
+}
+
+void Author::step() {
+    const float infinity = std::numeric_limits<float>::infinity();
+    if (random_.chance(0.05))
+        return add(Step{random_.one_of({0.0f, -1.0f / 60, infinity, -infinity, 1.01f,
+                                        std::numeric_limits<float>::quiet_NaN()})},
+                   Answer::refused);
+    const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(1e-6f, 1);
+    for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt});
+    if (random_.chance(0.03)) add(MoveWorld{});
+}
+
+void Author::start_trace() {
+    add(StartTrace{random_.below(2000)});
+}
+
+}  // namespace
+
+Script random_script(std::uint64_t seed) {
+    return Author(seed).write();
+}
+
+}  // namespace weft::fuzz

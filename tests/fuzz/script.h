@@ -1,0 +1,84 @@
+#pragma once
+// A script: calls of a World, drawn from a seed before any of them is made, so that the same calls can be
+// made again with other threads or without one of the cloths.
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tests/fuzz/random.h"
+
+namespace weft::fuzz {
+
+struct AddCloth {
+    Mesh mesh;
+    ClothSettings settings;
+};
+struct MeasureCloth {
+    Mesh mesh;
+    ClothSettings settings;
+};
+struct RemoveCloth {};
+struct SetClothSettings {
+    ClothSettings settings;
+};
+struct Pin {
+    std::vector<std::uint32_t> vertices;
+};
+struct MovePin {
+    std::uint32_t vertex;
+    Vec3 target;
+};
+struct Unpin {
+    std::vector<std::uint32_t> vertices;
+};
+struct AddCollider {
+    Collider collider;
+};
+struct MoveCollider {
+    std::size_t collider;  ///< its place among all that were added
+    Collider target;
+};
+struct PlaceCollider {
+    std::size_t collider;
+    Collider place;
+};
+struct RemoveCollider {
+    std::size_t collider;
+};
+struct SetWorldSettings {
+    WorldSettings settings;
+};
+struct Step {
+    float dt;
+};
+struct StartTrace {
+    std::size_t max_events;
+};
+struct MoveWorld {};
+
+struct Operation {
+    static constexpr std::size_t no_cloth = ~std::size_t{0};
+
+    std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
+                 MoveCollider, PlaceCollider, RemoveCollider, SetWorldSettings, Step, StartTrace, MoveWorld>
+        call;
+    Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
+    std::size_t cloth = no_cloth;      ///< its place among all that were added
+};
+
+struct Script {
+    std::uint64_t seed = 0;
+    WorldSettings world;
+    std::vector<Operation> operations;
+    std::size_t cloths = 0;  ///< added in the course of it
+};
+
+[[nodiscard]] Script random_script(std::uint64_t seed);
+
+/// For people: a line for each operation.
+[[nodiscard]] std::string text_of(const Operation& operation);
+[[nodiscard]] std::string text_of(const Script& script);
+
+}  // namespace weft::fuzz

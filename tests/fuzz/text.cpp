@@ -1,0 +1,199 @@
+#include "tests/fuzz/text.h"
+
+#include <array>
+#include <cstdio>
+
+#include "tests/fuzz/script.h"
+
+namespace weft::fuzz {
+
+// All of one overload set, each after those that it calls.
+
+std::string text_of(float value) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(value));
+    return text.data();
+}
+
+template <class Integer>
+requires std::is_integral_v<Integer>
+static std::string text_of(Integer value) {
+    return std::to_string(value);
+}
+template <class Enum>
+requires std::is_enum_v<Enum>
+static std::string text_of(Enum value) {
+    return std::to_string(static_cast<long long>(value));
+}
+
+/// "Name{first, second}".
+static std::string braced(const char* name, std::initializer_list<std::string> values) {
+    std::string text = std::string(name) + '{';
+    const char* separator = "";
+    for (const std::string& value : values) {
+        text.append(separator).append(value);
+        separator = ", ";
+    }
+    return text + '}';
+}
+
+std::string text_of(const Vec3& v) {
+    return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")";
+}
+
+static std::string text_of(const Jacobi& m) {
+    return braced("Jacobi", {text_of(m.iterations), text_of(m.exact_mean_motion)});
+}
+static std::string text_of(const Chebyshev& m) {
+    return braced("Chebyshev", {text_of(m.iterations), text_of(m.exact_mean_motion)});
+}
+static std::string text_of(const ConjugateGradient& m) {
+    return braced("ConjugateGradient", {text_of(m.iterations)});
+}
+static std::string text_of(const Multilevel& m) {
+    return braced("Multilevel", {text_of(m.use), text_of(m.passes), text_of(m.iterations)});
+}
+static std::string text_of(const Xpbd& m) {
+    return braced("Xpbd", {text_of(m.iterations)});
+}
+static std::string text_of(const Fibres& m) {
+    return braced("Fibres",
+                  {text_of(m.iterations), text_of(m.vertical), text_of(m.horizontal), text_of(m.shear)});
+}
+static std::string text_of(const SymplecticEuler&) {
+    return "SymplecticEuler{}";
+}
+
+static std::string text_of(const Sphere& s) {
+    return braced("Sphere", {text_of(s.center), text_of(s.radius)});
+}
+static std::string text_of(const Capsule& s) {
+    return braced("Capsule", {text_of(s.a), text_of(s.b), text_of(s.radius)});
+}
+static std::string text_of(const Plane& s) {
+    return braced("Plane", {text_of(s.normal), text_of(s.offset)});
+}
+
+std::string text_of(const Collider& collider) {
+    return std::visit([](const auto& shape) { return text_of(shape); }, collider.shape) + ", friction " +
+           text_of(collider.friction);
+}
+
+static std::string text_of(const Fabric& f) {
+    return braced("Fabric", {text_of(f.areal_density), text_of(f.stretch), text_of(f.shear), text_of(f.bend),
+                             text_of(f.damping)});
+}
+static std::string text_of(const FiniteElements& f) {
+    return braced("FiniteElements",
+                  {text_of(f.enabled), text_of(f.warp), text_of(f.weft), text_of(f.shear), text_of(f.poisson),
+                   text_of(f.bending), text_of(f.dihedral), text_of(f.consistent_mass)});
+}
+static std::string text_of(const Tethers& t) {
+    return braced("Tethers", {text_of(t.enabled), text_of(t.slack)});
+}
+static std::string text_of(const SelfCollision& s) {
+    return braced("SelfCollision",
+                  {text_of(s.enabled), text_of(s.distance), text_of(s.friction), text_of(s.search)});
+}
+std::string text_of(const ClothSettings& s) {
+    return braced("ClothSettings",
+                  {text_of(s.fabric), text_of(s.finite_elements),
+                   std::visit([](const auto& method) { return text_of(method); }, s.method),
+                   text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision),
+                   text_of(s.air_damping), text_of(s.thickness), text_of(s.friction)});
+}
+
+static std::string text_of(const Wind& w) {
+    return braced("Wind", {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length),
+                           text_of(w.air_density), text_of(w.drag), text_of(w.lift), text_of(w.seed)});
+}
+static std::string text_of(const Executor& e) {
+    return braced("Executor", {text_of(e.run != nullptr), text_of(e.width)});
+}
+std::string text_of(const WorldSettings& s) {
+    return braced("WorldSettings", {text_of(s.gravity), text_of(s.wind), text_of(s.max_speed),
+                                    text_of(s.substeps), text_of(s.threads), text_of(s.executor)});
+}
+
+std::string text_of(const ClothInfo& i) {
+    return braced("ClothInfo",
+                  {text_of(i.vertices), text_of(i.particles), text_of(i.triangles), text_of(i.components),
+                   text_of(i.structural_springs), text_of(i.shear_springs), text_of(i.bend_springs),
+                   text_of(i.border_edges), text_of(i.dropped_triangles), text_of(i.misoriented_edges),
+                   text_of(i.loose_particles), text_of(i.mean_edge), text_of(i.mass), text_of(i.bytes)});
+}
+
+static std::string text_of(const Mesh& mesh) {
+    return std::to_string(mesh.positions.size()) + " vertices, " + std::to_string(mesh.triangles.size()) +
+           " triangles" + (mesh.pattern.empty() ? "" : ", a pattern") +
+           (mesh.rows > 0 ? ", " + std::to_string(mesh.rows) + " x " + std::to_string(mesh.columns) : "");
+}
+
+static std::string text_of(const std::vector<std::uint32_t>& vertices) {
+    std::string text = std::to_string(vertices.size()) + " vertices:";
+    for (std::size_t i = 0; i < vertices.size() && i < 8; ++i) text += " " + std::to_string(vertices[i]);
+    return vertices.size() > 8 ? text + " ..." : text;
+}
+
+static std::string text_of(const AddCloth& call) {
+    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
+}
+static std::string text_of(const MeasureCloth& call) {
+    return "measure_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
+}
+static std::string text_of(const RemoveCloth&) {
+    return "remove_cloth()";
+}
+static std::string text_of(const SetClothSettings& call) {
+    return "set_cloth_settings(" + text_of(call.settings) + ")";
+}
+static std::string text_of(const Pin& call) {
+    return "pin(" + text_of(call.vertices) + ")";
+}
+static std::string text_of(const MovePin& call) {
+    return "move_pin(" + text_of(call.vertex) + ", " + text_of(call.target) + ")";
+}
+static std::string text_of(const Unpin& call) {
+    return "unpin(" + text_of(call.vertices) + ")";
+}
+static std::string text_of(const AddCollider& call) {
+    return "add_collider(" + text_of(call.collider) + ")";
+}
+static std::string text_of(const MoveCollider& call) {
+    return "move_collider(" + text_of(call.collider) + ", " + text_of(call.target) + ")";
+}
+static std::string text_of(const RemoveCollider& call) {
+    return "remove_collider(" + text_of(call.collider) + ")";
+}
+static std::string text_of(const SetWorldSettings& call) {
+    return "set_settings(" + text_of(call.settings) + ")";
+}
+static std::string text_of(const Step& call) {
+    return "step(" + text_of(call.dt) + ")";
+}
+static std::string text_of(const PlaceCollider& call) {
+    return "place_collider(" + text_of(call.collider) + ", " + text_of(call.place) + ")";
+}
+static std::string text_of(const StartTrace& call) {
+    return "start_trace(" + text_of(call.max_events) + ")";
+}
+static std::string text_of(const MoveWorld&) {
+    return "the World is moved from and back";
+}
+
+std::string text_of(const Operation& operation) {
+    std::string text = std::visit([](const auto& call) { return text_of(call); }, operation.call);
+    if (operation.cloth != Operation::no_cloth)
+        text = "cloth " + std::to_string(operation.cloth) + ": " + text;
+    if (operation.answer == Answer::refused) text += "  (to be refused)";
+    return text;
+}
+
+std::string text_of(const Script& script) {
+    std::string text = "World::create(" + text_of(script.world) + ")\n";
+    for (std::size_t i = 0; i < script.operations.size(); ++i)
+        text += std::to_string(i) + "  " + text_of(script.operations[i]) + '\n';
+    return text;
+}
+
+}  // namespace weft::fuzz

@@ -1,0 +1,356 @@
+// Memory runs out at every allocation of every public call in turn: the call says so, or works all the same,
+// and a call that failed has changed nothing, now or in any later step.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/snapshot.h"
+#include "tests/guarantees/allocation_count.h"
+#include "tests/guarantees/method_cases.h"
+
+namespace weft::test {
+namespace {
+
+constexpr float dt = 1.0f / 60;
+constexpr std::uint32_t side = 7;
+constexpr std::uint64_t most_allocations = 100'000;  // of one call
+
+/// Two cloths that hang, with wind and a collider that they meet, after some steps.
+struct Scene {
+    explicit Scene(const ClothSettings& settings = {}, bool bare = false)
+        : world(World::create(bare ? still() : windy()).value()) {
+        cloth = world.add_cloth(LoweredSheet::mesh(true, side), settings).value();
+        other = world.add_cloth(LoweredSheet::mesh(false, side), {}).value();
+        for (const ClothId id : {cloth, other}) EXPECT_TRUE(world.pin(id, 0));
+        if (!bare) collider = world.add_collider({.shape = Sphere{{0, 0.3f, 0.05f}, 0.1f}}).value();
+        step();
+    }
+    static WorldSettings windy() {
+        WorldSettings settings;
+        settings.threads = 1;  // so that allocations come in one order
+        settings.wind.velocity = {0, 0, 2};
+        return settings;
+    }
+    static WorldSettings still() {
+        WorldSettings settings = windy();
+        settings.wind.air_density = 0;
+        return settings;
+    }
+    void step() {
+        for (int k = 0; k < 2; ++k) world.step(dt);
+    }
+    [[nodiscard]] std::string look() const {
+        return fuzz::snapshot(world, std::vector{cloth, other}, std::vector{collider});
+    }
+
+    World world;
+    ClothId cloth, other;
+    ColliderId collider;
+};
+
+using Answer = Result<void>;
+
+template <class T>
+Answer without_value(const Result<T>& result) {
+    return result ? Answer() : Answer(result.error());
+}
+
+/// A call of a World.
+struct Call {
+    std::string name;
+    std::function<Answer(Scene&)> make;
+    ClothSettings before = {};  ///< of the scene's first cloth
+    bool bare = false;          ///< without air and colliders
+};
+void PrintTo(const Call& call, std::ostream* out) {
+    *out << call.name;
+}
+
+/// How a World looks in which memory never ran out.
+struct Expected {
+    explicit Expected(const Call& call) {
+        Scene late(call.before, call.bare), soon(call.before, call.bare);
+        before = late.look();
+        late.step();
+        without = late.look();
+        EXPECT_TRUE(call.make(late)) << "even with memory";
+        late.step();
+        with_late = late.look();
+        EXPECT_TRUE(call.make(soon));
+        soon.step();
+        with = soon.look();
+    }
+    std::string before;
+    std::string with, without;  ///< the call, and two steps on
+    std::string with_late;      ///< the call after the first two of four steps
+};
+
+/// Empty if all is as it must be; else what is not.
+std::string fault_at(const Call& call, const Expected& expected, std::uint64_t allowed,
+                     MemoryRunsOut::For how_long, bool& ran_out) {
+    Scene scene(call.before, call.bare);
+    Answer answer;
+    {
+        const MemoryRunsOut memory(allowed, how_long);
+        try {
+            answer = call.make(scene);
+        } catch (...) {
+            ran_out = memory.happened();
+            return "an exception came out of it";
+        }
+        ran_out = memory.happened();
+    }
+    if (answer) {
+        scene.step();
+        return scene.look() == expected.with ? "" : "it worked, and later steps differ";
+    }
+    if (answer.error().code != ErrorCode::out_of_memory) return "its error is " + answer.error().message;
+    if (scene.look() != expected.before) return "it failed and changed something";
+    scene.step();
+    if (scene.look() != expected.without) return "it failed, and later steps differ";
+    // Now there is memory: what the first try left behind must not stand in the way.
+    if (!call.make(scene)) return "with memory it fails as well";
+    scene.step();
+    return scene.look() == expected.with_late ? "" : "it failed, and the next try does something else";
+}
+
+class OutOfMemory : public testing::TestWithParam<Call> {};
+
+TEST_P(OutOfMemory, ChangesNothing) {
+    const Expected expected(GetParam());
+    for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
+        bool ran_out = true;
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+            const std::string fault = fault_at(GetParam(), expected, allowed, how_long, ran_out);
+            EXPECT_EQ(fault, "") << "after " << allowed << " allocations, memory gone for "
+                                 << (how_long == MemoryRunsOut::For::one ? "one" : "good");
+        }
+        EXPECT_FALSE(ran_out) << "it never ends";
+    }
+}
+
+ClothSettings all_options(const Method& method) {
+    ClothSettings settings;
+    settings.method = method;
+    settings.tethers.enabled = true;
+    settings.self_collision.enabled = true;
+    settings.time_scheme = TimeScheme::bdf2;
+    return settings;
+}
+
+std::vector<Call> changes_of_cloths() {
+    std::vector<Call> calls;
+    const auto change = [&](const std::string& name, const ClothSettings& to,
+                            const ClothSettings& from = {}) {
+        const auto set = [to](Scene& s) { return s.world.set_cloth_settings(s.cloth, to); };
+        calls.push_back({name, set, from});
+    };
+    for (const MethodCase& to : method_cases()) {
+        if (!to.grid) continue;
+        change("set_cloth_settings_" + to.name, to.cloth);
+    }
+    change("set_cloth_settings_back_from_all_options", {}, all_options(Multilevel{}));
+    change("set_cloth_settings_from_xpbd", all_options(Multilevel{}), all_options(Xpbd{}));
+    change("set_cloth_settings_from_fibres", all_options(Chebyshev{}), all_options(Fibres{}));
+    for (const MethodCase& of : method_cases()) {
+        const auto add = [of, mesh = LoweredSheet::mesh(of.grid, side)](Scene& s) {
+            return without_value(s.world.add_cloth(mesh, of.cloth));
+        };
+        calls.push_back({"add_cloth_" + of.name, add});
+    }
+    return calls;
+}
+
+std::vector<Call> other_calls() {
+    std::vector<Call> calls;
+    const auto add = [&](const char* name, const std::function<Answer(Scene&)>& make,
+                         const ClothSettings& before = {}) {
+        calls.push_back({name, make, before});
+    };
+    const ClothSettings tethered = all_options(Multilevel{});
+    const std::vector<std::uint32_t> row = {0, 1, 2, 3, 4, 5, 6};
+    const auto set = [](auto change) {
+        return [change](Scene& s) {
+            WorldSettings settings = s.world.settings();
+            change(settings);
+            return s.world.set_settings(settings);
+        };
+    };
+    add("set_settings_gusts", set([](WorldSettings& s) { s.wind.gust = 0.5f; }));
+    add("set_settings_no_air", set([](WorldSettings& s) { s.wind.air_density = 0; }));
+    add("set_settings_substeps", set([](WorldSettings& s) { s.substeps = 3; }));
+    add("set_settings_threads", set([](WorldSettings& s) { s.threads = 2; }));
+
+    add("measure_cloth", [mesh = LoweredSheet::mesh(false, side)](Scene& s) {
+        return without_value(s.world.measure_cloth(mesh));
+    });
+    add("remove_cloth",
+        [](Scene& s) { return s.world.cloth(s.cloth) ? s.world.remove_cloth(s.cloth) : Answer(); });
+    add("pin_row", [=](Scene& s) { return s.world.pin(s.cloth, row); });
+    add(
+        "pin_row_tethered", [=](Scene& s) { return s.world.pin(s.cloth, row); }, tethered);
+    add("unpin", [](Scene& s) { return s.world.unpin(s.cloth, 0); });
+    add(
+        "unpin_tethered", [](Scene& s) { return s.world.unpin(s.cloth, 0); }, tethered);
+    add("move_pin", [](Scene& s) { return s.world.move_pin(s.cloth, 0, {-0.2f, 0.6f, 0}); });
+    add("cloth", [](Scene& s) { return without_value(s.world.cloth(s.cloth)); });
+    add("cloth_settings", [](Scene& s) { return without_value(s.world.cloth_settings(s.cloth)); });
+    add("cloth_info", [](Scene& s) { return without_value(s.world.cloth_info(s.cloth)); });
+
+    add("add_collider", [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); });
+    const Collider there{.shape = Sphere{{0, 0.4f, 0.05f}, 0.1f}};
+    add("move_collider", [=](Scene& s) { return s.world.move_collider(s.collider, there); });
+    add("place_collider", [=](Scene& s) { return s.world.place_collider(s.collider, there); });
+    add("remove_collider", [](Scene& s) {
+        return s.world.collider(s.collider) ? s.world.remove_collider(s.collider) : Answer();
+    });
+    add("collider", [](Scene& s) { return without_value(s.world.collider(s.collider)); });
+    calls.push_back({.name = "first_collider",
+                     .make = [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); },
+                     .bare = true});
+    calls.push_back({.name = "set_settings_first_air",
+                     .make = [](Scene& s) { return s.world.set_settings(Scene::windy()); },
+                     .bare = true});
+    add("profile", [](Scene& s) {
+        static_cast<void>(s.world.profile());
+        return Answer();
+    });
+    add("start_trace", [](Scene& s) {
+        static_cast<void>(s.world.start_trace(100));
+        return Answer();
+    });
+    return calls;
+}
+
+const auto name_of = [](const auto& info) { return info.param.name; };
+INSTANTIATE_TEST_SUITE_P(Cloths, OutOfMemory, testing::ValuesIn(changes_of_cloths()), name_of);
+INSTANTIATE_TEST_SUITE_P(World, OutOfMemory, testing::ValuesIn(other_calls()), name_of);
+
+/// A call that no World is needed for, or that only reads one.
+void expect_an_answer(const std::function<Answer()>& call) {
+    for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
+        bool ran_out = true;
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+            Answer answer;
+            {
+                const MemoryRunsOut memory(allowed, how_long);
+                answer = call();
+                ran_out = memory.happened();
+            }
+            if (answer) continue;
+            EXPECT_TRUE(ran_out) << answer.error().message;
+            EXPECT_EQ(answer.error().code, ErrorCode::out_of_memory) << answer.error().message;
+        }
+        EXPECT_FALSE(ran_out) << "it never ends";
+    }
+}
+
+TEST(OutOfMemoryWithoutAWorld, CreateAnswers) {
+    expect_an_answer([] { return without_value(World::create(Scene::windy())); });
+}
+
+TEST(OutOfMemoryWithoutAWorld, MakeSheetAnswers) {
+    expect_an_answer([] { return without_value(make_sheet({.rows = 5, .columns = 4})); });
+}
+
+TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "weft_out_of_memory.obj";
+    const Mesh mesh = make_sheet({.rows = 5, .columns = 4}).value();
+    ASSERT_TRUE(save_obj(file, mesh));
+    expect_an_answer([&] { return without_value(load_obj(file)); });
+    expect_an_answer([&] { return save_obj(file, mesh); });
+    EXPECT_TRUE(load_obj(file)) << "the last one was written whole";
+}
+
+TEST(OutOfMemoryWithoutAWorld, ObjErrorsAreAnswered) {
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / "weft_out_of_memory_bad.obj";
+    std::ofstream(file) << "v 0 0 0\nv 1 0\n";
+    for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
+        bool ran_out = true;
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+            const MemoryRunsOut memory(allowed, how_long);
+            const bool read = load_obj(file).ok();
+            ran_out = memory.happened();
+            ASSERT_FALSE(read);
+        }
+    }
+}
+
+TEST(OutOfMemoryWithoutAWorld, TracesAreWrittenOrRefused) {
+    Scene scene;
+    static_cast<void>(scene.world.start_trace(100));
+    scene.step();
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "weft_out_of_memory.json";
+    expect_an_answer([&] { return scene.world.write_trace(file); });
+}
+
+/// Error texts need memory themselves.
+TEST(OutOfMemoryInErrors, IsAnErrorToo) {
+    const Scene made;
+    Scene scene;
+    const ClothId stale{77, 3};
+    ClothSettings bad;
+    bad.fabric.stretch = -1;
+    WorldSettings bad_world;
+    bad_world.substeps = 0;
+    Mesh no_cloth = LoweredSheet::mesh(false, side);
+    no_cloth.triangles[3][1] = 4000;
+    const std::function<bool()> calls[] = {
+        [&] { return World::create(bad_world).ok(); },
+        [&] { return scene.world.set_settings(bad_world).ok(); },
+        [&] { return scene.world.set_cloth_settings(scene.cloth, bad).ok(); },
+        [&] { return scene.world.add_cloth(no_cloth).ok(); },
+        [&] { return scene.world.measure_cloth(no_cloth).ok(); },
+        [&] { return scene.world.add_cloth({}, bad).ok(); },
+        [&] { return scene.world.remove_cloth(stale).ok(); },
+        [&] { return scene.world.cloth(stale).ok(); },
+        [&] { return scene.world.cloth_info({}).ok(); },
+        [&] { return scene.world.pin(scene.cloth, 5000).ok(); },
+        [&] { return scene.world.pin(stale, 0).ok(); },
+        [&] { return scene.world.unpin(scene.cloth, 5000).ok(); },
+        [&] { return scene.world.move_pin(scene.cloth, 5, {}).ok(); },
+        [&] {
+            return scene.world.move_pin(scene.cloth, 0, {1e9f, 0, 0}).ok();
+        },
+        [&] {
+            return scene.world.add_collider({.shape = Sphere{{}, -1}}).ok();
+        },
+        [&] { return scene.world.move_collider(scene.collider, {.shape = Plane{}}).ok(); },
+        [&] { return scene.world.remove_collider({}).ok(); },
+        [&] {
+            return scene.world.collider({4, 4}).ok();
+        },
+        [&] { return make_sheet({.rows = 1}).ok(); },
+        [&] { return load_obj("/no/such/folder/of/any/name/sheet.obj").ok(); },
+        [&] { return save_obj("/no/such/folder/of/any/name/sheet.obj", no_cloth).ok(); },
+    };
+    for (std::size_t i = 0; i < std::size(calls); ++i) {
+        for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
+            bool ran_out = true;
+            for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+                bool worked = true, thrown = false;
+                {
+                    const MemoryRunsOut memory(allowed, how_long);
+                    try {
+                        worked = calls[i]();
+                    } catch (...) {
+                        thrown = true;
+                    }
+                    ran_out = memory.happened();
+                }
+                EXPECT_FALSE(thrown) << "call " << i << " after " << allowed;
+                EXPECT_TRUE(thrown || !worked) << "call " << i << " after " << allowed;
+            }
+        }
+    }
+    EXPECT_EQ(scene.look(), made.look());
+}
+
+}  // namespace
+}  // namespace weft::test
