@@ -261,5 +261,54 @@ TEST(Contacts, DoNotDependOnTheNumberOfThreads) {
     for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), expected) << threads << " threads";
 }
 
+/// One particle, at `position` at the substep's start, that meets one collider.
+class OneParticle {
+  public:
+    OneParticle(const Vector3& position, const Collider& collider)
+        : cloth_(cook(sheet(2, 2)).value(), {}), contacts_(4), motions_{{collider, collider}} {
+        for (Vec4& x : cloth_.state.positions.span()) x.y = 50;  // the others are far from all
+        set_xyz(cloth_.state.positions[0], position);
+        contacts_.begin(motions_);
+    }
+    /// Whether another linearisation, about this velocity, finds it in contact.
+    bool touches_at(const Vector3& velocity) {
+        AlignedBuffer<Vec4> velocities(4);
+        set_xyz(velocities[0], velocity);
+        contacts_.begin_pass();
+        contacts_.linearise(equation_of(cloth_, h), velocities.span(), {0, 4, 0});
+        return xyz(contacts_.normals()[0]).squaredNorm() > 0;
+    }
+    [[nodiscard]] float thickness() const { return cloth_.settings.thickness; }
+
+  private:
+    Cloth cloth_;
+    Contacts contacts_;
+    std::vector<ColliderMotion> motions_;
+};
+
+TEST(ContactRows, OnlyTheFirstPassAddsGravitysFall) {
+    // Later velocities hold it already: what they leave above the surface does not touch it.
+    const float fall = h * h * 9.81f, above = 0.4f * fall;
+    const Collider floor{Plane{{0, 1, 0}, 0}, 0};
+    const float thickness = OneParticle({0, 9, 0}, floor).thickness();
+    OneParticle first({0, thickness + above, 0}, floor);
+    EXPECT_TRUE(first.touches_at(Vector3::Zero())) << "it is going to fall in";
+
+    OneParticle later({0, thickness + 3 * fall, 0}, floor);
+    EXPECT_FALSE(later.touches_at(Vector3::Zero()));
+    EXPECT_FALSE(later.touches_at({0, -(3 * fall - above) / h, 0})) << "it fell to just above the surface";
+    EXPECT_TRUE(later.touches_at({0, -4 * fall / h, 0})) << "it fell in";
+}
+
+TEST(ContactRows, LaterPassesReleaseWhatDoesNotTouchAnyMore) {
+    // By the first pass's plane a particle that goes sideways stays in; the sphere curves away below it.
+    const float radius = 0.1f, deep = 1e-4f, sideways = 8e-3f;
+    const Collider ball{Sphere{{0, -radius, 0}, radius}, 0};
+    OneParticle particle({0, OneParticle({0, 9, 0}, ball).thickness() - deep, 0}, ball);
+    EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
+    EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
+    EXPECT_FALSE(particle.touches_at({sideways / h, 0, 0}));
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -2,6 +2,7 @@
 
 #include "cloth/system/triangles/triangle_system.h"
 #include "cloth/solvers/make_system.h"
+#include "cloth/system/triangles/hinge_elements.h"
 
 #include <gtest/gtest.h>
 
@@ -164,6 +165,40 @@ TEST(TriangleSystem, SpringBlocksArePositiveAndNearTheirBlocks) {
 
 // A uniform stretch gives uniform stress on any mesh: nothing moves inside, and the borders' forces balance
 // it.
+TEST(HingeElements, SharedOutHessianBoundsTheEnergysFromAbove) {
+    // Of pairs of hinges 2 phi_e phi_f <= phi_e^2 + phi_f^2: the difference is never negative.
+    const Cloth cloth = crumpled(sheet(5, 6), 0.02f, 0);
+    const Bending bending = bending_elements(cloth.model);
+    HingeElements hinges(bending, cloth.model.particle_count, [](auto, auto) { return 0u; });
+    Parallel serial(1);
+    const float rigidity = 2e-3f;
+    hinges.compute(serial, {rigidity, cloth.state.positions.span(), {}, 0});
+
+    const auto count = static_cast<Eigen::Index>(bending.hinges.size()), size = 3 * Eigen::Index{30};
+    Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(count, size),
+                    weights = Eigen::MatrixXd::Zero(count, count), shared = weights;
+    const auto length = [&](std::uint32_t h) { return static_cast<double>(bending.hinges[h].length); };
+    for (std::uint32_t h = 0; h < bending.hinges.size(); ++h) {
+        weights(h, h) = static_cast<double>(bending.hinges[h].weight) * length(h) * length(h);
+        shared(h, h) = static_cast<double>(hinges.stiffness(h));
+        for (std::uint32_t k = 0; k < 4; ++k)
+            gradients.row(h).segment<3>(3 * Eigen::Index{bending.hinges[h].particles[k]}) =
+                hinges.gradient(h, k).cast<double>();
+    }
+    for (const HingePair& pair : bending.pairs) {
+        const double weight = static_cast<double>(pair.weight) * length(pair.first) * length(pair.second);
+        weights(pair.first, pair.second) += weight;
+        weights(pair.second, pair.first) += weight;
+    }
+    weights *= static_cast<double>(rigidity);
+    const Eigen::MatrixXd energys = gradients.transpose() * weights * gradients,
+                          bound = gradients.transpose() * shared * gradients;
+    EXPECT_GT(eigenvalues(bound - energys)[0], -1e-6 * bound.norm());
+    // And no more than it needs: where all hinges bend alike the two agree.
+    const Eigen::VectorXd alike = Eigen::VectorXd::Ones(count);
+    EXPECT_NEAR(alike.dot(shared * alike), alike.dot(weights * alike), 1e-5 * alike.dot(weights * alike));
+}
+
 TEST(TriangleSystem, PatchTest) {
     Cloth cloth = elements(strip(8, 6, 0.1f, true), {false, false, 0.0f});
     const std::size_t n = cloth.state.size();

@@ -1,0 +1,91 @@
+// Settings that change before the first step leave the cloth as if it had had them from the start.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "fixtures.h"
+#include "meshes.h"
+
+namespace weft::test {
+namespace {
+
+struct Kind {
+    std::string name;
+    ClothSettings settings;
+};
+
+std::vector<Kind> kinds() {
+    const auto elements = [](float bending, bool dihedral, bool consistent_mass) {
+        ClothSettings settings;
+        settings.finite_elements = {
+            .enabled = true, .bending = bending, .dihedral = dihedral, .consistent_mass = consistent_mass};
+        return settings;
+    };
+    ClothSettings jacobi;
+    jacobi.method = Jacobi{};
+    return {{"springs", {}},
+            {"Jacobi", jacobi},
+            {"quadratic", elements(1e-3f, false, false)},
+            {"dihedral", elements(1e-3f, true, false)},
+            {"consistent mass", elements(1e-3f, false, true)},
+            {"membrane only", elements(0, false, false)}};
+}
+
+/// Where a sheet that starts curved and hangs by two corners is after some steps.
+std::vector<Vec4> after_steps(const ClothSettings& first, const ClothSettings& then) {
+    Mesh mesh = sheet(9, 9);
+    mesh.rows = mesh.columns = 0;
+    for (Vec3& p : mesh.positions) p.y = 0.3f * p.x * p.x - 0.2f * p.z * p.x;
+    World world = World::create(vacuum({0, -9.81f, 0})).value();
+    const ClothId id = world.add_cloth(mesh, first).value();
+    EXPECT_TRUE(world.set_cloth_settings(id, then));
+    EXPECT_TRUE(world.pin(id, 0));
+    EXPECT_TRUE(world.pin(id, 8));
+    for (int step = 0; step < 15; ++step) world.step(1.0f / 60);
+    const ClothView view = world.cloth(id).value();
+    return {view.positions.begin(), view.positions.end()};
+}
+
+float farthest(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (xyz(a[i]) - xyz(b[i])).norm());
+    return most;
+}
+
+TEST(ChangedSettings, AreAsIfTheyHadBeenThereFromTheStart) {
+    const std::vector<Kind> all = kinds();
+    for (const Kind& to : all) {
+        const std::vector<Vec4> expected = after_steps(to.settings, to.settings);
+        for (const Kind& from : all) {
+            EXPECT_EQ(farthest(after_steps(from.settings, to.settings), expected), 0)
+                << from.name << " to " << to.name;
+            if (from.name != to.name)
+                EXPECT_GT(farthest(after_steps(from.settings, from.settings), expected), 1e-6f)
+                    << from.name << " and " << to.name << " are alike: the test sees nothing";
+        }
+    }
+}
+
+/// Where a sheet is that flutters in a strong wind for `seconds`.
+std::vector<Vec4> in_wind(int substeps, int steps, float dt) {
+    WorldSettings settings = vacuum({0, -9.81f, 0});
+    settings.wind = {.velocity = {3, 2, 9}, .air_density = 1.2f};
+    settings.substeps = substeps;
+    World world = World::create(settings).value();
+    const ClothId id = world.add_cloth(sheet(9, 9)).value();
+    EXPECT_TRUE(world.pin(id, 0));
+    EXPECT_TRUE(world.pin(id, 8));
+    for (int step = 0; step < steps; ++step) world.step(dt);
+    const ClothView view = world.cloth(id).value();
+    return {view.positions.begin(), view.positions.end()};
+}
+
+TEST(Substeps, AirActsOnTheClothAsItLiesInEachOfThem) {
+    const std::vector<Vec4> one_by_one = in_wind(1, 64, 1.0f / 128), by_eight = in_wind(8, 8, 1.0f / 16);
+    EXPECT_LT(farthest(one_by_one, by_eight), 1e-4f);
+}
+
+}  // namespace
+}  // namespace weft::test
