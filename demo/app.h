@@ -2,7 +2,7 @@
 // The program with a window.
 
 #include "demo/options.h"
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 namespace weft::demo {
 

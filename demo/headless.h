@@ -2,7 +2,7 @@
 // A run without a window: a fixed number of steps, then pictures, tables and a hash.
 
 #include "demo/options.h"
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 namespace weft::demo {
 

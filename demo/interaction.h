@@ -2,7 +2,7 @@
 // What the mouse does: drags cloth, or moves the camera.
 
 #include "demo/grab.h"
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 #include "weft/render/camera.h"
 
 namespace weft::demo {

@@ -6,7 +6,7 @@
 #include "demo/app.h"
 #include "demo/headless.h"
 #include "demo/options.h"
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 namespace {
 

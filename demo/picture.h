@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 #include "weft/render/scene_renderer.h"
 
 namespace weft::demo {

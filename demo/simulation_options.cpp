@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "demo/methods.h"
+#include "demo/method_table.h"
 #include "demo/wind_control.h"
 
 namespace weft::demo {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 namespace CLI {
 class App;

@@ -1,8 +1,8 @@
 #pragma once
 // Memory for per-particle data: cache-line aligned, sized once, never grown behind the solver's back.
 //
-// Invariant: behind the last element lie as many of value T{} as fill its group of 16. Kernels that work on
-// groups read and write them, and nobody else does.
+// Invariant: the buffer is padded with T{} to a whole group of 16 elements. Kernels that work on groups read
+// and write the padding; nobody else does.
 
 #include <algorithm>
 #include <cstddef>

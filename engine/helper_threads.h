@@ -19,7 +19,7 @@ class HelperThreads {
     HelperThreads(const HelperThreads&) = delete;
     HelperThreads& operator=(const HelperThreads&) = delete;
 
-    /// Has the thread of a place, 1 to threads - 1, help.
+    /// Wakes the thread of a place, 1 to threads - 1, to call LoopTeam::help(place).
     bool send(std::uint32_t place) noexcept {
         wanted_[place - 1]->release();
         return true;

@@ -47,8 +47,8 @@ class Parallel {
     /// Threads that work is spread over: for sizing partitions whose cut cannot show in a result.
     [[nodiscard]] int width() const noexcept { return width_; }
 
-    /// While `log` is on, keeps there which thread ran blocks when, under the NamedActivity of the thread
-    /// that began the loop. Null: no more. The log must outlive the loops.
+    /// Records in `log`, while it is on, which thread ran which blocks and when, under the NamedActivity of
+    /// the thread that began the loop. Null ends it. The log must outlive the loops.
     void trace_to(TraceLog* log) noexcept { log_ = log; }
 
     /// Runs step(). A host's executor is called for it, once: the step runs on one of its threads, and its
@@ -71,8 +71,8 @@ class Parallel {
             const_cast<Body*>(&body));
     }
 
-    /// body(BlockRange) for the blocks of [0, n); of `size` elements where each takes longer than a
-    /// particle's.
+    /// body(BlockRange) for the blocks of [0, n), of `size` elements each. Take a smaller size where an
+    /// element takes longer than a particle.
     template <class Body>
     void ranges(std::uint32_t n, const Body& body, std::uint32_t size = block_size) {
         blocks((n + size - 1) / size, [&](std::uint32_t block) {

@@ -19,7 +19,8 @@ struct Advance {
     StepRecord* record;            ///< what BDF2 is to know of the substep; null without it
 };
 
-/// v as solved, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is h).
+/// Takes the solved velocities over, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is
+/// h).
 void advance(Parallel& parallel, const StepEquation& equation, const Advance& change);
 
 /// What is faster is slowed down to `max_speed` [m/s]. `velocities` are in an AlignedBuffer.

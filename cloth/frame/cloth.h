@@ -52,7 +52,7 @@ struct Cloth {
     /// Holds particles where they are. Those that are pinned already stay so.
     void pin(std::span<const std::uint32_t> particles);
     void pin(std::uint32_t particle) { pin(std::span(&particle, 1)); }
-    /// Those that are not pinned stay so.
+    /// Lets particles go; free ones stay free.
     void unpin(std::span<const std::uint32_t> particles);
     void unpin(std::uint32_t particle) { unpin(std::span(&particle, 1)); }
     /// Null if the particle is not pinned.
@@ -60,12 +60,12 @@ struct Cloth {
 
     [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
     void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
-    /// None, where they are not needed or there already.
+    /// None if the cloth needs no such buffers, or has them.
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const;
     void take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept;
 
-    /// Of another state of this cloth, with normals that belong to it. May run out of memory; then nothing
-    /// has changed.
+    /// Takes over a state of this cloth that was saved, and recomputes its normals. May run out of memory;
+    /// then nothing has changed.
     void restore(const ClothState& saved);
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();

@@ -2,9 +2,9 @@
 // Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
 // the way along the cloth, whatever a solver has left unsolved.
 //
-// Pins that springs join are one hold, of which a particle is tethered to the nearest pin; and it is tethered
-// to the four nearest holds. One would be too few: where the particles of two pins meet, the cloth between
-// would stretch.
+// Pins that springs join form one hold. A particle has a tether to the nearest pin of each of its four
+// nearest holds. A tether to one hold alone would let the cloth stretch between particles that follow
+// different holds.
 
 #include <cstdint>
 #include <span>
@@ -37,8 +37,8 @@ class LongRangeAttachments final : public Limit {
         hold(parallel, settings.tethers.slack, positions, velocities);
     }
 
-    /// One tether of each particle. Holds have one order for all particles: with an order of its own for
-    /// each, the nearest last, say, neighbours would follow different holds and part.
+    /// One tether of each particle. All particles take their holds in the same order. If each took its
+    /// nearest hold last, say, neighbours would follow different holds and part.
     struct Layer {
         AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
         AlignedBuffer<float> lengths;       ///< [m]

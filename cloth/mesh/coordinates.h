@@ -3,7 +3,7 @@
 
 namespace weft {
 
-/// Beyond it, single precision and every scene that cloth belongs in are left behind [m], on any axis.
+/// The farthest that a coordinate may be from 0 [m]: beyond it single precision cannot resolve cloth.
 inline constexpr float runaway_distance = 1e5f;
 
 }  // namespace weft

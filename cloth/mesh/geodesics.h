@@ -10,7 +10,8 @@
 
 namespace weft {
 
-/// A particle from which distances are asked for. Of the sources of one group only the nearest counts.
+/// A particle from which distances are measured. Of the sources of one group a particle keeps the nearest
+/// alone.
 struct GeodesicSource {
     std::uint32_t particle, group;
 };
@@ -22,8 +23,8 @@ struct GeodesicReach {
     std::uint32_t source = none, group = none;
 };
 
-/// A triangle laid flat, seen from one of its corners: where that lies above the opposite side, which begins
-/// at the next corner.
+/// A triangle laid flat, seen from one corner. The opposite side begins at the next corner; the corner lies
+/// `along` from there and `height` above it.
 struct GeodesicCorner {
     double along, height, side;  ///< [m]
     bool is_obtuse;

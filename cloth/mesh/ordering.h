@@ -14,8 +14,8 @@ namespace weft {
 /// that kernels work on together then have nearly as many springs each, and waste few lanes.
 [[nodiscard]] std::vector<std::uint32_t> memory_order(const Topology& topology);
 
-/// Gives particles new numbers; what ascended by particles still does.
-/// Precondition: order is a permutation of the particles.
+/// Renumbers the particles, and sorts again whatever was in ascending order of particles. Precondition:
+/// `order` is a permutation.
 void renumber(Topology& topology, std::span<const std::uint32_t> order);
 
 }  // namespace weft

@@ -1,6 +1,6 @@
 #pragma once
-// From a mesh's vertices and faces to particles, triangles, edges and components. Nothing here is measured
-// but the faces' rest area, which decides whether they count.
+// From the vertices and faces of a mesh to particles, triangles, edges and components. The only measure taken
+// is the rest area of a face, because faces without area are dropped.
 
 #include <array>
 #include <cstdint>

@@ -12,7 +12,8 @@
 
 namespace weft {
 
-/// One step of one cloth, for its solver. `settings.method` is the solver's own alternative.
+/// One step of one cloth, for its solver. `settings.method` holds the alternative that the solver was made
+/// for.
 struct SolverStep {
     Parallel& parallel;
     Profiler& profiler;
@@ -36,17 +37,18 @@ class Solver {
     virtual ~Solver() = default;
     /// Fills the step's velocities. Pinned particles keep theirs.
     virtual SolveResult solve(const SolverStep& step) = 0;
-    /// Whether make_solver would make the same solver from these settings; what else they say, solve() reads
-    /// at each step. What the study makes serves no settings.
+    /// Whether make_solver() would make the same solver from these settings. Settings that do not matter to
+    /// it are read by solve() at each step. The study's solvers are made otherwise and return false.
     [[nodiscard]] virtual bool serves(const ClothSettings& /*settings*/) const { return false; }
-    /// May throw. From then on that many particles can be pinned at a time without taking memory.
+    /// Makes room, so that up to `count` particles can be pinned at a time without taking memory. May throw.
     virtual void reserve_pins(std::size_t /*count*/) {}
     /// A particle's inverse mass, in w of `positions`, has changed: it was pinned (0) or let go.
     virtual void inverse_mass_changed(std::uint32_t /*particle*/,
                                       std::span<const Vec4> /*positions*/) noexcept {}
-    /// Those of any particles have.
+    /// As inverse_mass_changed(), for any number of particles.
     virtual void inverse_masses_changed(std::span<const Vec4> /*positions*/) noexcept {}
-    /// Whether it solves the equation in any time scheme; else it takes h, positions and velocities from it.
+    /// Whether it solves the whole equation, in any time scheme. Other methods take only h, positions and
+    /// velocities from it.
     [[nodiscard]] virtual bool is_implicit() const noexcept { return true; }
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };

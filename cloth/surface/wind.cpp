@@ -79,7 +79,8 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const Gr
     CellLoop<2, 4> loop(cells, tile, window);
     for (std::uint32_t i = loop.first(); i < tile.end; i += part_lanes, loop.go_on()) {
         loop.read_ahead([&](std::uint32_t j) HWY_ATTR {
-            const Lanes3 streams = air_velocities.empty() ? mean_wind : xyz(load_rows(air_velocities.data() + j));
+            const Lanes3 streams =
+                air_velocities.empty() ? mean_wind : xyz(load_rows(air_velocities.data() + j));
             return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
                                          streams - xyz(load_rows(velocities + j))};
         });

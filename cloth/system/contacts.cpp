@@ -131,8 +131,8 @@ namespace {
 
 // Somewhat more than a free step falls: what may come into contact is nearer than this [m].
 constexpr float reach = 4e-3f;
-// A particle presses its own weight a fiftieth of a free step's fall into the collider. cloth/README.md says
-// why these are neither softer nor stiffer.
+// A particle presses its own weight a fiftieth of a free step's fall into the collider. Part 3 of
+// tests/bench/MEASUREMENTS.md says why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
 constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
 

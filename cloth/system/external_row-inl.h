@@ -23,8 +23,8 @@ HWY_INLINE Lanes3 set(const Vector3& v) {
 HWY_INLINE SymmetricLanes contact_blocks(const ContactRows& contacts, std::uint32_t i) {
     return load_symmetric(&contacts.blocks[lane_index(i, 0, 6)]);
 }
-/// What of it is in the diagonal that relaxation divides by. A multigrid cycle relaxes by 5/6: so it solves
-/// at once where contact outweighs all else. Half would do for 2 D - W to be positive definite.
+/// The part of G that relaxation divides by. A multigrid cycle damps by 5/6, so with 5/6 of G it solves a row
+/// at once where contact outweighs the rest. 2 D - W needs half of G to be positive definite.
 HWY_INLINE SymmetricLanes contact_diagonal(const ContactRows& contacts, std::uint32_t i) {
     return set(5.0f / 6) * contact_blocks(contacts, i);
 }

@@ -22,9 +22,9 @@ enum class LinearisedAbout {
     iterate,  ///< x_base + gamma v, as Newton's method does
 };
 
-/// next_i = x_i + step D_i^-1 (b_i - (W x)_i) + momentum (x_i - next_i), next holding the iterate before x
-/// (anything, without momentum). Block Jacobi has step 1 and momentum 0; every semi-iteration of it is a
-/// sequence of such steps.
+/// One step of relaxation: next_i = x_i + step D_i^-1 (b_i - (W x)_i) + momentum (x_i - next_i). On entry
+/// `next` holds the iterate before x; without momentum it may hold anything. Block Jacobi has step 1 and
+/// momentum 0. A semi-iteration is a sequence of such steps.
 struct Relaxation {
     float step = 1;
     float momentum = 0;
@@ -48,11 +48,12 @@ class ImplicitSystem {
         : right_side_(particles), partial_sums_(block_count(particles)) {}
     virtual ~ImplicitSystem() = default;
 
-    /// Makes W and b such that W dv = b is the equation, linearised, for v + dv. Precondition: `velocities`
-    /// are those of the equation if it is linearised about its base.
+    /// Makes W and b of the equation, linearised: with dv from W dv = b, v + dv solves it. Precondition: if
+    /// it is linearised about its base, `velocities` are the equation's own.
     virtual void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                            LinearisedAbout about) = 0;
-    /// residual = gamma f - M (v - v_base): what b is about the iterate, without making W.
+    /// residual = gamma f - M (v - v_base), at `velocities`. It is the b of a linearisation there, at the
+    /// cost of b alone.
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
@@ -68,18 +69,19 @@ class ImplicitSystem {
                std::span<Vec4> next);
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
-    /// remainder = b - W x for the same x, which is stored only if relax_corrected needs it.
+    /// The first step of a V-cycle: remainder = b - W x with x = step D^-1 b. A system whose
+    /// relax_corrected() makes x again does not store it.
     virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
                                      std::span<Vec4> x, std::span<Vec4> remainder);
-    /// One step of relaxation from x + P e; x may change. Precondition: b, step and x are as
-    /// subtract_first_step had and left them.
+    /// The last step of a V-cycle: relaxes once from x + P e, and may overwrite x. Precondition: b, step and
+    /// x are as subtract_first_step() left them.
     virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                                  const Correction& correction, std::span<Vec4> next);
 
-    /// Who has a block off the diagonal.
+    /// Which particles have a block off the diagonal with one another.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
-    /// Where the block between two neighbours is kept; that of row i, where both rows keep theirs.
-    /// Precondition: they are neighbours.
+    /// The entry that holds the block between two neighbours; where both rows hold it, that of row i.
+    /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
     /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots, which are 16 entries
@@ -87,14 +89,13 @@ class ImplicitSystem {
     /// slots[k]: d [sqrt(kg)], w a [kg]. They are there as well in the rows of pinned particles.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
-    /// Of all slots: one for each entry. Allocates; not for the steady step.
+    /// spring_blocks() of all slots. Allocates, so no step may call it.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
     /// What colliders add to the diagonal, or null: there are none.
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
 
-    /// Whether coarse levels may do without the spring between two particles, since others hold what it
-    /// holds.
+    /// Whether coarse levels may leave out the spring between two particles, because other springs join them.
     [[nodiscard]] virtual bool is_minor(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return false; }
 
     /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
@@ -116,11 +117,11 @@ class ImplicitSystem {
     virtual void relax_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Relaxation relaxation,
                             Vec4* next, GridWindow* window) const = 0;
 
-    /// The rows of the equation's contacts; null if there are no colliders. A linearisation begins.
+    /// Begins a linearisation of the contacts and returns their rows; null if there are no colliders.
     static const ContactRows* begin_contacts(const StepEquation& equation) {
         return equation.contacts == nullptr ? nullptr : equation.contacts->begin_pass();
     }
-    /// Makes those of a block, before the system's own.
+    /// Linearises the contacts of a block. Call it before the block's own rows are made.
     static void linearise_contacts(const StepEquation& equation, std::span<const Vec4> velocities,
                                    const BlockRange& range) {
         if (equation.contacts != nullptr) equation.contacts->linearise(equation, velocities, range);

@@ -1,7 +1,7 @@
-// The loops over a matrix's rows that solvers are made of, once for every kind of matrix. For the lanes from
-// row i on, a matrix has row_product(matrix, i, x, x_i), which is (W x)_i for x in RowsInMemory (of springs,
-// in a grid's window too), and preconditioned(matrix, i, v), which is D_i^-1 v. Inlined, as GridLoop wants.
-// Included as cloth/system/sparse/stencil-inl.h.
+// The loops over the rows of a matrix that solvers are made of, written once for all matrices. A matrix
+// brings two functions for the lanes from row i on: row_product(matrix, i, x, x_i), which is (W x)_i for x in
+// RowsInMemory or in a grid's window, and preconditioned(matrix, i, v), which is D_i^-1 v. All of it is
+// inlined, because GridLoop needs that. Included as cloth/system/sparse/stencil-inl.h.
 
 #if defined(WEFT_CLOTH_SYSTEM_ROW_LOOPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_SYSTEM_ROW_LOOPS_INL_H
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Of a block's rows; by lane, so that the sums are the same at any width.
+/// The sums over a block's rows, one for each of 16 lanes, so that they are the same at any vector width.
 class SumByLanes {
   public:
     HWY_INLINE void add(std::uint32_t lane, Lanes values) {

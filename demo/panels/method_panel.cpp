@@ -1,4 +1,4 @@
-#include "demo/methods.h"
+#include "demo/method_table.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 #include "demo/wind_control.h"
 #include "weft/render/camera.h"
 

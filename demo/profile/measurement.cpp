@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "demo/methods.h"
+#include "demo/method_table.h"
 #include "demo/progress.h"
 
 namespace weft::demo {

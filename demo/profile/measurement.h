@@ -2,7 +2,7 @@
 // Runs a scene and measures its steps.
 
 #include "demo/profile/hardware_counters.h"
-#include "demo/profile/options.h"
+#include "demo/profile/profile_options.h"
 #include "demo/profile/stage_table.h"
 
 namespace weft::demo {

@@ -8,8 +8,8 @@
 
 #include "demo/study/accuracy_rows.h"
 #include "demo/study/commands.h"
-#include "demo/study/progress.h"
-#include "demo/study/scenes.h"
+#include "demo/study/study_progress.h"
+#include "demo/study/study_scenes.h"
 
 namespace weft::study {
 

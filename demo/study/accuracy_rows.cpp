@@ -6,8 +6,8 @@
 
 #include "demo/study/energy.h"
 #include "demo/study/machine.h"
-#include "demo/study/options.h"
 #include "demo/study/stretch.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

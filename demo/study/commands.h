@@ -1,7 +1,7 @@
 #pragma once
 // What weft_study does. Each returns the program's exit status: 0, or 1 after a message on standard error.
 
-#include "demo/study/options.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "demo/study/options.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -7,10 +7,10 @@
 #include "demo/study/commands.h"
 #include "demo/study/csv.h"
 #include "demo/study/machine.h"
-#include "demo/study/progress.h"
 #include "demo/study/stability_cell.h"
 #include "demo/study/stability_points.h"
 #include "demo/study/stiffest_modes.h"
+#include "demo/study/study_progress.h"
 
 namespace weft::study {
 

@@ -8,7 +8,7 @@
 
 #include "demo/study/cholesky.h"
 #include "demo/study/energy.h"
-#include "demo/study/scenes.h"
+#include "demo/study/study_scenes.h"
 
 namespace weft::study {
 

@@ -55,7 +55,7 @@ HWY_INLINE const float* row_at(const Vec4* rows, std::uint64_t offset) {
     return reinterpret_cast<const float*>(reinterpret_cast<const char*>(rows) + offset);
 }
 /// The rows at offsets[0], offsets[1], .. [bytes], side by side in one register. Offsets are read two at a
-/// time: loads are what gathers wait for.
+/// time, because the number of loads is what limits a gather.
 template <class D>
 HWY_INLINE hn::Vec<D> rows_side_by_side(D d, const Vec4* rows, const std::uint32_t* offsets) {
     if constexpr (hn::MaxLanes(D()) == 4) {
@@ -81,8 +81,8 @@ HWY_INLINE PackedRows gather_packed(const Vec4* rows, const std::uint32_t* offse
             rows_side_by_side(d, rows, offsets + 3 * quarter)};
 }
 
-/// One row to a lane. In which order is the registers' own matter, and the same for all rows: packed() puts
-/// each lane back to its row.
+/// One row to a lane. The order of lanes is not that of the rows, but the same in all registers; packed()
+/// undoes it.
 HWY_INLINE Lanes3 unpacked(const PackedRows& v) {
     return lanes_of(Rows{v.r0, v.r1, v.r2, v.r3});
 }

@@ -30,9 +30,9 @@ struct Symmetric3 {
 /// What a sum of a dozen springs is rounded by, relative to its trace.
 inline constexpr float inverse_rounding = 3e-7f;
 
-/// The inverse of a matrix whose eigenvalues are at least `least` > 0. A direction that is so much softer
-/// than the stiffest that single precision has lost it counts as heavier instead of as lighter than it is:
-/// the inverse stays positive definite, and no larger than about 1 / least, at any stiffness.
+/// The inverse of a matrix whose eigenvalues are at least `least` > 0. Single precision loses directions that
+/// are very much softer than the stiffest one. Those count as heavier than they are, never as lighter, so
+/// that the inverse stays positive definite and at most about 1 / least, at any stiffness.
 [[nodiscard]] Symmetric3 inverse(const Symmetric3& m, float least);
 
 }  // namespace weft

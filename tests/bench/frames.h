@@ -9,7 +9,7 @@ void register_benchmarks();
 /// of the roof that it reaches.
 void print_roofline(int threads);
 
-/// Prints median frame times of the scenes of README.md, side by side with Bullet where it was found.
+/// Prints median frame times of the scenes of MEASUREMENTS.md, side by side with Bullet where it was found.
 void print_peers();
 
 }  // namespace weft::bench

@@ -146,8 +146,8 @@ struct Kernels::Work {
 
 std::vector<KernelName> Kernels::names() {
     std::vector<KernelName> names;
-    for (const char* name : {"linearise", "residual", "multiply", "relax", "precondition",
-                             "coarse operators", "V-cycle", "xpbd sweep", "place patches"})
+    for (const char* name : {"linearise", "residual", "multiply", "relax", "precondition", "coarse operators",
+                             "V-cycle", "xpbd sweep", "place patches"})
         names.push_back({name, false});
     for (const char* name :
          {"wind", "advance", "colliders", "self search", "self response", "guard", "normals"})

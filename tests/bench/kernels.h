@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/scenes.h"
+#include "tests/bench/bench_scenes.h"
 
 namespace weft::bench {
 

@@ -7,8 +7,8 @@
 
 #include "demo/study/stretch.h"
 #include "engine/vector.h"
+#include "tests/bench/bench_scenes.h"
 #include "tests/bench/frames.h"
-#include "tests/bench/scenes.h"
 #include "tests/bench/stopwatch.h"
 #ifdef WEFT_WITH_BULLET
 #include "tests/bench/bullet_sheet.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demo/methods.h"
+#include "demo/method_table.h"
 #include "demo/panels/widgets.h"
 #include "demo/report_text.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 #include "tests/demo/garments.h"
 
 namespace weft::demo {

@@ -1,4 +1,4 @@
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "demo/methods.h"
+#include "demo/method_table.h"
 
 namespace weft::demo {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "demo/study/accuracy_rows.h"
 #include "demo/study/commands.h"
-#include "demo/study/scenes.h"
+#include "demo/study/study_scenes.h"
 #include "study_folder.h"
 
 namespace weft::study {

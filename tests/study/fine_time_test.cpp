@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "demo/study/reference/states.h"
-#include "demo/study/scenes.h"
+#include "demo/study/study_scenes.h"
 
 namespace weft::study {
 namespace {

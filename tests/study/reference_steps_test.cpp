@@ -7,7 +7,7 @@
 #include "demo/study/cholesky.h"
 #include "demo/study/reference/newton.h"
 #include "demo/study/reference/states.h"
-#include "demo/study/scenes.h"
+#include "demo/study/study_scenes.h"
 #include "tests/cloth/fixtures.h"
 
 namespace weft::study {

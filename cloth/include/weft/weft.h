@@ -8,7 +8,9 @@
 //   world->pin(*cloth, 0);
 //   for (;;) {
 //       world->step(1.0f / 60.0f);
-//       upload(world->cloth(*cloth)->positions);   // x y z w, sixteen bytes a particle, no copy on the way
+//       const weft::ClothView view = *world->cloth(*cloth);   // a variable: range-for over a temporary
+//       dangles upload(view.positions);                               // x y z w, sixteen bytes a particle,
+//       no copy
 //   }
 
 #include "weft/collider.h"

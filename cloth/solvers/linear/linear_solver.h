@@ -21,11 +21,12 @@ class LinearSolver : public Solver {
   protected:
     /// Solves W dv = b; false: it could not.
     virtual bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
-    /// Of Solver::serves, what all of them have in common.
+    /// The part of Solver::serves() that all linear solvers share.
     [[nodiscard]] bool serves_system(const ClothSettings& settings) const {
         return kind_ == SystemKind(settings);
     }
-    /// Whether the method leaves the motion of a whole component so unsolved that it is to be solved apart.
+    /// Whether MeanMotion has to solve the motion of whole components, because the method leaves it almost
+    /// unsolved.
     [[nodiscard]] virtual bool solves_mean_motion_apart(const ClothSettings& /*settings*/) const {
         return false;
     }

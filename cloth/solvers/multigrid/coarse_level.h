@@ -20,12 +20,12 @@ class CoarseLevel {
     CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
                 const Components& components);
 
-    /// Links from the finest level's springs d d^T + a I, given as (d, a); the lists name them by their
-    /// place.
+    /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
+    /// their index.
     void sum_links(Parallel& parallel, std::span<const Vec4> springs);
-    /// Ground from what holds the finer level's nodes; no off-diagonal rows: 0.
+    /// Sums the ground from what holds the finer level's nodes. Without `off_diagonal` those entries are 0.
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
-    /// Links and ground from another coarse level's.
+    /// Sums links and ground from a finer coarse level.
     void sum(Parallel& parallel, const CoarseLevel& finer);
     /// After links and ground: the matrix, and the factors of its small components.
     void finish(Parallel& parallel);
@@ -34,7 +34,8 @@ class CoarseLevel {
     void subtract_product(Parallel& parallel, std::span<Vec4> remainder) const;
     /// x = step D^-1 b.
     void relax_from_zero(Parallel& parallel, float step);
-    /// As ImplicitSystem::relax, on x; the iterate before it is where a remainder may be put.
+    /// As ImplicitSystem::relax, on x. The iterate before it is kept in before(), which may be overwritten
+    /// between steps without momentum.
     void relax(Parallel& parallel, Relaxation relaxation);
     /// x = W^-1 b at the nodes of small components.
     void solve_small_components(Parallel& parallel);

@@ -48,8 +48,8 @@ struct CoarseMatrix {
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// r_i I + G_i, which is what holds particles, as rows; without contacts those off the diagonal are not
-/// written.
+/// r_i I + G_i as rows: what holds the particles of a block. Without contacts the rows off the diagonal are
+/// not written.
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
                        Vec4* diagonal, Vec4* off_diagonal);
 /// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a).

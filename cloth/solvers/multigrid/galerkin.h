@@ -1,8 +1,7 @@
 #pragma once
 // Coarse operators by Galerkin's product P^T W P, as springs between coarse nodes: the spring (i, j) with
-// block K adds
-// -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). Which springs add to which is found once; each step
-// sums.
+// block K adds -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). The terms are found once; a step sums
+// them.
 
 #include <compare>
 #include <cstdint>
@@ -21,9 +20,9 @@ struct Link {
     friend auto operator<=>(const Link&, const Link&) = default;
 };
 
-/// What the coarse springs are summed from, term by term a factor times a spring of the finer level. Sums are
-/// taken in groups of 16 lanes, as a Stencil's rows are; of each 256 those with the most terms come first, so
-/// that the lanes of a group have about as many.
+/// The terms of each coarse spring: a factor and a spring of the finer level. Sums are taken 16 at a time, as
+/// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
+/// group have about as many.
 struct GalerkinLists {
     std::vector<Link> links;                   ///< of the coarse level, ascending
     std::vector<std::uint32_t> places;         ///< of each link: which sum is its, group * lanes + lane

@@ -13,9 +13,9 @@
 
 namespace weft {
 
-/// The springs of a cloth, each once, colour by colour, ascending by their lower particle. Each colour begins
-/// at a multiple of `lanes`; what is left of its last group joins two particles behind the cloth's last one,
-/// and shall have no stiffness.
+/// The springs of a cloth, each once, colour by colour, ascending by their lower particle. A colour begins at
+/// a multiple of `lanes`. Places that are left in its last group join two stand-ins behind the last particle,
+/// and must have no stiffness.
 struct SpringColours {
     static constexpr std::uint32_t lanes = 16;
     static constexpr std::uint32_t stand_ins = 2;  ///< particles behind the last one

@@ -1,7 +1,7 @@
 #pragma once
-// Where positional methods work: where the particles were at the start of the step, and how far each has
-// moved since. Displacements keep what positions would round away: at 64 substeps a particle moves some ten
-// thousandths of its coordinate, and its velocity is that over h.
+// The particles' places as positional methods keep them: where each was at the start of the step, and how far
+// it has moved since. Positions would round that away: at 64 substeps a particle moves some ten thousandths
+// of its coordinate, and its velocity is that over h.
 
 #include "cloth/solvers/solver.h"
 #include "engine/aligned_buffer.h"

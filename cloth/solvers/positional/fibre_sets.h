@@ -36,10 +36,11 @@ struct FibreSet {
     std::vector<std::uint32_t> blocks;  ///< groups of block b: [blocks[b], blocks[b + 1])
 };
 
-/// The sets in the order in which they are solved: what carries the weight comes last, and has the last word.
-/// Fibres lie side by side in groups of 16 lanes, the longest first. Group g has springs in rows [rows[g],
-/// rows[g + 1]) and particles in rows [rows[g] + g, rows[g + 1] + g + 1). Behind the end of a shorter fibre
-/// follow a stand-in of the group's own, behind the cloth's last particle, and rest lengths `no_spring`.
+/// The sets, in the order in which they are solved: the fibres that carry weight come last, because the last
+/// correction holds. Fibres lie side by side in groups of 16 lanes, the longest first. Group g has springs in
+/// rows [rows[g], rows[g + 1]) and particles in rows [rows[g] + g, rows[g + 1] + g + 1). A fibre that is
+/// shorter than its group is filled up with a stand-in behind the cloth's last particle, and with rest
+/// lengths `no_spring`.
 struct FibreSets {
     static constexpr std::uint32_t lanes = 16;
     static constexpr float no_spring = -1;

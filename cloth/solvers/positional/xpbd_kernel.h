@@ -29,8 +29,8 @@ struct XpbdSprings {
     [[nodiscard]] std::size_t bytes() const noexcept { return 6 * responses.bytes(); }
 };
 
-/// Which multipliers a sweep reads and writes: the first starts from 0, and nobody reads what the last would
-/// write.
+/// Whether a sweep is the first or the last of a step. The first starts with multipliers of 0; the last does
+/// not write them, because nobody reads them.
 struct SweepOrder {
     bool first, last;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// How a fine level's vectors hang on a coarse level's.
+// Interpolation from a coarse level to a finer one (prolongation).
 
 #include <cstdint>
 #include <vector>

@@ -15,7 +15,7 @@ namespace weft::HWY_NAMESPACE {
 
 static_assert(Stencil::lanes == group_lanes);
 
-/// Of a part of slot s, which begins at `lane`, the neighbours' rows.
+/// The rows of the neighbours in one part of slot s, the part that begins at `lane`.
 HWY_INLINE Lanes3 neighbour_rows(const Stencil& stencil, std::uint32_t s, std::uint32_t lane,
                                  const Vec4* rows) {
     const std::uint32_t first = stencil.runs[s];

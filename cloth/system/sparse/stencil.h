@@ -46,8 +46,7 @@ struct Stencil {
     }
 };
 
-/// Where lane `lane` of a slot's array number k lies, for values stored slot by slot as `arrays` arrays
-/// of 16.
+/// Values of a slot are stored as `arrays` arrays of 16. The index of lane `lane` in array k of the slot.
 constexpr std::size_t lane_index(std::uint32_t entry, std::uint32_t k, std::uint32_t arrays) {
     const std::uint32_t slot = entry / Stencil::lanes, lane = entry % Stencil::lanes;
     return (std::size_t{slot} * arrays + k) * Stencil::lanes + lane;

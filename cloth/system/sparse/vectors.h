@@ -34,8 +34,8 @@ inline void store_four(const FourRows& values, Vec4* rows) {
     Eigen::Map<FourRows, Eigen::Aligned16>(&rows->x) = values;
 }
 
-/// Sum over particles of what term(i) gives of the four from i on, w left out: in single precision over a
-/// quarter of a block, in double beyond.
+/// Sum over particles of x, y and z of term(i), which gives four rows, those of particles i to i + 3. In
+/// single precision within a quarter of a block, in double beyond.
 template <class Term>
 double sum_fours(Parallel& parallel, std::size_t particles, std::span<double> partials, const Term& term) {
     return parallel.reduce(

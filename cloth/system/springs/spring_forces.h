@@ -13,12 +13,12 @@
 
 namespace weft {
 
-/// Of the matrix's entries.
+/// The SpringKind of each entry of the matrix.
 struct SpringKinds {
     static constexpr std::uint8_t none = 3;  ///< where it is padded; behind the last SpringKind
     static constexpr std::uint8_t mixed = 4;
 
-    /// No springs yet: of_entries are to be filled in, then summed up.
+    /// All none. Fill of_entries, then call sum_up().
     explicit SpringKinds(std::size_t entries);
     void sum_up();
     [[nodiscard]] std::size_t bytes() const noexcept { return of_entries.bytes() + of_slots.bytes(); }
@@ -27,7 +27,7 @@ struct SpringKinds {
     AlignedBuffer<std::uint8_t> of_slots;    ///< that of all 16 entries, or mixed
 };
 
-/// By kind; a table for registers of any width.
+/// Stiffness by SpringKind, padded to a table that registers of any width can look up.
 struct SpringStiffness {
     explicit SpringStiffness(const std::array<float, 3>& of_kind) { std::ranges::copy(of_kind, values); }
 

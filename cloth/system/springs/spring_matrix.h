@@ -19,21 +19,21 @@ namespace weft {
 /// a spring and the diagonal are made of the cut values, so that W is symmetric, keeps momentum, and is
 /// positive definite.
 ///
-/// Entries are a stencil's, each spring at both its ends; in a grid those of diagonals, each at its first
-/// end.
+/// Any mesh: the entries are those of a stencil, each spring at both ends. A grid: those of diagonals, each
+/// spring at its first end.
 struct SpringMatrix {
     /// From compressed rows, as a Stencil.
     SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
-    /// Of A's that are at most this [kg].
+    /// Chooses the unit so that blocks A of up to `largest_block` [kg] fit half precision.
     void set_unit(float largest_block);
 
     [[nodiscard]] std::size_t entries() const noexcept {
         return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
     }
-    /// Of half-edge e of node i, or no_entry: it is kept at the other end.
+    /// The entry of half-edge e of node i; no_entry if the spring is kept at its other end.
     [[nodiscard]] std::uint32_t entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const;
     static constexpr std::uint32_t no_entry = ~0u;
-    /// Of particle i, at one of its entries.
+    /// The particle that particle i has in one of its entries.
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t entry, std::uint32_t i) const {
         return diagonals.empty() ? stencil.neighbours[entry]
                                  : i + diagonals.differences[entry / Stencil::lanes % diagonals.count];
@@ -60,7 +60,8 @@ void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range,
                             Vec4* remainder, GridWindow* window);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                  Relaxation relaxation, Vec4* next, GridWindow* window);
-/// In a grid: remainder = b - W x, x = step D^-1 b, whose rows are made where they are read.
+/// In a grid: remainder = b - W x with x = step D^-1 b. Rows of x are made where they are read and never
+/// stored.
 void subtract_first_step_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
                                Vec4* remainder, GridWindow& window);
 /// In a grid: a step from x + P e.

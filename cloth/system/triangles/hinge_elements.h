@@ -22,8 +22,8 @@ struct HingePass {
 
 class HingeElements {
   public:
-    /// A corner of a hinge at a particle, and the entries of its row for the hinge's next three corners,
-    /// cyclically.
+    /// One corner of a hinge, listed at its particle, with the entries of the particle's row for the hinge's
+    /// three other corners in cyclic order.
     struct Corner {
         std::uint32_t hinge, corner;
         std::array<std::uint32_t, 3> entries;
@@ -45,9 +45,9 @@ class HingeElements {
     [[nodiscard]] float moment(std::uint32_t hinge) const noexcept {
         return results_[4 * std::size_t{hinge}].w;
     }
-    /// The Hessian is taken to be this times the gradient's products [N m]: without the angles' own second
-    /// derivatives (Gauss and Newton), and pairs of hinges shared out to the two, which bounds it from above,
-    /// since 2 phi_e phi_f <= phi_e^2 + phi_f^2.
+    /// The factor of g g^T, for the gradient g of the angle, in the Hessian [N m]. Second derivatives of
+    /// angles are left out (Gauss and Newton). What pairs of hinges add is given to the two hinges, which
+    /// bounds it from above, since 2 phi_e phi_f <= phi_e^2 + phi_f^2.
     [[nodiscard]] float stiffness(std::uint32_t hinge) const noexcept {
         return results_[4 * std::size_t{hinge} + 1].w;
     }

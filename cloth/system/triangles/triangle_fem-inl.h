@@ -73,8 +73,8 @@ struct Polar {
     Real area_ratio;  ///< det S, deformed over rest area
 };
 
-/// A unit vector normal to a triangle that has collapsed to a line along the longer column; of those, some
-/// one.
+/// The unit normal of a triangle that has collapsed to a line along the longer column: any one of the normals
+/// of the line.
 template <class Real>
 HWY_INLINE Point<Real> normal_of_line(const Gradient<Real>& f, Real squared1, Real squared2) {
     const Point<Real> line = where_less(squared1, squared2, f.f2, f.f1);

@@ -14,8 +14,9 @@
 
 namespace weft {
 
-/// An edge's block at particle i is the sum of two sides of triangles. Where the triangle runs from i to the
-/// neighbour its block is taken as it is, with the force on i; where it runs the other way, transposed.
+/// Where the rows of an edge (i, j) come from: it has a side in one or two triangles, and block (i, j) is
+/// their sum. A side that runs from i to j has its block and the force on i; one that runs from j to i has
+/// the transposed block.
 struct TriangleSources {
     TriangleSources(const CookedCloth& model, const TriangleElements& elements, const Stencil& stencil,
                     const ElementRows& rows);
@@ -33,7 +34,7 @@ struct TriangleSources {
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// What is added to the rows of elements, for which not every cloth has a use.
+/// What consistent mass and dihedral bending add to the rows of elements; empty without both.
 struct RowAdditions {
     AlignedBuffer<Vec4> impulses;    ///< to b [kg m/s]
     AlignedBuffer<float> diagonals;  ///< to what relaxation divides by: per group 16 xx, yy, zz, xy, xz, yz

@@ -13,8 +13,9 @@
 
 namespace weft {
 
-/// W = M + gamma^2 K + gamma C. K is the elements' Hessian, made positive semi-definite element by element; C
-/// is the damping times what of K resists strain, so that it lets the cloth turn.
+/// W = M + gamma^2 K + gamma C. K is the elements' Hessian, made positive semi-definite element by element. C
+/// is the damping times the part of K that resists strain; it leaves the part that resists rotation out, so
+/// that cloth can turn undamped.
 ///
 /// Elements of p particles have K_e <= p diag(K_e): p = 3 for triangles, 4 for hinges, 6 for hinges of one
 /// triangle together. The diagonal that relaxation divides by is half of that sum, so that 2 D - W is
@@ -58,8 +59,8 @@ class TriangleSystem final : public ImplicitSystem {
     [[nodiscard]] TriangleState state_at(const StepEquation& equation,
                                          std::span<const Vec4> velocities) const;
 
-    /// What not every cloth has: dihedral bending and a consistent mass matrix. Fills the additions and, when
-    /// linearised, what they have in the blocks.
+    /// Dihedral bending and a consistent mass matrix, where the cloth has them: fills the additions and, when
+    /// linearised, adds to the blocks.
     void make_additions(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                         bool linearised, LinearisedAbout about);
     void add_bending(const StepEquation& equation, std::uint32_t i, bool linearised);

@@ -24,8 +24,8 @@ enum class SelfCollisionSearch : std::uint8_t {
 struct SelfCollision {
     /// Off costs nothing. Switching it on, or changing the distance, takes a search from each particle once.
     bool enabled = false;
-    /// Least distance between particles [m], 1e-6 to 10; 0: 0.75 of the mean rest edge. At most 256 others, on
-    /// average, may be within it along the cloth: some seven edges.
+    /// Least distance between particles [m], 1e-6 to 10; 0: 0.75 of the mean rest edge. At most 256 others,
+    /// on average, may be within it along the cloth: some seven edges.
     float distance = 0;
     float friction = 0.3f;  ///< Coulomb coefficient between layers, 0 to 1000
     SelfCollisionSearch search = SelfCollisionSearch::exact;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "cloth/system/springs/springs.h"
-#include "demo/study/options.h"
 #include "demo/study/stiffest_modes.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

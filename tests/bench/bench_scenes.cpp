@@ -1,4 +1,4 @@
-#include "tests/bench/scenes.h"
+#include "tests/bench/bench_scenes.h"
 
 #include <algorithm>
 #include <cstdlib>

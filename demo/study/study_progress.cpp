@@ -1,4 +1,4 @@
-#include "demo/study/progress.h"
+#include "demo/study/study_progress.h"
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-#include "demo/methods.h"
+#include "demo/method_table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "demo/study/scenes.h"
+#include "demo/study/study_scenes.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,9 @@
-#include "demo/simulation.h"
+#include "demo/scene_simulation.h"
 
 #include <string>
 #include <utility>
 
-#include "demo/methods.h"
+#include "demo/method_table.h"
 
 namespace weft::demo {
 namespace {

@@ -1,4 +1,4 @@
-#include "demo/profile/options.h"
+#include "demo/profile/profile_options.h"
 
 #include <CLI/CLI.hpp>
 
