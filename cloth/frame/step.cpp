@@ -126,7 +126,7 @@ void Simulation::settle(Worker& worker, Cloth& cloth, float h) {
     hold_within_limits(worker, cloth);
     avoid_self_collision(worker, cloth, h);
     collide_with_colliders(worker, cloth, h);
-    if (cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
+    if (!cloth.limits.empty() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 

@@ -205,9 +205,9 @@ TEST_F(ObjFile, AFaceOfManyCornersIsClothWithoutACrowdedVertex) {
     std::string text, face = "f";
     for (std::size_t i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
-        text += "v " + std::to_string(100 * std::cos(angle)) + " 0 " + std::to_string(100 * std::sin(angle)) +
-                "\n";
-        face += " " + std::to_string(i + 1);
+        text.append("v ").append(std::to_string(100 * std::cos(angle))).append(" 0 ");
+        text.append(std::to_string(100 * std::sin(angle))).append("\n");
+        face.append(" ").append(std::to_string(i + 1));
     }
     ObjReport report;
     const Mesh mesh = test::must(load(text + face + "\n", {}, &report));
@@ -231,8 +231,12 @@ TEST_F(ObjFile, FacesAreFansUpTo64Corners) {
     for (const std::size_t corners : {64u, 65u}) {
         std::string text, face = "f";
         for (std::size_t i = 0; i < corners; ++i) {
-            text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
-            face += " " + std::to_string(i + 1);
+            text.append("v ")
+                .append(std::to_string(i))
+                .append(" ")
+                .append(std::to_string(i * i))
+                .append(" 0\n");
+            face.append(" ").append(std::to_string(i + 1));
         }
         const Mesh mesh = test::must(load(text + face + "\n"));
         const auto first = std::ranges::count_if(
@@ -246,8 +250,9 @@ TEST_F(ObjFile, ManyTextureCoordinatesAtOneVertex) {
     // A search through those that a vertex already has would take twenty thousand million steps.
     constexpr std::uint32_t count = 200'000;
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    for (std::uint32_t i = 0; i < count; ++i) text += "vt " + std::to_string(i) + " 0\n";
-    for (std::uint32_t i = 1; i <= count; ++i) text += "f 1/" + std::to_string(i) + " 2/1 3/1\n";
+    for (std::uint32_t i = 0; i < count; ++i) text.append("vt ").append(std::to_string(i)).append(" 0\n");
+    for (std::uint32_t i = 1; i <= count; ++i)
+        text.append("f 1/").append(std::to_string(i)).append(" 2/1 3/1\n");
     const Mesh mesh = test::must(load(text));
     ASSERT_EQ(mesh.positions.size(), 3 + count - 1);
     EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));

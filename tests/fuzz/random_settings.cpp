@@ -59,12 +59,8 @@ Method random_method(Random& random, int most_iterations) {
         case 5:
             return SymplecticEuler{};
         default: {
-            const bool nonlinear = random.chance(0.3);
             const int passes = random.whole(1, std::clamp(iterations, 1, 8));
-            return Multilevel{
-                .use = nonlinear ? Multilevel::Use::nonlinear_conjugate_gradient : Multilevel::Use::passes,
-                .passes = passes,
-                .iterations = std::max(1, iterations / passes)};
+            return Multilevel{.passes = passes, .iterations = std::max(1, iterations / passes)};
         }
     }
 }

@@ -38,7 +38,7 @@ static std::string braced(const char* name, std::initializer_list<std::string> v
 }
 
 std::string text_of(const Vec3& v) {
-    return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")";
+    return std::string("(") + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")";
 }
 
 static std::string text_of(const Jacobi& m) {
@@ -51,7 +51,7 @@ static std::string text_of(const ConjugateGradient& m) {
     return braced("ConjugateGradient", {text_of(m.iterations)});
 }
 static std::string text_of(const Multilevel& m) {
-    return braced("Multilevel", {text_of(m.use), text_of(m.passes), text_of(m.iterations)});
+    return braced("Multilevel", {text_of(m.passes), text_of(m.iterations)});
 }
 static std::string text_of(const Xpbd& m) {
     return braced("Xpbd", {text_of(m.iterations)});
@@ -131,7 +131,8 @@ static std::string text_of(const Mesh& mesh) {
 
 static std::string text_of(const std::vector<std::uint32_t>& vertices) {
     std::string text = std::to_string(vertices.size()) + " vertices:";
-    for (std::size_t i = 0; i < vertices.size() && i < 8; ++i) text += " " + std::to_string(vertices[i]);
+    for (std::size_t i = 0; i < vertices.size() && i < 8; ++i)
+        text.append(" ").append(std::to_string(vertices[i]));
     return vertices.size() > 8 ? text + " ..." : text;
 }
 
