@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 

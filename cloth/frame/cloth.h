@@ -37,11 +37,6 @@ struct ContactBuffers {
     HeldContacts held;
 };
 
-/// Thrown where a setting does not fit this cloth, for the World to hand to its host.
-struct Refusal {
-    Error error;
-};
-
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {

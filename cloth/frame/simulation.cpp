@@ -87,13 +87,16 @@ void Simulation::expect_colliders(std::size_t count) {
             [](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->take_contacts(std::nullopt, false); });
 }
 
-void Simulation::prepare(Cloth& cloth) {
+void Simulation::reserve_cloth() {
     const std::size_t count = cloths.size() + 1;
     present_.reserve(count);
     boxes_.reserve(count);
     each_.reserve(count);
     islands_.reserve(count);
     finder_.reserve(count);
+}
+
+void Simulation::prepare(Cloth& cloth) {
     const bool any_colliders = state.colliders.size() > 0;
     cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);

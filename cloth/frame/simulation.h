@@ -46,8 +46,10 @@ struct Simulation {
 
     /// Makes or frees what so many colliders need.
     void expect_colliders(std::size_t count);
-    /// Makes room for a cloth, gives it its bounds, its normals and what it needs of air and colliders, so
-    /// that it can be drawn before its first step, and no step allocates for it.
+    /// Makes room for one cloth more, so that no step needs to.
+    void reserve_cloth();
+    /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
+    /// drawn before its first step.
     void prepare(Cloth& cloth);
     /// The frame. Precondition: dt is in (0, 1].
     void step(float dt);

@@ -11,6 +11,7 @@
 #include "cloth/frame/validate.h"
 #include "engine/error_text.h"
 #include "engine/state_hash.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -20,19 +21,6 @@ struct World::Impl {
 };
 
 namespace {
-
-/// Runs `make` and turns what memory or threads could not be had into an error: nothing throws out of a
-/// World. So does each error text that is made in there.
-template <class Make>
-auto without_exceptions(const Make& make) noexcept -> decltype(make()) {
-    try {
-        return make();
-    } catch (Refusal& refusal) {
-        return std::move(refusal.error);
-    } catch (...) {
-        return Error{ErrorCode::out_of_memory, "out of memory"};  // so short that it needs none
-    }
-}
 
 template <class Id>
 Error stale_id(const char* type, Id id) {
@@ -145,6 +133,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
     return without_exceptions([&]() -> Result<ClothId> {
         auto cloth = make_cloth(impl_->simulation, mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.reserve_cloth();
         return impl_->simulation.cloths.insert(std::move(cloth).value());
     });
 }

@@ -7,6 +7,7 @@
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/error_text.h"
 #include "engine/vector.h"
+#include "engine/without_exceptions.h"
 #include "weft/mesh.h"
 
 namespace weft {
@@ -93,14 +94,10 @@ Mesh build(const SheetSettings& settings) {
 }  // namespace
 
 Result<Mesh> make_sheet(const SheetSettings& settings) {
-    if (Result<void> valid = check(settings); !valid) return valid.error();
-    try {
+    return without_exceptions([&]() -> Result<Mesh> {
+        if (Result<void> valid = check(settings); !valid) return valid.error();
         return build(settings);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_memory, "out of memory for a sheet of " +
-                                                   std::to_string(settings.rows) + " x " +
-                                                   std::to_string(settings.columns) + " particles"};
-    }
+    });
 }
 
 }  // namespace weft

@@ -14,6 +14,7 @@
 
 #include "cloth/mesh/obj_parser.h"
 #include "cloth/mesh/topology.h"
+#include "engine/without_exceptions.h"
 #include "weft/mesh.h"
 
 namespace weft {
@@ -186,31 +187,25 @@ Result<void> save(const std::filesystem::path& file, const Mesh& mesh) {
     const std::string text = obj_text(mesh);
     errno = 0;
     std::ofstream stream(file, std::ios::binary);
-    stream << text << std::flush;
+    try {
+        stream.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+        stream << text << std::flush;
+    } catch (const std::ios_base::failure&) {
+    }
     if (!stream)
         return Error{ErrorCode::file_not_found, file.string() + ": cannot be written: " + system_message() +
                                                     "; name a file in a folder that exists"};
     return {};
 }
 
-/// Runs `act`, and turns what the standard library throws into an error.
-template <class Action>
-auto without_exceptions(const std::filesystem::path& file, const Action& act) -> decltype(act()) {
-    try {
-        return act();
-    } catch (const std::exception&) {
-        return Error{ErrorCode::out_of_memory, file.string() + ": out of memory"};
-    }
-}
-
 }  // namespace
 
 Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options, ObjReport* report) {
-    return without_exceptions(file, [&] { return load(file, options, report); });
+    return without_exceptions([&] { return load(file, options, report); });
 }
 
 Result<void> save_obj(const std::filesystem::path& file, const Mesh& mesh) {
-    return without_exceptions(file, [&] { return save(file, mesh); });
+    return without_exceptions([&] { return save(file, mesh); });
 }
 
 }  // namespace weft

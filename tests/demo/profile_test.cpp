@@ -60,7 +60,7 @@ TEST(Measurement, CopiesTheFirstClothWithItsPins) {
     const StepReport& report = simulation->step(1.0f / 60);
     EXPECT_EQ(report.cloths, 3u);
     const auto pinned = [&](std::uint32_t cloth) {
-        const auto view = simulation->world().cloth({cloth, 1});
+        const auto view = simulation->world().cloth(simulation->content().cloths[cloth].id);
         return std::ranges::count(view->positions, 0.0f, &Vec4::w);
     };
     EXPECT_GT(pinned(0), 0);
