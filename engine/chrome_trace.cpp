@@ -2,33 +2,30 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iomanip>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace weft {
 
 namespace {
 
-using nlohmann::json;
-
-json name_event(const char* kind, std::uint32_t thread, const std::string& name) {
-    return {{"name", kind}, {"ph", "M"}, {"pid", 1}, {"tid", thread}, {"args", {{"name", name}}}};
+// Written as text: what a JSON library needs memory for when it cleans up cannot be had where memory has run
+// out. Names are Weft's own, and hold nothing that JSON would have to escape.
+void write_name(std::ostream& out, const char* kind, std::uint32_t thread, const std::string& name) {
+    out << R"({"name":")" << kind << R"(","ph":"M","pid":1,"tid":)" << thread << R"(,"args":{"name":")"
+        << name << R"("}})";
 }
 
 double microseconds(std::chrono::steady_clock::duration time) {
     return std::chrono::duration<double, std::micro>(time).count();
 }
 
-json complete_event(const TraceEvent& event, std::chrono::steady_clock::time_point origin) {
-    json written = {{"name", event.name},
-                    {"ph", "X"},
-                    {"pid", 1},
-                    {"tid", event.thread},
-                    {"ts", microseconds(event.begin - origin)},
-                    {"dur", microseconds(event.end - event.begin)}};
-    if (event.blocks > 0) written["args"] = {{"blocks", event.blocks}};
-    return written;
+void write_event(std::ostream& out, const TraceEvent& event, std::chrono::steady_clock::time_point origin) {
+    out << R"({"name":")" << event.name << R"(","ph":"X","pid":1,"tid":)" << event.thread << R"(,"ts":)"
+        << microseconds(event.begin - origin) << R"(,"dur":)" << microseconds(event.end - event.begin);
+    if (event.blocks > 0) out << R"(,"args":{"blocks":)" << event.blocks << '}';
+    out << '}';
 }
 
 std::map<std::uint32_t, std::string> names_of_threads(std::span<const TraceEvent> events,
@@ -48,15 +45,24 @@ std::map<std::uint32_t, std::string> names_of_threads(std::span<const TraceEvent
 Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<const TraceEvent> events,
                                 const char* driver) {
     const auto first = std::ranges::min_element(events, {}, &TraceEvent::begin);
+    const std::map<std::uint32_t, std::string> names = names_of_threads(events, driver);
     std::ofstream out(file);
-    // One event at a time: a million of them as one JSON tree would take a thousand times the memory of the
-    // timings.
-    out << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n" << name_event("process_name", 0, "weft");
-    for (const auto& [thread, name] : names_of_threads(events, driver))
-        out << ",\n" << name_event("thread_name", thread, name);
-    for (const TraceEvent& event : events) out << ",\n" << complete_event(event, first->begin);
-    out << "\n]}\n";
-    out.close();
+    try {
+        out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+        out << std::fixed << std::setprecision(3) << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n";
+        write_name(out, "process_name", 0, "weft");
+        for (const auto& [thread, name] : names) {
+            out << ",\n";
+            write_name(out, "thread_name", thread, name);
+        }
+        for (const TraceEvent& event : events) {
+            out << ",\n";
+            write_event(out, event, first->begin);
+        }
+        out << "\n]}\n";
+        out.close();
+    } catch (const std::ios_base::failure&) {
+    }
     if (!out) return Error{ErrorCode::file_not_found, "the trace " + file.string() + " cannot be written"};
     return {};
 }

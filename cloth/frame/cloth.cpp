@@ -172,8 +172,8 @@ void Cloth::unpin(std::span<const std::uint32_t> particles) {
 void Cloth::change_pins(std::vector<Pin>&& pins) {
     if (pins.size() == state.pins.size()) return;  // pins are only added, or only taken away
     const std::vector<std::uint32_t> now = particles_of(pins), before = particles_of(state.pins);
-    solver->reserve_pins(pins.size());
     for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, now);
+    solver->reserve_pins(pins.size());
 
     // From here on nothing can fail.
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
@@ -199,9 +199,9 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
 
 void Cloth::restore(const ClothState& saved) {
     ClothState copy = saved;
-    solver->reserve_pins(copy.pins.size());
     const std::vector<std::uint32_t> pins = particles_of(copy.pins);
     for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, pins);
+    solver->reserve_pins(copy.pins.size());
 
     // From here on nothing can fail.
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();

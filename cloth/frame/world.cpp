@@ -274,7 +274,7 @@ Result<void> World::start_trace(std::size_t max_events) {
 }
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
-    return impl_->simulation.profiler.write_trace(file);
+    return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
 }
 
 std::uint64_t World::state_hash() const {

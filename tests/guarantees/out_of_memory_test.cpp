@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -58,6 +59,14 @@ using Answer = Result<void>;
 template <class T>
 Answer without_value(const Result<T>& result) {
     return result ? Answer() : Answer(result.error());
+}
+
+/// After how many allocations memory runs out next: after each of the first, then ever more seldom, since a
+/// large call makes thousands; WEFT_EVERY_ALLOCATION tries them all, which takes half an hour.
+std::uint64_t next_tried(std::uint64_t allowed) {
+    static const bool every = std::getenv("WEFT_EVERY_ALLOCATION") != nullptr;
+    constexpr std::uint64_t all_of = 60, seldom = 16;
+    return every || allowed < all_of ? allowed + 1 : allowed + allowed / seldom;
 }
 
 /// A call of a World.
@@ -125,7 +134,8 @@ TEST_P(OutOfMemory, ChangesNothing) {
     const Expected expected(GetParam());
     for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
         bool ran_out = true;
-        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations;
+             allowed = next_tried(allowed)) {
             const std::string fault = fault_at(GetParam(), expected, allowed, how_long, ran_out);
             EXPECT_EQ(fault, "") << "after " << allowed << " allocations, memory gone for "
                                  << (how_long == MemoryRunsOut::For::one ? "one" : "good");
@@ -235,7 +245,8 @@ INSTANTIATE_TEST_SUITE_P(World, OutOfMemory, testing::ValuesIn(other_calls()), n
 void expect_an_answer(const std::function<Answer()>& call) {
     for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
         bool ran_out = true;
-        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations;
+             allowed = next_tried(allowed)) {
             Answer answer;
             {
                 const MemoryRunsOut memory(allowed, how_long);
@@ -275,7 +286,8 @@ TEST(OutOfMemoryWithoutAWorld, ObjErrorsAreAnswered) {
     std::ofstream(file) << "v 0 0 0\nv 1 0\n";
     for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
         bool ran_out = true;
-        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations;
+             allowed = next_tried(allowed)) {
             const MemoryRunsOut memory(allowed, how_long);
             const bool read = load_obj(file).ok();
             ran_out = memory.happened();
@@ -303,6 +315,7 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
     bad_world.substeps = 0;
     Mesh no_cloth = LoweredSheet::mesh(false, side);
     no_cloth.triangles[3][1] = 4000;
+    const std::filesystem::path nowhere = "/no/such/folder/of/any/name/sheet.obj";
     const std::function<bool()> calls[] = {
         [&] { return World::create(bad_world).ok(); },
         [&] { return scene.world.set_settings(bad_world).ok(); },
@@ -329,13 +342,14 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
             return scene.world.collider({4, 4}).ok();
         },
         [&] { return make_sheet({.rows = 1}).ok(); },
-        [&] { return load_obj("/no/such/folder/of/any/name/sheet.obj").ok(); },
-        [&] { return save_obj("/no/such/folder/of/any/name/sheet.obj", no_cloth).ok(); },
+        [&] { return load_obj(nowhere).ok(); },
+        [&] { return save_obj(nowhere, no_cloth).ok(); },
     };
     for (std::size_t i = 0; i < std::size(calls); ++i) {
         for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
             bool ran_out = true;
-            for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations; ++allowed) {
+            for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations;
+                 allowed = next_tried(allowed)) {
                 bool worked = true, thrown = false;
                 {
                     const MemoryRunsOut memory(allowed, how_long);
