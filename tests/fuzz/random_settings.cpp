@@ -11,21 +11,21 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-/// Draws fields. Where a field's documented range has no upper end, reasonable ones lie within a range of
-/// their own and extreme ones anywhere.
+/// Draws fields: reasonable ones within the range that is given, extreme ones up to ten times beyond its
+/// ends, which the documented ranges still hold.
 class Fields {
   public:
     Fields(Random& random, bool extreme) : random_(random), extreme_(extreme) {}
 
     [[nodiscard]] float positive(float low, float high) {
-        if (beyond_reason()) return random_.of_any_size(1e-38f, 1e38f);
+        if (beyond_reason()) return random_.of_any_size(0.1f * low, 10 * high);
         return random_.of_any_size(low, high);
     }
     [[nodiscard]] float zero_or_more(float low, float high) {
         return random_.chance(0.2) ? 0.0f : positive(low, high);
     }
     [[nodiscard]] Vec3 vector(float reach) {
-        if (beyond_reason()) return random_.point(random_.of_any_size(1, 1e38f));
+        if (beyond_reason()) return random_.point(10 * reach);
         return random_.point(reach);
     }
     /// A combination that is not refused, but that a method may have no use for.
@@ -217,6 +217,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.self_collision.friction = fields.zero_or_more(1e-2f, 2);
     s.self_collision.search =
         random.chance(0.2) ? SelfCollisionSearch::shifted_grids : SelfCollisionSearch::exact;
+    // A distance of very many edges is refused, by the mesh.
+    if (s.self_collision.enabled && s.self_collision.distance > 0 && drawn.answer == Answer::accepted)
+        drawn.answer = Answer::either;
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);
