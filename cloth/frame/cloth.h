@@ -94,7 +94,7 @@ struct Cloth {
     // Of the present step; a step that is done leaves them for the report.
     bool solver_failed = false;           ///< in one of its substeps
     bool restored = false;                ///< by its guard
-    float residual = 0;                   ///< the largest of its substeps
+    float residual = 0;                   ///< as last measured
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of its last substep
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep

@@ -34,6 +34,7 @@ struct Substep {
         return {index * parts + k, of_all, step / static_cast<float>(of_all)};
     }
     [[nodiscard]] bool is_first() const { return index == 0; }
+    [[nodiscard]] bool is_last() const { return index + 1 == count; }
     /// Where it begins and ends, as parts of the step.
     [[nodiscard]] float begin() const { return static_cast<float>(index) / static_cast<float>(count); }
     [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
@@ -84,7 +85,8 @@ struct Simulation {
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
-    void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation);
+    [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
+    void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);

@@ -73,7 +73,6 @@ void Simulation::begin(float dt) {
     present_.clear();
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         present_.push_back(cloth.get());
-        cloth->residual = 0;
         move_pins(*cloth, dt);
     });
     each_.plan(present_, parallel.width());
@@ -115,7 +114,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         move_colliders(worker, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         const StepEquation equation = equation_of(worker, cloth, part.h);
-        solve_equation(worker, cloth, equation);
+        solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
         advance(worker, cloth, equation, part.is_first());
         settle(worker, cloth, part.h);
     }
@@ -177,17 +176,24 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr};
 }
 
-void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
+// Of finite elements it takes a quarter of a step, so it is measured in one step of 32.
+bool Simulation::is_residual_due(const Cloth& cloth) const {
+    return !cloth.settings.finite_elements.enabled || state.steps % 32 == 1;
+}
+
+void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation,
+                                bool wants_residual) {
     if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
     const SolveResult result = cloth.solver->solve({.parallel = worker.parallel,
                                                     .profiler = profiler,
                                                     .model = cloth.model,
                                                     .settings = cloth.settings,
                                                     .equation = equation,
-                                                    .velocities = cloth.next_velocities.span()});
+                                                    .velocities = cloth.next_velocities.span(),
+                                                    .wants_residual = wants_residual});
     if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
-    cloth.residual = std::max(cloth.residual, result.residual);
+    if (wants_residual) cloth.residual = result.residual;
 }
 
 // The step's first substep writes the new positions over the previous ones and swaps the two, so that the

@@ -23,6 +23,8 @@ struct SolverStep {
     std::span<Vec4>
         velocities;  ///< the result: at the end of the step, w 0; another buffer than the equation's
 
+    bool wants_residual = true;  ///< else none is measured, and 0 is returned
+
     [[nodiscard]] auto timed(Stage stage) const { return profiler.time(static_cast<std::uint32_t>(stage)); }
 };
 

@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-constexpr std::uint64_t particles_per_sample = 128, fewest_samples = 16;
+constexpr std::uint64_t particles_per_sample = 1024, fewest_samples = 4;
 
 /// What acts on one particle besides fabric and contacts.
 struct External {

@@ -32,7 +32,7 @@ SolveResult SymplecticEulerSolver::solve(const SolverStep& step) {
             step.velocities[i] = to_vec4(v, 0);
         }
     });
-    return {.residual = residual_(step.parallel, step.equation, step.velocities, system_.get())};
+    return {.residual = residual_(step, system_.get())};
 }
 
 std::size_t SymplecticEulerSolver::bytes() const noexcept {

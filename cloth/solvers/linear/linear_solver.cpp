@@ -22,7 +22,7 @@ SolveResult LinearSolver::solve(const SolverStep& step) {
     const bool ok = solve_linear(step, *system_, dv);
     if (apart) mean_motion_.put_back(step.parallel, system_->contacts(), system_->right_side().span(), dv);
     scale_and_add(step.parallel, 1.0f, step.equation.velocities, 1.0f, step.velocities);
-    return {.residual = residual_(step.parallel, step.equation, step.velocities, system_.get()), .ok = ok};
+    return {.residual = residual_(step, system_.get()), .ok = ok};
 }
 
 std::size_t LinearSolver::bytes() const noexcept {

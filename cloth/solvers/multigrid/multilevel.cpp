@@ -39,7 +39,7 @@ void MultilevelSolver::inverse_masses_changed(std::span<const Vec4> positions) n
 SolveResult MultilevelSolver::solve(const SolverStep& step) {
     copy(step.parallel, step.equation.velocities, step.velocities);
     const bool ok = solve_in_passes(step, std::get<Multilevel>(step.settings.method));
-    return {.residual = residual_(step.parallel, step.equation, step.velocities, system_.get()), .ok = ok};
+    return {.residual = residual_(step, system_.get()), .ok = ok};
 }
 
 // About where inertia leads, x + gamma v: springs have turned there as far as they will in the step, which at

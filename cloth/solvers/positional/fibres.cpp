@@ -89,7 +89,7 @@ SolveResult FibresSolver::solve(const SolverStep& step) {
     for (int k = 0; k < iterations; ++k)
         for (const FibreSet& set : sets_.sets) solve_set(step, set);
     displacements_.find_velocities(step);
-    return {.residual = residual_(step.parallel, step.equation, step.velocities)};
+    return {.residual = residual_(step)};
 }
 
 std::size_t FibresSolver::bytes() const noexcept {

@@ -65,7 +65,7 @@ SolveResult XpbdSolver::solve(const SolverStep& step) {
                       springs_, displacements_.start().data(), displacements_.moved().data());
     }
     displacements_.find_velocities(step);
-    return {.residual = residual_(step.parallel, step.equation, step.velocities)};
+    return {.residual = residual_(step)};
 }
 
 std::size_t XpbdSolver::bytes() const noexcept {
