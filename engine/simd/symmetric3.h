@@ -16,6 +16,14 @@ struct Symmetric3 {
     [[nodiscard]] Eigen::Matrix3d full() const {
         return Eigen::Matrix3f{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}.cast<double>();
     }
+    void add(const Symmetric3& more) {
+        xx += more.xx;
+        yy += more.yy;
+        zz += more.zz;
+        xy += more.xy;
+        xz += more.xz;
+        yz += more.yz;
+    }
     /// Adds a I + d d^T.
     void add(float a, const Vector3& d) {
         xx += a + d.x() * d.x();

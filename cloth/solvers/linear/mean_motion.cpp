@@ -8,10 +8,8 @@ namespace weft {
 
 namespace {
 
-/// (r_i I + G_i) v.
-Vector3 row_times(const ContactRows* contacts, std::uint32_t i, float row_sum, const Vector3& v) {
-    const Vector3 product = row_sum * v;
-    return touches(contacts, i) ? Vector3(product + contacts->block(i) * v) : product;
+Vector4 to_vector4(const Vector3& v) {
+    return {v.x(), v.y(), v.z(), 0};
 }
 
 }  // namespace
@@ -50,15 +48,23 @@ void MeanMotion::solve(Parallel& parallel, const ContactRows* contacts, std::spa
                        const RightSide& right_side_of, bool again) {
     for_each_block(parallel, [&](std::uint32_t p) {
         Rows sum;
-        double masses = 0;
+        // Single precision over a quarter of a block, double beyond; four sums, so that none waits for
+        // another.
+        Vector4 right_sides[4] = {Vector4::Zero(), Vector4::Zero(), Vector4::Zero(), Vector4::Zero()};
+        Symmetric3 held;
+        float least = 1;
         for (std::uint32_t k = pieces_[p].begin; k < pieces_[p].end; ++k) {
             const std::uint32_t i = particles_[k];
-            sum.pinned |= row_sums[i].w == 0;
-            sum.right_side += right_side_of(i).template cast<double>();
-            masses += static_cast<double>(row_sums[i].w);
-            if (touches(contacts, i)) sum.matrix += contacts->block(i).full();
+            right_sides[k % 4] += right_side_of(i);
+            least = std::min(least, row_sums[i].w);
+            if (touches(contacts, i)) held.add(contacts->block(i));
         }
-        sum.matrix.diagonal().array() += masses;
+        const Eigen::Vector4d total = (right_sides[0] + right_sides[1]).cast<double>() +
+                                      (right_sides[2] + right_sides[3]).cast<double>();
+        sum.right_side = total.head<3>();
+        sum.matrix = held.full();
+        sum.matrix.diagonal().array() += total.w();
+        sum.pinned = least == 0;
         partials_[p] = sum;
     });
     for (std::size_t p = 0; p < pieces_.size();) {
@@ -77,13 +83,17 @@ void MeanMotion::solve(Parallel& parallel, const ContactRows* contacts, std::spa
 
 void MeanMotion::take_out(Parallel& parallel, const ContactRows* contacts, std::span<Vec4> right_side) {
     solve(
-        parallel, contacts, right_side, [&](std::uint32_t i) { return xyz(right_side[i]); }, false);
+        parallel, contacts, right_side, [&](std::uint32_t i) -> Vector4 { return load(right_side[i]); },
+        false);
     for_each_block(parallel, [&](std::uint32_t p) {
         const Vec4& motion = motions_[pieces_[p].component];
         if (motion.w == 0) return;
+        const Vector4 u = to_vector4(xyz(motion));
         for (std::uint32_t k = pieces_[p].begin; k < pieces_[p].end; ++k) {
-            Vec4& b = right_side[particles_[k]];
-            set_xyz(b, xyz(b) - row_times(contacts, particles_[k], b.w, xyz(motion)));
+            const std::uint32_t i = particles_[k];
+            Vec4& b = right_side[i];
+            store(b, load(b) - b.w * u);
+            if (touches(contacts, i)) set_xyz(b, xyz(b) - contacts->block(i) * xyz(motion));
         }
     });
 }
@@ -92,15 +102,21 @@ void MeanMotion::take_out(Parallel& parallel, const ContactRows* contacts, std::
 // the sum 0, and springs have none.
 void MeanMotion::put_back(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> right_side,
                           std::span<Vec4> dv) {
-    solve(
-        parallel, contacts, right_side,
-        [&](std::uint32_t i) { return row_times(contacts, i, right_side[i].w, -xyz(dv[i])); }, true);
+    const auto left_by = [&](std::uint32_t i) -> Vector4 {
+        const float row_sum = right_side[i].w;
+        Vector4 left = -row_sum * load(dv[i]);
+        if (touches(contacts, i)) left -= to_vector4(contacts->block(i) * xyz(dv[i]));
+        left.w() = row_sum;
+        return left;
+    };
+    solve(parallel, contacts, right_side, left_by, true);
     for_each_block(parallel, [&](std::uint32_t p) {
         const Vec4& motion = motions_[pieces_[p].component];
         if (motion.w == 0) return;
+        const Vector4 u = to_vector4(xyz(motion));
         for (std::uint32_t k = pieces_[p].begin; k < pieces_[p].end; ++k) {
             Vec4& change = dv[particles_[k]];
-            set_xyz(change, xyz(change) + xyz(motion));
+            store(change, load(change) + u);
         }
     });
 }

@@ -48,7 +48,7 @@ class MeanMotion {
     template <class Body>
     void for_each_block(Parallel& parallel, const Body& body) const;
     /// Solves for u of each component; again: added to the u before. right_side_of(i) is what particle i adds
-    /// to the right side.
+    /// to the right side, w its row sum.
     template <class RightSide>
     void solve(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> row_sums,
                const RightSide& right_side_of, bool again);
