@@ -321,9 +321,8 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
         if (!has(report.flags, StepFlags::state_restored)) check_pins(i);
         const float most = world_.settings().max_speed * 1.00001f;
         for (const Vec4& v : view.velocities)
-            check(length(v) <= most,
-                  "cloth " + std::to_string(i) + ": " + text_of(length(v)) + " m/s, and max_speed is " +
-                      text_of(world_.settings().max_speed));
+            check(length(v) <= most, "cloth " + std::to_string(i) + ": " + text_of(length(v)) +
+                                         " m/s, and max_speed is " + text_of(world_.settings().max_speed));
     }
     check(report.cloths == cloths && report.particles == particles, "the report counts other cloths");
     check(report.restored_cloths <= cloths, "more cloths restored than there are");

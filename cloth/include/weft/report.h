@@ -41,13 +41,13 @@ struct StepReport {
     std::uint32_t peak_self_contacts = 0;  ///< most of one particle, in the last substep
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]
-    /// How far the worst cloth's velocities are from solving the equation of the step's last substep: 0 solved,
-    /// 1 fabric and contacts have done nothing; above 1, they have done harm. A sample: the same few particles
-    /// in each step; with finite elements, of one step in 32. With the default, garments stay below 0.25, but
-    /// for single steps. Where it stays above 0.5 the cloth is softer, or slower, than its settings say: give
-    /// the method more iterations or passes, or the cloth substeps. Explicit and positional methods are
-    /// measured by backward Euler's equation, which they approach as their iterations or substeps grow: with
-    /// few, about 1 is what they have.
+    /// How far the worst cloth's velocities are from solving the equation of the step's last substep: 0
+    /// solved, 1 fabric and contacts have done nothing; above 1, they have done harm. A sample: the same few
+    /// particles in each step; with finite elements, of one step in 32. With the default, garments stay below
+    /// 0.25, but for single steps. Where it stays above 0.5 the cloth is softer, or slower, than its settings
+    /// say: give the method more iterations or passes, or the cloth substeps. Explicit and positional methods
+    /// are measured by backward Euler's equation, which they approach as their iterations or substeps grow:
+    /// with few, about 1 is what they have.
     float residual = 0;
     float milliseconds = 0;  ///< the whole step
 };
