@@ -68,6 +68,8 @@ struct Simulation {
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
 
     void begin(float dt);
+    void step_together(float dt);
+    void step_each(float dt);
     void meet(const Substep& substep);
     template <class Work>
     void for_each_group(const Schedule& schedule, const Work& work);
