@@ -95,6 +95,11 @@ class ImplicitSystem {
     /// spring_blocks() of all slots. Allocates, so no step may call it.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
+    /// Where the block between two neighbours is a I whatever the cloth does: a over constant_scale(), else 0.
+    [[nodiscard]] virtual float constant_block(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return 0; }
+    /// Of the last linearisation.
+    [[nodiscard]] virtual float constant_scale() const noexcept { return 0; }
+
     /// What colliders add to the diagonal, or null: there are none.
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
 

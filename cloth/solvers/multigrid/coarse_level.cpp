@@ -17,9 +17,9 @@ CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const
       x_(graph.nodes()),
       before_(graph.nodes()) {}
 
-void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs) {
+void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale) {
     parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
-        sum_springs_block(lists_, range, springs.data(), matrix_.links);
+        sum_springs_block(lists_, range, springs.data(), constant_scale, matrix_.links);
     });
 }
 

@@ -21,8 +21,8 @@ class CoarseLevel {
                 const Components& components);
 
     /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
-    /// their index.
-    void sum_links(Parallel& parallel, std::span<const Vec4> springs);
+    /// their index. Constants are scaled.
+    void sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale);
     /// Sums the ground from what holds the finer level's nodes. Without `off_diagonal` those entries are 0.
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Sums links and ground from a finer coarse level.
@@ -47,6 +47,7 @@ class CoarseLevel {
     [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
     [[nodiscard]] const Interpolation& interpolation() const noexcept { return interpolation_; }
     [[nodiscard]] const GalerkinLists& lists() const noexcept { return lists_; }
+    [[nodiscard]] GalerkinLists::Constants& constants() noexcept { return lists_.constants; }
     [[nodiscard]] const CoarseMatrix& matrix() const noexcept { return matrix_; }
     [[nodiscard]] CoarseMatrix& matrix() noexcept { return matrix_; }
     [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }

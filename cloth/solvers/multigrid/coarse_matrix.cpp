@@ -105,12 +105,12 @@ void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactR
 }
 
 /// sums = sum of add_term(sum so far, factors, numbers of fine links), lane by lane.
-template <class AddTerm>
-HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const AddTerm& add_term,
-                          SymmetricRows& sums) {
+template <class First, class AddTerm>
+HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const First& first,
+                          const AddTerm& add_term, SymmetricRows& sums) {
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        SymmetricLanes sum = zero_symmetric();
+        SymmetricLanes sum = first(i);
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
             sum = add_term(sum, load_lanes(&lists.factors[entry]), &lists.fine_links[entry]);
@@ -130,20 +130,24 @@ HWY_INLINE SymmetricLanes add_spring(const SymmetricLanes& sum, Lanes factor, co
             hn::MulAdd(scaled.y, d.z, sum.yz)};
 }
 
-void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
                  SymmetricRows& sums) {
+    const auto constants = [&](std::uint32_t i) HWY_ATTR {
+        return add_identity(zero_symmetric(), hn::Mul(set(scale), load_lanes(&lists.constants.sums[i])));
+    };
     const auto add = [springs](const auto& sum, Lanes factor, const std::uint32_t* numbers) HWY_ATTR {
         const Lanes4 spring = gather_rows_with_w(springs, numbers);
         return add_spring(sum, factor, xyz(spring), spring.w);
     };
-    sum_terms(lists, range, add, sums);
+    sum_terms(lists, range, constants, add, sums);
 }
 
 void sum_links(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
                SymmetricRows& sums) {
     const auto add = [&links](const auto& sum, Lanes factor, const std::uint32_t* numbers)
                          HWY_ATTR { return sum + factor * gather_blocks(links, numbers); };
-    sum_terms(lists, range, add, sums);
+    const auto nothing = [](std::uint32_t) HWY_ATTR { return zero_symmetric(); };
+    sum_terms(lists, range, nothing, add, sums);
 }
 
 }  // namespace
@@ -188,9 +192,9 @@ void ground_rows_block(const BlockRange& range, const Vec4* right_side, const Co
     HWY_DYNAMIC_DISPATCH(ground_rows)(range, right_side, contacts, diagonal, off_diagonal);
 }
 
-void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
                        SymmetricRows& sums) {
-    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, sums);
+    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, scale, sums);
 }
 
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,

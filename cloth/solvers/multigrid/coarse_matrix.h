@@ -52,8 +52,9 @@ struct CoarseMatrix {
 /// not written.
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
                        Vec4* diagonal, Vec4* off_diagonal);
-/// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a).
-void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+/// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a), and from
+/// the lists' constants times `scale`.
+void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
                        SymmetricRows& sums);
 /// The same from a finer coarse level's links.
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,

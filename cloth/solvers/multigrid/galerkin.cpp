@@ -69,11 +69,19 @@ struct GrowingLists {
     std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
     std::vector<std::uint32_t> fine_links;
     std::vector<float> factors;
+    GalerkinLists::Constants constants{.offsets = {0}, .fine_links = {}, .factors = {}, .sums = {}};
 
-    void add(std::uint32_t first, const Term& term) {
+    void add(std::uint32_t first, const Term& term, bool is_constant) {
         if (links.empty() || links.back().first != first || links.back().second != term.second) {
             links.push_back({first, term.second});
             offsets.push_back(offsets.back());
+            constants.offsets.push_back(constants.offsets.back());
+        }
+        if (is_constant) {
+            constants.fine_links.push_back(term.fine_link);
+            constants.factors.push_back(term.factor);
+            ++constants.offsets.back();
+            return;
         }
         fine_links.push_back(term.fine_link);
         factors.push_back(term.factor);
@@ -101,6 +109,8 @@ GalerkinLists in_groups(GrowingLists&& grown) {
     GalerkinLists lists;
     lists.links = std::move(grown.links);
     lists.links.shrink_to_fit();
+    lists.constants = std::move(grown.constants);
+    lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
     lists.places.resize(order.size());
     lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
@@ -118,7 +128,7 @@ GalerkinLists in_groups(GrowingLists&& grown) {
         const std::uint32_t terms = grown.terms(order[place]);
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t t = s - lists.group_slots[group], entry = s * lanes + place % lanes;
-            lists.fine_links[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
+            if (terms > 0) lists.fine_links[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
             lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
         }
     }
@@ -139,7 +149,8 @@ std::vector<Link> links_of(const SpringGraph& graph) {
 
 // Coarse node by coarse node: all links that touch its support, each once, give the terms of its links to
 // later nodes.
-GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p) {
+GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
+                                  const std::vector<bool>& is_constant) {
     const Incidence touching = incidence(links, p.fine);
     std::vector<std::uint32_t> seen(links.size(), Interpolation::width * p.fine + 1);
     GrowingLists lists;
@@ -163,7 +174,8 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
         std::ranges::sort(terms, [](const Term& a, const Term& b) {
             return std::pair(a.second, a.fine_link) < std::pair(b.second, b.fine_link);
         });
-        for (const Term& term : terms) lists.add(c, term);
+        for (const Term& term : terms)
+            lists.add(c, term, !is_constant.empty() && is_constant[term.fine_link]);
     }
     return in_groups(std::move(lists));
 }

@@ -24,6 +24,19 @@ struct Link {
 /// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
 /// group have about as many.
 struct GalerkinLists {
+    /// Terms of fine links whose blocks are a number times the identity, and never change: by coarse link,
+    /// those of link k in [offsets[k], offsets[k + 1]).
+    struct Constants {
+        std::vector<std::uint32_t> offsets, fine_links;
+        std::vector<float> factors;
+        AlignedBuffer<float> sums;  ///< of each place: what the terms add up to, over constant_scale()
+
+        [[nodiscard]] std::size_t bytes() const noexcept {
+            return (offsets.size() + fine_links.size()) * sizeof(std::uint32_t) +
+                   factors.size() * sizeof(float) + sums.bytes();
+        }
+    } constants;
+
     std::vector<Link> links;                   ///< of the coarse level, ascending
     std::vector<std::uint32_t> places;         ///< of each link: which sum is its, group * lanes + lane
     AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
@@ -35,16 +48,18 @@ struct GalerkinLists {
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return links.size() * sizeof(Link) + places.size() * sizeof(std::uint32_t) + group_slots.bytes() +
-               fine_links.bytes() + factors.bytes();
+               fine_links.bytes() + factors.bytes() + constants.bytes();
     }
 };
 
 /// Links of a graph, ascending: each spring once.
 [[nodiscard]] std::vector<Link> links_of(const SpringGraph& graph);
 
-/// `links`: the springs of the fine level.
+/// `links`: the springs of the fine level; is_constant[k]: whether the k-th has a constant block (empty:
+/// none).
 [[nodiscard]] GalerkinLists make_galerkin_lists(const std::vector<Link>& links,
-                                                const Interpolation& interpolation);
+                                                const Interpolation& interpolation,
+                                                const std::vector<bool>& is_constant = {});
 
 /// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
 [[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,

@@ -55,14 +55,22 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
     links_ = links_of(graph);
-    for (const Link& link : links_)
-        slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
+    for (const Link& link : links_) {
+        const float weight = system.constant_block(link.first, link.second);
+        if (weight == 0) {
+            slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
+            continue;
+        }
+        constants_.links.push_back(link);
+        constants_.weights.push_back(weight);
+    }
     std::ranges::sort(slots_);
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
     links_.shrink_to_fit();
     slots_.shrink_to_fit();
     make_levels(std::move(graph));
     if (coarse_.empty()) return;
+    list_constants();
     springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
     set_pins(positions);
 }
@@ -77,14 +85,20 @@ void Multigrid::make_levels(SpringGraph graph) {
         Coarsening coarsening = coarsen(graph, components, ratio, most_direct);
         const std::uint32_t nodes = coarsening.interpolation.coarse;
         if (nodes == 0 || nodes > graph.nodes() / 2) break;
-        GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation);
+        std::vector<bool> is_constant;  // of the finest links
+        for (std::size_t k = 0; coarse_.empty() && k < links.size(); ++k)
+            is_constant.push_back(std::ranges::binary_search(constants_.links, links[k]));
+        GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation, is_constant);
         graph = make_coarse_graph(graph, coarsening, links, lists);
         links = lists.links;
         components = components_of(graph);
         if (coarse_.empty()) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
             std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
-            for (std::uint32_t& link : lists.fine_links.span()) link = spring_of(links_[link]);
+            for (std::size_t t = 0; t < lists.fine_links.size(); ++t) {
+                std::uint32_t& link = lists.fine_links[t];
+                link = is_constant[link] ? 0 : spring_of(links_[link]);  // padding may name any
+            }
         } else {
             const std::vector<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
@@ -92,6 +106,44 @@ void Multigrid::make_levels(SpringGraph graph) {
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
     }
     coarse_.shrink_to_fit();
+}
+
+// From links to numbers among the constant ones, and from these to coarse links.
+void Multigrid::list_constants() {
+    GalerkinLists::Constants& terms = coarse_.front().constants();
+    for (std::uint32_t& link : terms.fine_links)
+        link = static_cast<std::uint32_t>(std::ranges::lower_bound(constants_.links, links_[link]) -
+                                          constants_.links.begin());
+    constants_.offsets.assign(constants_.links.size() + 1, 0);
+    for (const std::uint32_t link : terms.fine_links) ++constants_.offsets[link + 1];
+    for (std::size_t k = 0; k < constants_.links.size(); ++k)
+        constants_.offsets[k + 1] += constants_.offsets[k];
+    constants_.coarse_links.resize(terms.fine_links.size());
+    std::vector<std::uint32_t> next(constants_.offsets.begin(), constants_.offsets.end() - 1);
+    for (std::uint32_t k = 0; k + 1 < terms.offsets.size(); ++k)
+        for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t)
+            constants_.coarse_links[next[terms.fine_links[t]]++] = k;
+}
+
+void Multigrid::sum_constant(std::uint32_t k) noexcept {
+    GalerkinLists::Constants& terms = coarse_.front().constants();
+    double sum = 0;
+    for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
+        const Link& link = constants_.links[terms.fine_links[t]];
+        if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
+        sum += static_cast<double>(terms.factors[t] * constants_.weights[terms.fine_links[t]]);
+    }
+    terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
+}
+
+void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
+    for_each_link_of(particle, [&](std::uint32_t, const Link& link) {
+        const auto at = std::ranges::lower_bound(constants_.links, link);
+        if (at == constants_.links.end() || *at != link) return;
+        const auto number = static_cast<std::size_t>(at - constants_.links.begin());
+        for (std::uint32_t c = constants_.offsets[number]; c < constants_.offsets[number + 1]; ++c)
+            sum_constant(constants_.coarse_links[c]);
+    });
 }
 
 std::uint32_t Multigrid::spring_of(const Link& link) const {
@@ -120,7 +172,8 @@ std::size_t Multigrid::links_of_particle(std::uint32_t particle) const {
 
 void Multigrid::hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const {
     for_each_link_of(particle, [&](std::uint32_t neighbour, const Link& link) {
-        *at++ = {particle, neighbour, spring_of(link)};
+        const float weight = system_->constant_block(link.first, link.second);
+        *at++ = {particle, neighbour, weight == 0 ? spring_of(link) : constant, weight};
     });
 }
 
@@ -137,6 +190,7 @@ void Multigrid::pin(std::uint32_t particle) {
     const auto at = held_.insert(held_.begin() + later, links_of_particle(particle), HeldSpring{});
     hold_springs_of(particle, at);
     mark(particle, true);
+    sum_constants_at(particle);
 }
 
 void Multigrid::unpin(std::uint32_t particle) noexcept {
@@ -144,6 +198,7 @@ void Multigrid::unpin(std::uint32_t particle) noexcept {
     const auto own = std::ranges::equal_range(held_, particle, {}, &HeldSpring::pinned);
     held_.erase(own.begin(), own.end());
     mark(particle, false);
+    sum_constants_at(particle);
 }
 
 void Multigrid::set_pins(std::span<const Vec4> positions) {
@@ -160,6 +215,7 @@ void Multigrid::set_pins(std::span<const Vec4> positions) {
         hold_springs_of(i, at);
         at += static_cast<std::ptrdiff_t>(links_of_particle(i));
     }
+    for (std::uint32_t k = 0; k < coarse_.front().lists().links.size(); ++k) sum_constant(k);
 }
 
 void Multigrid::reserve_pins(std::size_t count) {
@@ -175,8 +231,9 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     if (coarse_.empty()) return;
     system.spring_blocks(parallel, slots_, springs_.span());
     sum_first_ground(parallel, system);
-    for (const HeldSpring& held : held_) springs_[held.spring] = {};
-    coarse_.front().sum_links(parallel, springs_.span());
+    for (const HeldSpring& held : held_)
+        if (held.spring != constant) springs_[held.spring] = {};
+    coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
     coarse_.front().finish(parallel);
     for (std::size_t k = 1; k < coarse_.size(); ++k) {
         coarse_[k].sum(parallel, coarse_[k - 1]);
@@ -198,7 +255,8 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
     SymmetricRows& rows = first.matrix().ground_rows;
     for (const HeldSpring& held : held_) {
         if (pinned_[held.neighbour] != 0) continue;
-        const Vec4& spring = springs_[held.spring];
+        const Vec4 spring = held.spring != constant ? springs_[held.spring]
+                                                    : Vec4{0, 0, 0, system.constant_scale() * held.weight};
         for (std::uint32_t k = 0; k < Interpolation::width; ++k) {
             const std::uint32_t e = Interpolation::width * held.neighbour + k;
             if (p.weights[e] == 0) continue;
@@ -250,6 +308,8 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 std::size_t Multigrid::bytes() const noexcept {
     std::size_t sum = links_.size() * sizeof(Link) + slots_.size() * sizeof(std::uint32_t) +
                       springs_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
+                      constants_.links.size() * (sizeof(Link) + sizeof(float)) +
+                      (constants_.offsets.size() + constants_.coarse_links.size()) * sizeof(std::uint32_t) +
                       weights_.bytes() + coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() +
                       remainder_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();

@@ -41,11 +41,24 @@ class Multigrid {
   private:
     /// A spring with a pinned end.
     struct HeldSpring {
-        std::uint32_t pinned, neighbour, spring;
+        std::uint32_t pinned, neighbour;
+        std::uint32_t spring;  // its place in springs_, or constant
+        float weight;          // of a constant one, see ImplicitSystem::constant_block
+    };
+    static constexpr std::uint32_t constant = ~0u;
+    /// Links whose blocks are constant, and which coarse links have terms of each.
+    struct ConstantLinks {
+        std::vector<Link> links;  // ascending
+        std::vector<float> weights;
+        std::vector<std::uint32_t> offsets, coarse_links;
     };
     using HeldSprings = std::vector<HeldSpring>;
 
     void make_levels(SpringGraph graph);
+    void list_constants();
+    void sum_constant(std::uint32_t coarse_link) noexcept;
+    /// Sums those again that a particle's links are in.
+    void sum_constants_at(std::uint32_t particle) noexcept;
     /// The place of a link of the finest level in springs_.
     [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
     /// body(neighbour, link) for the links of a particle, neighbours ascending.
@@ -60,9 +73,10 @@ class Multigrid {
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
     const ImplicitSystem* system_;
-    std::vector<Link> links_;             // of the finest level, ascending
-    std::vector<std::uint32_t> slots_;    // of the system: those with links at their first ends, ascending
-    AlignedBuffer<Vec4> springs_;         // of these slots: see ImplicitSystem::spring_blocks
+    std::vector<Link> links_;           // of the finest level, ascending
+    std::vector<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
+    AlignedBuffer<Vec4> springs_;       // of these slots: see ImplicitSystem::spring_blocks
+    ConstantLinks constants_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
     AlignedBuffer<float> weights_;        // of the first level's P, rows of pinned particles 0

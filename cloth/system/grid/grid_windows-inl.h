@@ -127,17 +127,17 @@ class GridLoop {
         return ahead_.after(rings_[d].difference, vector);
     }
 
-    /// Calls take(given) for each neighbour that is a whole group of 16 or more before. It must be called
+    /// Calls take(d, given) for each neighbour that is a whole group of 16 or more before. It must be called
     /// before give(), which may overwrite the same places of the ring.
     template <class Take>
     HWY_INLINE void take_from_far(const Take& take) const {
 // Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
 #pragma GCC unroll 1
-        for (std::uint32_t d = near_; d < count_; ++d) take(given(d));
+        for (std::uint32_t d = near_; d < count_; ++d) take(d, given(d));
     }
     template <class... Values>
     HWY_INLINE void give(std::uint32_t d, const Values&... values) const {
-        static_assert(sizeof...(values) == exchanged);
+        static_assert(sizeof...(values) <= exchanged);
         const std::uint32_t place = ahead_.row() & rings_[d].mask;
         float* const first = rings_[d].values + place;
         float* to = first;
@@ -146,12 +146,12 @@ class GridLoop {
         to = first + rings_[d].mask + 1;
         ((hn::StoreU(values, Tag(), to), to += next_), ...);
     }
-    /// Calls take(given) for each nearer neighbour. It must be called after give(), since such a neighbour
+    /// Calls take(d, given) for each nearer neighbour. It must be called after give(), since such a neighbour
     /// may be in the same group.
     template <class Take>
     HWY_INLINE void take_from_near(const Take& take) const {
 #pragma GCC unroll 1
-        for (std::uint32_t d = 0; d < near_; ++d) take(given(d));
+        for (std::uint32_t d = 0; d < near_; ++d) take(d, given(d));
     }
 
     HWY_INLINE void go_on() {

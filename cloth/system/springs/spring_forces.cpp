@@ -345,10 +345,15 @@ class SpringsOfMesh {
         const std::uint32_t begin = stencil_.group_slots[group], end = stencil_.group_slots[group + 1];
         if (begin == end) return;
         const Lanes3 x_i = positions_.own(i);
-        Ends next = ends_apart(positions_.neighbours(begin, lane) - x_i);
+        const auto apart = [&](std::uint32_t s) HWY_ATTR {
+            const Lanes3 separation = positions_.neighbours(s, lane) - x_i;
+            return tables_.has_springs(s * Stencil::lanes) ? ends_apart(separation)
+                                                           : Ends{separation, set(0), set(0), set(0)};
+        };
+        Ends next = apart(begin);
         for (std::uint32_t s = begin; s < end; ++s) {
             const Ends ends = next;
-            if (s + 1 < end) next = ends_apart(positions_.neighbours(s + 1, lane) - x_i);
+            if (s + 1 < end) next = apart(s + 1);
             const Slot slot{s, s * Stencil::lanes + lane, ends.separation};
             if (tables_.has_springs(slot.entry))
                 springs(slot, springs_in(state_, tables_[slot.entry], slot.entry, i, ends));
@@ -387,18 +392,23 @@ class SpringsOfGrid {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
             RowSums sums = no_sums();
-            const auto take = [&sums](const Given& given) HWY_ATTR {
+            const auto take = [&](std::uint32_t d, const Given& given) HWY_ATTR {
                 sums.force = sums.force - given.xyz(0);
-                sums.add({given[6], given.xyz(3)});
+                if (matrix.isotropic[d])
+                    sums.a = hn::Add(sums.a, given[3]);
+                else
+                    sums.add({given[6], given.xyz(3)});
             };
             loop_.take_from_far(take);
             std::uint16_t* const coefficients =
                 i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
+            const auto bend = [&](const Slot& slot, Lanes3& force) HWY_ATTR {
+                if (!equations.has_bending) return set(0);
+                return equations.add_bending(tables_.bending(slot.entry), slot.separation,
+                                             relative(slot.number, v_i), force);
+            };
             const auto give = [&](const Slot& slot, SpringBlockLanes block, Lanes3 force) HWY_ATTR {
-                if (equations.has_bending)
-                    block.a =
-                        hn::Add(block.a, equations.add_bending(tables_.bending(slot.entry), slot.separation,
-                                                               relative(slot.number, v_i), force));
+                block.a = hn::Add(block.a, bend(slot, force));
                 const SpringBlockLanes stored = store_block(block, coefficients + slot.number * in_slot);
                 loop_.give(slot.number, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z,
                            stored.a);
@@ -413,7 +423,11 @@ class SpringsOfGrid {
                     give(slot, block, force);
                 },
                 [&](const Slot& slot) HWY_ATTR {
-                    give(slot, {set(0), zero3()}, zero3());
+                    Lanes3 force = zero3();
+                    const Lanes a = store_halves(bend(slot, force), coefficients + slot.number * in_slot);
+                    loop_.give(slot.number, force.x, force.y, force.z, a);
+                    sums.force = sums.force + force;
+                    sums.a = hn::Add(sums.a, a);
                 });
             if (i < range.begin) continue;
             loop_.take_from_near(take);
@@ -427,7 +441,8 @@ class SpringsOfGrid {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
             Lanes3 sum = zero3();
-            const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+            const auto take = [&sum](std::uint32_t /*d*/, const Given& given)
+                                  HWY_ATTR { sum = sum - given.xyz(0); };
             loop_.take_from_far(take);
             const auto give = [&](const Slot& slot, Lanes3 force) HWY_ATTR {
                 if (pulls.has_bending)
@@ -457,21 +472,29 @@ class SpringsOfGrid {
                                          v};
         });
     }
-    /// As SpringsOfMesh::for_each_slot, for the diagonals.
+    /// As SpringsOfMesh::for_each_slot, for the diagonals: first those of springs.
     template <class WithSprings, class Bending>
     HWY_INLINE void for_each_later(std::uint32_t i, const WithSprings& springs, const Bending& bending) {
         const Lanes3 x_i = loop_.own(position);
-        Ends next = ends_apart(loop_.later(position, 0) - x_i);
-        std::uint32_t entry = diagonals_.entry(i, 0);
-        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, entry += Stencil::lanes) {
+        const std::uint32_t first = diagonals_.entry(i, 0);
+        const auto entry = [&](std::uint32_t d) { return first + d * Stencil::lanes; };
+        std::uint32_t d = next_with_springs(0);
+        Ends next = ends_apart(loop_.later(position, d) - x_i);
+        while (d < loop_.diagonals()) {
+            const std::uint32_t now = d;
             const Ends ends = next;
-            if (d + 1 < loop_.diagonals()) next = ends_apart(loop_.later(position, d + 1) - x_i);
-            const Slot slot{d, entry, ends.separation};
-            if (tables_.has_springs(entry))
-                springs(slot, springs_in(state_, tables_[entry], entry, i, ends));
-            else
-                bending(slot);
+            d = next_with_springs(d + 1);
+            if (d < loop_.diagonals()) next = ends_apart(loop_.later(position, d) - x_i);
+            springs({now, entry(now), ends.separation},
+                    springs_in(state_, tables_[entry(now)], entry(now), i, ends));
         }
+        for (d = 0; d < loop_.diagonals(); ++d)
+            if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
+    }
+    /// From `d` on. There are springs along the first diagonal.
+    [[nodiscard]] HWY_INLINE std::uint32_t next_with_springs(std::uint32_t d) const {
+        while (d < loop_.diagonals() && state_.matrix.isotropic[d]) ++d;
+        return d;
     }
 
     const SpringState& state_;

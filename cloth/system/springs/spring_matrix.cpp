@@ -79,7 +79,8 @@ class RowsOfGrid {
     /// sum_j A_ij (x_i - x_j) in square units, for the lanes from particle `i` on; then it goes on.
     HWY_INLINE Lanes3 sum_of_springs(std::uint32_t i, const Lanes3& x_i) {
         Lanes3 sum = zero3();
-        const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
+        const auto take = [&sum](std::uint32_t /*d*/, const Given& given)
+                              HWY_ATTR { sum = sum - given.xyz(0); };
         loop_.take_from_far(take);
         sum = add_later(i, x_i, sum);
         loop_.take_from_near(take);
@@ -91,7 +92,9 @@ class RowsOfGrid {
     HWY_INLINE Lanes3 add_later(std::uint32_t i, const Lanes3& x_i, Lanes3 sum) const {
         const std::uint16_t* block = &matrix_.coefficients[lane_index(matrix_.diagonals.entry(i, 0), 0, 4)];
         for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, block += std::size_t{4} * Stencil::lanes) {
-            const Lanes3 term = times(load_block(block), x_i - loop_.later(0, d));
+            const Lanes3 apart = x_i - loop_.later(0, d);
+            const Lanes3 term =
+                matrix_.isotropic[d] ? load_halves(block) * apart : times(load_block(block), apart);
             loop_.give(d, term.x, term.y, term.z);
             sum = sum + term;
         }

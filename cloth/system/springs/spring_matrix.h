@@ -2,6 +2,7 @@
 // The matrix of springs, and the loops over its rows: a block of particles at a time, with the widest vectors
 // that the machine has.
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -40,7 +41,9 @@ struct SpringMatrix {
     }
 
     Stencil stencil;
-    Diagonals diagonals;                        ///< empty for what is no grid
+    Diagonals diagonals;  ///< empty for what is no grid
+    /// Diagonals along which there is bending alone: d is 0, and neither written nor read.
+    std::array<bool, Diagonals::most> isotropic{};
     float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
     AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z
     AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0

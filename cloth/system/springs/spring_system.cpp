@@ -16,6 +16,15 @@ SpringSystem::SpringSystem(const CookedCloth& model)
     windows_ = GridWindows(matrix_.diagonals, 7);
     if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_);
     if (windows_.empty() || !coupling_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
+    matrix_.isotropic.fill(!matrix_.diagonals.empty());
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            const std::uint32_t entry = matrix_.entry(i, e, model.neighbours[e]);
+            if (matrix_.diagonals.empty() || entry == SpringMatrix::no_entry) continue;
+            if (model.kinds[e] != SpringKind::bending)
+                matrix_.isotropic[entry / Stencil::lanes % matrix_.diagonals.count] = false;
+        }
+    }
     prepare(Fabric());
 }
 
@@ -49,6 +58,7 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     prepare(fabric);
     const float stiffest = table_.stiffest() + fabric.bending * table_.stiffest_bending();
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
+    constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(parallel, equation, velocities, about);
     blocks_in_tiles(parallel, model_.particle_count, windows_,
@@ -102,6 +112,11 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
         parallel, model_.particle_count, windows_, [&](const BlockRange& range, GridWindow* window) {
             relax_corrected_block(matrix_, range, b.data(), step, correction, next.data(), *window);
         });
+}
+
+float SpringSystem::constant_block(std::uint32_t i, std::uint32_t j) const {
+    const std::uint32_t e = half_edge_between(model_, i, j);
+    return model_.kinds[e] == SpringKind::bending ? model_.bending[e] : 0.0f;
 }
 
 void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,

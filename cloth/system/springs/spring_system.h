@@ -30,6 +30,8 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
+    [[nodiscard]] float constant_block(std::uint32_t i, std::uint32_t j) const override;
+    [[nodiscard]] float constant_scale() const noexcept override { return constant_scale_; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
@@ -49,6 +51,7 @@ class SpringSystem final : public ImplicitSystem {
     SpringMatrix matrix_;
     SpringTable table_;
     MembraneCoupling coupling_;
+    float constant_scale_ = 0;
     AlignedBuffer<Vec4> positions_;  // x_base + gamma v; in a sheet added up on the way
 };
 
