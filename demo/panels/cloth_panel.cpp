@@ -7,10 +7,30 @@
 namespace weft::demo {
 namespace {
 
+/// Fabrics by name; "own" where the sliders have made another.
+bool fabric_menu(Fabric& fabric) {
+    const auto present = std::ranges::find(fabrics(), fabric, &NamedFabric::fabric);
+    bool changed = false;
+    if (ImGui::BeginCombo("fabric", present == fabrics().end() ? "own" : present->name)) {
+        for (const NamedFabric& each : fabrics()) {
+            const bool chosen = each.fabric == fabric;
+            if (ImGui::Selectable(each.name, chosen) && !chosen) {
+                fabric = each.fabric;
+                changed = true;
+            }
+            tooltip(each.source);
+        }
+        ImGui::EndCombo();
+    }
+    tooltip(present == fabrics().end() ? "Measured fabrics; each tells where its figures are from."
+                                       : present->source);
+    return changed;
+}
+
 bool fabric_sliders(ClothSettings& settings) {
     constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
     Fabric& fabric = settings.fabric;
-    bool changed = false;
+    bool changed = fabric_menu(fabric);
     changed |=
         slider("stretch", fabric.stretch, 1, 1e5f, "%.0f N/m", "Stiffness of the springs along edges.", log);
     changed |= slider("shear", fabric.shear, 0.1f, 1e5f, "%.1f N/m",

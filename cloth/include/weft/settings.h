@@ -2,7 +2,9 @@
 // What a host can set. Every field says its unit, its range and what it does; the defaults run.
 
 #include <cstdint>
+#include <string_view>
 
+#include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/methods.h"
 #include "weft/self_collision.h"
@@ -15,9 +17,17 @@ namespace weft {
 struct Fabric {
     float areal_density = 0.2f;  ///< [kg/m^2], 1e-4 to 1e4
     float stretch = 400.0f;      ///< structural springs, along edges [N/m], 0 to 1e9
+    float warp = 400.0f;
+    float weft = 400.0f;
     float shear = 100.0f;        ///< diagonals of a grid's cells [N/m], 0 to 1e9; general meshes have none
     float bend = 4.0f;      ///< second neighbours along a thread, or across a shared edge [N/m], 0 to 1e9
+    float bending = 2e-5f;
     float damping = 2e-4f;  ///< spring damping over stiffness, c = damping * k [s], 0 to 100
+
+    /// One of fabrics.h: "denim". Error: no fabric of that name, with the names there are.
+    [[nodiscard]] static Result<Fabric> named(std::string_view name);
+
+    friend bool operator==(const Fabric&, const Fabric&) = default;
 };
 
 /// Triangle finite elements in place of the springs: warp, weft and shear apart, and bending as a rigidity.
