@@ -78,7 +78,7 @@ Finding hanging_chain(ForceModel model, std::uint32_t cells) {
 }
 
 struct Swing {
-    double lost;   ///< part of the energy over that of hanging still, after 2 s
+    double left;   ///< of the energy over that of hanging still, after 2 s
     double speed;  ///< rms over the particles and from 1.5 to 2.5 s [m/s]
 };
 
@@ -91,19 +91,19 @@ Swing swing(ForceModel model, std::uint32_t cells, float step, bool truth) {
             settings.substeps = 64;
         });
     const double start = cloth.energy();
-    double lost = 0, squares = 0;
+    double left = 0, squares = 0;
     int count = 0;
     double time = 0;
     const double hanging = -0.5 * gravity * 0.2 * (1 - 0.5 / cells);
     cloth.run(2.5, step, [&] {
         time += static_cast<double>(step);
         if (std::abs(time - 2) < static_cast<double>(step) / 2)
-            lost = 1 - (cloth.energy() - hanging) / (start - hanging);
+            left = (cloth.energy() - hanging) / (start - hanging);
         if (time < 1.5) return;
         squares += std::pow(cloth.rms_speed(), 2);
         ++count;
     });
-    return {lost, std::sqrt(squares / count)};
+    return {left, std::sqrt(squares / count)};
 }
 
 std::vector<Finding> swings(ForceModel model, std::uint32_t cells) {
@@ -112,7 +112,7 @@ std::vector<Finding> swings(ForceModel model, std::uint32_t cells) {
     for (const int hz : {30, 60, 120, 240}) {
         const Swing each = swing(model, cells, 1.0f / static_cast<float>(hz), false);
         const std::string at = " at 1/" + std::to_string(hz) + " s";
-        findings.push_back(finding("energy lost" + at, "", each.lost, truth.lost));
+        findings.push_back(finding("energy left" + at, "", each.left, truth.left));
         findings.push_back(finding("speed" + at, "m/s", each.speed, truth.speed));
     }
     return findings;

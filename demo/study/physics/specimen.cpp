@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace weft::study {
 
@@ -99,26 +100,30 @@ Mesh strip_mesh(ForceModel model, const Strip& strip, const Place& place) {
 Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place) {
     Mesh mesh;
     mesh.pattern.push_back({0, 0});
-    const auto first_of = [](std::uint32_t ring) { return ring == 0 ? 0 : 3 * ring * (ring - 1) + 1; };
+    struct Node {
+        double angle;
+        std::uint32_t vertex;
+    };
+    std::vector<Node> inner{{0, 0}};  // the ends of a ring are one vertex; the centre is only one
     for (std::uint32_t ring = 1; ring <= rings; ++ring) {
+        const double spacing = 2 * std::numbers::pi / (6 * ring), r = radius * ring / rings;
+        const double start = spacing * 0.5 * static_cast<double>(noise(ring));
+        std::vector<Node> outer;
         for (std::uint32_t k = 0; k < 6 * ring; ++k) {
-            const double angle = 2 * std::numbers::pi * k / (6 * ring), r = radius * ring / rings;
-            mesh.pattern.push_back(point(r * std::cos(angle), r * std::sin(angle)));
+            outer.push_back({start + spacing * k, static_cast<std::uint32_t>(mesh.pattern.size())});
+            mesh.pattern.push_back(point(r * std::cos(outer.back().angle), r * std::sin(outer.back().angle)));
         }
-    }
-    for (std::uint32_t ring = 1; ring <= rings; ++ring) {
-        const std::uint32_t within = ring - 1;
-        const auto outer = [&](std::uint32_t k) { return first_of(ring) + k % (6 * ring); };
-        const auto inner = [&](std::uint32_t k) {
-            return within == 0 ? 0 : first_of(within) + k % (6 * within);
-        };
-        for (std::uint32_t sextant = 0; sextant < 6; ++sextant) {
-            for (std::uint32_t k = 0; k < ring; ++k) {
-                const std::uint32_t o = sextant * ring + k, i = sextant * within + k;
-                mesh.triangles.push_back({inner(i), outer(o), outer(o + 1)});
-                if (k < within) mesh.triangles.push_back({inner(i), outer(o + 1), inner(i + 1)});
-            }
+        outer.push_back({start + 2 * std::numbers::pi, outer.front().vertex});
+        // Between two rings, whichever next node comes first ends the next triangle.
+        std::size_t i = 0, o = 0;
+        while (i + 1 < inner.size() || o + 1 < outer.size()) {
+            const bool on_outer =
+                i + 1 == inner.size() || (o + 1 < outer.size() && outer[o + 1].angle <= inner[i + 1].angle);
+            const std::uint32_t next = on_outer ? outer[o + 1].vertex : inner[i + 1].vertex;
+            mesh.triangles.push_back({inner[i].vertex, outer[o].vertex, next});
+            ++(on_outer ? o : i);
         }
+        inner = std::move(outer);
     }
     put_in_place(mesh, place);
     return mesh;

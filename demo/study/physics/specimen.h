@@ -16,7 +16,7 @@ enum class ForceModel {
     mesh,      ///< springs along the edges of a general mesh
     elements,  ///< finite elements on that mesh
 };
-constexpr std::array force_models{ForceModel::sheet, ForceModel::mesh, ForceModel::elements};
+inline constexpr std::array force_models{ForceModel::sheet, ForceModel::mesh, ForceModel::elements};
 [[nodiscard]] const char* name_of(ForceModel model);
 
 /// In still nothing, by the default method: what a test wants other is set there.
@@ -34,7 +34,8 @@ struct Strip {
 };
 [[nodiscard]] Mesh strip_mesh(ForceModel model, const Strip& strip, const Place& place);
 
-/// A disc about the pattern's origin, of `rings` rings of which ring k has 6 k particles: a general mesh.
+/// A disc about the pattern's origin, of `rings` rings of which ring k has 6 k particles, each turned by
+/// some part of its spacing, so that the mesh prefers no number of folds.
 [[nodiscard]] Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place);
 
 /// A number from -1 to 1 that looks random, the same for the same `number`.
