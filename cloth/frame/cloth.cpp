@@ -13,6 +13,7 @@ namespace {
 std::size_t bytes_of(const CookedCloth& model) {
     return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
+           model.bending.bytes() + model.bending_excess.bytes() +
            model.corner_offsets.bytes() + model.corner_triangles.bytes() +
            model.triangles.size() * sizeof(Triangle) +
            model.panel_sides.size() * sizeof(model.panel_sides[0]) +
@@ -92,6 +93,7 @@ void Cloth::apply(const ClothSettings& changed) {
     settings = changed;
     if (is_other_density) set_inverse_masses();
     if (other_solver) solver = std::move(other_solver);
+    solver->prepare(settings);
     if (is_other_density) solver->inverse_masses_changed(state.positions.span());
     if (!has_limits) limits = std::move(other_limits);
     if (new_history) {

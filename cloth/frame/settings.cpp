@@ -107,20 +107,16 @@ void check(Checks& checks, const Method& method) {
 
 void check(Checks& checks, const Fabric& fabric) {
     checks.between("Fabric::areal_density", fabric.areal_density, 1e-4f, 1e4f);
-    checks.between("Fabric::stretch", fabric.stretch, 0, most_stiffness);
+    checks.between("Fabric::warp", fabric.warp, 0, most_stiffness);
+    checks.between("Fabric::weft", fabric.weft, 0, most_stiffness);
     checks.between("Fabric::shear", fabric.shear, 0, most_stiffness);
-    checks.between("Fabric::bend", fabric.bend, 0, most_stiffness);
+    checks.between("Fabric::bending", fabric.bending, 0, 1e4f);
     checks.between("Fabric::damping", fabric.damping, 0, 100);
 }
 
 void check(Checks& checks, const FiniteElements& elements) {
-    constexpr float least_stiffness = 1e-4f;  // [N/m]
-    checks.between("FiniteElements::warp", elements.warp, least_stiffness, most_stiffness);
-    checks.between("FiniteElements::weft", elements.weft, least_stiffness, most_stiffness);
-    checks.between("FiniteElements::shear", elements.shear, least_stiffness, most_stiffness);
     checks.between("FiniteElements::poisson", elements.poisson, 0, 0.5f);
     checks.below("FiniteElements::poisson", elements.poisson, 0.5f);
-    checks.between("FiniteElements::bending", elements.bending, 0, 1e4f);
 }
 
 /// What one setting leaves no room for in another.
@@ -128,6 +124,13 @@ void check_together(Checks& checks, const ClothSettings& settings) {
     const FiniteElements& elements = settings.finite_elements;
     const bool positional =
         std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
+    if (elements.enabled) {  // which divide by them
+        constexpr float least_stiffness = 1e-4f;  // [N/m]
+        const Fabric& fabric = settings.fabric;
+        checks.between("With FiniteElements, Fabric::warp", fabric.warp, least_stiffness, most_stiffness);
+        checks.between("With FiniteElements, Fabric::weft", fabric.weft, least_stiffness, most_stiffness);
+        checks.between("With FiniteElements, Fabric::shear", fabric.shear, least_stiffness, most_stiffness);
+    }
     checks.allow(
         !(elements.enabled && positional),
         "FiniteElements::enabled is true, and Xpbd and Fibres know springs only; it must be false with "

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "cloth/mesh/linear_bending.h"
 #include "cloth/mesh/ordering.h"
 #include "cloth/mesh/topology.h"
 
@@ -78,7 +79,7 @@ double opposite_distance(const Mesh& mesh, const Topology& topology, const Edge&
     return std::hypot(one.along - other.along, one.height + other.height);
 }
 
-/// Edges hold together; second neighbours across a shared edge keep it from folding.
+/// Edges hold together; what lies across a shared edge from one another is joined by its bending.
 std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) {
     std::vector<Spring> springs;
     springs.reserve(2 * topology.edges.size());
@@ -86,13 +87,14 @@ std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) 
         springs.push_back(make_spring(edge.particles[0], edge.particles[1], SpringKind::structural,
                                       edge_length(mesh, topology, edge)));
         if (!edge.is_border())
-            springs.push_back(make_spring(edge.opposites[0], edge.opposites[1], SpringKind::bend,
+            springs.push_back(make_spring(edge.opposites[0], edge.opposites[1], SpringKind::bending,
                                           opposite_distance(mesh, topology, edge)));
     }
     return springs;
 }
 
-/// Along the threads of a woven grid (Provot 1995): neighbours, diagonals, and second neighbours.
+/// Along the threads of a woven grid (Provot 1995): neighbours and diagonals; threads bend by second
+/// neighbours.
 /// Precondition: particle (row, column) is row * columns + column, and so is its vertex.
 std::vector<Spring> springs_of_grid(const Mesh& mesh) {
     struct Step {
@@ -102,7 +104,7 @@ std::vector<Spring> springs_of_grid(const Mesh& mesh) {
     };
     static constexpr Step steps[] = {
         {0, 1, SpringKind::structural}, {1, 0, SpringKind::structural}, {1, 1, SpringKind::shear},
-        {1, -1, SpringKind::shear},     {0, 2, SpringKind::bend},       {2, 0, SpringKind::bend},
+        {1, -1, SpringKind::shear},     {0, 2, SpringKind::bending},    {2, 0, SpringKind::bending},
     };
     std::vector<Spring> springs;
     springs.reserve(std::size(steps) * mesh.positions.size());
@@ -141,8 +143,7 @@ void count_springs(std::span<const Spring> springs, ClothInfo& info) {
             case SpringKind::shear:
                 ++info.shear_springs;
                 break;
-            case SpringKind::bend:
-                ++info.bend_springs;
+            case SpringKind::bending:
                 break;
         }
     }
@@ -334,7 +335,17 @@ Result<CookedCloth> cook(const Mesh& mesh) {
     cloth.component_offsets = std::move(topology.component_offsets);
     cloth.component_particles = std::move(topology.component_particles);
     cloth.vertex_to_particle = std::move(topology.vertex_to_particle);
+    const std::vector<BendingElement> bending = linear_bending(cloth);
+    cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
+    store_bending(bending, cloth);
     return cloth;
+}
+
+std::uint32_t half_edge_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
+    const auto row = model.neighbours.span().subspan(model.spring_offsets[i],
+                                                     model.spring_offsets[i + 1] - model.spring_offsets[i]);
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(row, j) - row.begin()) +
+           model.spring_offsets[i];
 }
 
 }  // namespace weft

@@ -12,7 +12,9 @@
 
 namespace weft {
 
-enum class SpringKind : std::uint8_t { structural, shear, bend };
+/// What joins two particles: springs along edges and threads, springs across a grid's cells, or bending
+/// alone.
+enum class SpringKind : std::uint8_t { structural, shear, bending };
 
 /// The rest model of a cloth; never changes after cooking. Lists are in compressed rows: those of particle i
 /// are [offsets[i], offsets[i + 1]), in ascending order of what they name, which is the order in which they
@@ -29,6 +31,11 @@ struct CookedCloth {
     AlignedBuffer<std::uint32_t> neighbours;
     AlignedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
     AlignedBuffer<SpringKind> kinds;
+    /// Linear bending of rigidity 1 N m: the force on i is the sum of weights times (x_j - x_i) [1/m^2].
+    AlignedBuffer<float> bending;
+    /// What bending's diagonal in relaxation has beyond the sum of its weights, so that it bounds half of the
+    /// Hessian: sum of k |c_i| (S - |c_i|) over elements, S being half the sum of their |c| [1/m^2].
+    AlignedBuffer<float> bending_excess;
 
     std::vector<Triangle> triangles;  ///< particle indices
     /// With a pattern: each triangle's sides from its corner 0 to corners 1 and 2, in its panel's plane [m];
@@ -43,6 +50,9 @@ struct CookedCloth {
     std::vector<std::uint32_t> vertex_to_particle;
     ClothInfo info;  ///< mass and bytes are filled in by the cloth
 };
+
+/// Precondition: i and j have a half-edge.
+[[nodiscard]] std::uint32_t half_edge_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j);
 
 /// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. Faces of no
 /// area are dropped and counted.

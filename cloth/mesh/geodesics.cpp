@@ -13,10 +13,7 @@ constexpr double unreachable = std::numeric_limits<double>::infinity();
 
 /// Precondition: the model has a spring between the two, as along every side of a triangle.
 double rest_length(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t* const row = model.neighbours.data();
-    const std::uint32_t* const at =
-        std::lower_bound(row + model.spring_offsets[i], row + model.spring_offsets[i + 1], j);
-    return static_cast<double>(model.rest_lengths[static_cast<std::size_t>(at - row)]);
+    return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
 }
 
 double square(double x) {

@@ -15,7 +15,7 @@ namespace weft {
 struct SystemKind {
     explicit SystemKind(const ClothSettings& settings)
         : elements(settings.finite_elements.enabled),
-          bending(elements && settings.finite_elements.bending > 0),
+          bending(elements && settings.fabric.bending > 0),
           dihedral(elements && settings.finite_elements.dihedral),
           consistent_mass(elements && settings.finite_elements.consistent_mass) {}
     bool elements, bending, dihedral, consistent_mass;

@@ -44,6 +44,8 @@ class Solver {
     [[nodiscard]] virtual bool serves(const ClothSettings& /*settings*/) const { return false; }
     /// Makes room, so that up to `count` particles can be pinned at a time without taking memory. May throw.
     virtual void reserve_pins(std::size_t /*count*/) {}
+    /// Makes what depends on these settings, which it serves, so that no step has to.
+    virtual void prepare(const ClothSettings& /*settings*/) noexcept {}
     /// A particle's inverse mass, in w of `positions`, has changed: it was pinned (0) or let go.
     virtual void inverse_mass_changed(std::uint32_t /*particle*/,
                                       std::span<const Vec4> /*positions*/) noexcept {}

@@ -1,9 +1,12 @@
 #include "cloth/solvers/step_residual.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "cloth/system/contacts.h"
+#include "cloth/system/springs/membrane.h"
 #include "cloth/system/springs/springs.h"
 
 namespace weft {
@@ -51,15 +54,77 @@ struct Left {
     }
 };
 
-/// The impulse gamma f of the spring from i to j on i.
-Vector3 pull(const StepEquation& equation, std::uint32_t i, std::uint32_t j, float rest_length,
-             float stiffness, const Vector3& v_i, const Vector3& v_j) {
-    const Vector3 v = v_j - v_i;
-    const Vector3 separation =
-        (xyz(equation.base_positions[j]) - xyz(equation.base_positions[i])) + equation.gamma * v;
-    const SpringTerms spring = spring_terms(separation, rest_length, stiffness, i, j);
-    const float viscous = equation.settings.fabric.damping * stiffness * spring.direction.dot(v);
-    return equation.gamma * (spring.force + viscous * spring.direction);
+/// The impulses gamma f of the fabric on particles, at velocities of which velocity(j) is that of j.
+template <class Velocity>
+class Pulls {
+  public:
+    Pulls(const CookedCloth& model, const StepEquation& equation, const Velocity& velocity)
+        : model_(model), equation_(equation), fabric_(equation.settings.fabric), velocity_(velocity) {}
+
+    [[nodiscard]] Vector3 bending(std::uint32_t i, std::uint32_t e) const {
+        const std::uint32_t j = model_.neighbours[e];
+        const float weight = equation_.gamma * fabric_.bending * model_.bending[e];
+        return weight * (apart(i, j) + fabric_.damping * (velocity_(j) - velocity_(i)));
+    }
+    [[nodiscard]] Vector3 spring(std::uint32_t i, std::uint32_t e, float stiffness) const {
+        const std::uint32_t j = model_.neighbours[e];
+        const SpringTerms spring = spring_terms(apart(i, j), model_.rest_lengths[e], stiffness, i, j);
+        return equation_.gamma * (spring.force + viscous(i, j, stiffness, spring.direction));
+    }
+    /// Of a triangle on its corner k.
+    [[nodiscard]] Vector3 triangle(std::uint32_t t, std::size_t k, const TriangleMembrane& membrane) const {
+        const Triangle& corners = model_.triangles[t];
+        std::array<Vector3, 3> sides;
+        std::array<double, 3> extensions{};
+        for (std::size_t m = 0; m < 3; ++m) {
+            sides[m] = apart(corners[m], corners[(m + 1) % 3]);
+            extensions[m] = static_cast<double>(sides[m].norm()) - membrane.rest_lengths[m];
+        }
+        Vector3 force = Vector3::Zero();
+        const std::size_t behind = (k + 2) % 3;
+        for (const auto& [side, sign] : {std::pair(k, 1.0f), std::pair(behind, -1.0f)}) {
+            double tension = membrane.own[side] * extensions[side];
+            for (std::size_t m = 0; m < 3; ++m) tension += membrane.shared[side][m] * extensions[m];
+            const Vector3 n = sign * sides[side].normalized();
+            const std::uint32_t other = corners[sign > 0 ? (k + 1) % 3 : behind];
+            force += static_cast<float>(tension) * n +
+                     viscous(corners[k], other, static_cast<float>(membrane.own[side]), n);
+        }
+        return equation_.gamma * force;
+    }
+
+  private:
+    [[nodiscard]] Vector3 apart(std::uint32_t i, std::uint32_t j) const {
+        return (xyz(equation_.base_positions[j]) - xyz(equation_.base_positions[i])) +
+               equation_.gamma * (velocity_(j) - velocity_(i));
+    }
+    [[nodiscard]] Vector3 viscous(std::uint32_t i, std::uint32_t j, float stiffness, const Vector3& n) const {
+        return fabric_.damping * stiffness * n.dot(velocity_(j) - velocity_(i)) * n;
+    }
+
+    const CookedCloth& model_;
+    const StepEquation& equation_;
+    const Fabric& fabric_;
+    const Velocity& velocity_;
+};
+
+/// Of the springs of particle i of a sheet, in its row's order [N/m]. It has at most 12 half-edges.
+std::array<float, 12> stiffness_at(const CookedCloth& model, const Fabric& fabric, std::uint32_t i) {
+    std::array<float, 12> result{};
+    const SheetModuli moduli = sheet_moduli(fabric);
+    const std::uint32_t row = i / model.columns, column = i % model.columns;
+    for (std::uint32_t r = row - std::min(row, 1u); r <= row && r + 1 < model.rows; ++r) {
+        for (std::uint32_t c = column - std::min(column, 1u); c <= column && c + 1 < model.columns; ++c) {
+            const auto add = [&](std::uint32_t a, std::uint32_t b, double stiffness, double /*length*/) {
+                if (a != i && b != i) return;
+                const std::uint32_t e = half_edge_between(model, i, a == i ? b : a);
+                result[e - model.spring_offsets[i]] += static_cast<float>(stiffness);
+            };
+            for_each_part_of_cell(model, moduli, r * model.columns + c, add);
+        }
+    }
+    for (float& stiffness : result) stiffness = std::max(stiffness, 0.0f);
+    return result;
 }
 
 Vector3 drive_of(const StepEquation& equation, const External& external, std::uint32_t i) {
@@ -71,24 +136,43 @@ void add_springs(const CookedCloth& model, const StepEquation& equation, std::sp
     const External external = external_at(equation, i);
     if (external.row_sum == 0) return;
     const Fabric& fabric = equation.settings.fabric;
-    const std::array<float, 3> stiffness_of = stiffnesses(fabric);
     const float per_stiffness = equation.gamma * (equation.gamma + fabric.damping);
-    const Vector3 v = xyz(velocities[i]);
-    Vector3 now = external.row_sum * (external.free_velocity - v), free = Vector3::Zero();
-    float diagonal = external.row_sum;
+    const auto velocity = [&](std::uint32_t j) -> Vector3 { return xyz(velocities[j]); };
+    const auto free_velocity = [&](std::uint32_t j) { return external_at(equation, j).free_velocity; };
+    const Pulls pulls_now(model, equation, velocity);
+    const Pulls pulls_free(model, equation, free_velocity);
+    Vector3 now = external.row_sum * (external.free_velocity - velocity(i)), free = Vector3::Zero();
+    float stiffness = 0;
     for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-        const std::uint32_t j = model.neighbours[e];
-        const float stiffness = stiffness_of[static_cast<std::size_t>(model.kinds[e])];
-        const float rest_length = model.rest_lengths[e];
-        now += pull(equation, i, j, rest_length, stiffness, v, xyz(velocities[j]));
-        free += pull(equation, i, j, rest_length, stiffness, external.free_velocity,
-                     external_at(equation, j).free_velocity);
-        diagonal += per_stiffness * stiffness;
+        now += pulls_now.bending(i, e);
+        free += pulls_free.bending(i, e);
+        stiffness += fabric.bending * std::max(model.bending[e], 0.0f);
     }
+    if (model.rows > 0) {
+        const std::array<float, 12> of_springs = stiffness_at(model, fabric, i);
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            const float k = of_springs[e - model.spring_offsets[i]];
+            if (k == 0) continue;
+            now += pulls_now.spring(i, e, k);
+            free += pulls_free.spring(i, e, k);
+            stiffness += k;
+        }
+    } else {
+        for (std::uint32_t c = model.corner_offsets[i]; c < model.corner_offsets[i + 1]; ++c) {
+            const std::uint32_t t = model.corner_triangles[c];
+            const auto k = static_cast<std::size_t>(std::ranges::find(model.triangles[t], i) -
+                                                    model.triangles[t].begin());
+            const TriangleMembrane membrane = triangle_membrane(model, t, fabric);
+            now += pulls_now.triangle(t, k, membrane);
+            free += pulls_free.triangle(t, k, membrane);
+            stiffness += static_cast<float>(membrane.own[k] + membrane.own[(k + 2) % 3]);
+        }
+    }
+    float diagonal = external.row_sum + per_stiffness * stiffness;
     if (equation.contacts != nullptr && equation.contacts->rows().touches(i)) {
         const ContactRows& rows = equation.contacts->rows();
         const Symmetric3 block = rows.block(i);
-        now += xyz(rows.impulses[i]) - block * v;
+        now += xyz(rows.impulses[i]) - block * velocity(i);
         free += xyz(rows.impulses[i]) - block * external.free_velocity;
         diagonal += (block.xx + block.yy + block.zz) / 3;
     }
@@ -118,9 +202,9 @@ float StepResidual::operator()(Parallel& parallel, const StepEquation& equation,
 
 float StepResidual::of_elements(Parallel& parallel, const StepEquation& equation,
                                 std::span<const Vec4> velocities, ImplicitSystem& system) {
-    const FiniteElements& moduli = equation.settings.finite_elements;
-    const float stiffness = equation.gamma * (equation.gamma + equation.settings.fabric.damping) *
-                            (moduli.warp + moduli.weft + moduli.shear);
+    const Fabric& fabric = equation.settings.fabric;
+    const float stiffness =
+        equation.gamma * (equation.gamma + fabric.damping) * (fabric.warp + fabric.weft + fabric.shear);
     Left sum;
     for (std::uint32_t i = 0; i < free_.size(); ++i)
         free_[i] = to_vec4(external_at(equation, i).free_velocity, 0);

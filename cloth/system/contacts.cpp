@@ -137,8 +137,7 @@ constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
 constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
 
 float stiffness_of(const ClothSettings& settings) {
-    const FiniteElements& elements = settings.finite_elements;
-    return elements.enabled ? std::max(elements.warp, elements.weft) : settings.fabric.stretch;
+    return std::max(settings.fabric.warp, settings.fabric.weft);
 }
 
 }  // namespace

@@ -48,6 +48,9 @@ class ImplicitSystem {
         : right_side_(particles), partial_sums_(block_count(particles)) {}
     virtual ~ImplicitSystem() = default;
 
+    /// Makes what depends on the fabric alone. A step in another fabric does that first.
+    virtual void prepare(const Fabric& /*fabric*/) noexcept {}
+
     /// Makes W and b of the equation, linearised: with dv from W dv = b, v + dv solves it. Precondition: if
     /// it is linearised about its base, `velocities` are the equation's own.
     virtual void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -84,8 +87,8 @@ class ImplicitSystem {
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
-    /// The spring a I + d d^T >= 0 nearest to each off-diagonal block of some slots, which are 16 entries
-    /// each; the block itself, for springs. From these the coarse levels are made. blocks[16 k + lane] is of
+    /// Of each off-diagonal block of some slots, which are 16 entries each, the nearest block a I + d d^T; the
+    /// block itself, for springs. Bending makes a negative where it pulls particles apart. From these the coarse levels are made. blocks[16 k + lane] is of
     /// slots[k]: d [sqrt(kg)], w a [kg]. They are there as well in the rows of pinned particles.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
@@ -94,9 +97,6 @@ class ImplicitSystem {
 
     /// What colliders add to the diagonal, or null: there are none.
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
-
-    /// Whether coarse levels may leave out the spring between two particles, because other springs join them.
-    [[nodiscard]] virtual bool is_minor(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return false; }
 
     /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
     [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }

@@ -31,13 +31,17 @@ bool fabric_sliders(ClothSettings& settings) {
     constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
     Fabric& fabric = settings.fabric;
     bool changed = fabric_menu(fabric);
-    changed |=
-        slider("stretch", fabric.stretch, 1, 1e5f, "%.0f N/m", "Stiffness of the springs along edges.", log);
-    changed |= slider("shear", fabric.shear, 0.1f, 1e5f, "%.1f N/m",
-                      "Stiffness of the diagonals of a grid's cells; other meshes have none.", log);
-    changed |= slider("bend", fabric.bend, 0.01f, 1e4f, "%.2f N/m",
-                      "Stiffness between second neighbours along a thread, or across a shared edge.", log);
-    changed |= slider("damping", fabric.damping, 0, 0.1f, "%.5f s", "Spring damping over stiffness.", log);
+    changed |= slider("warp", fabric.warp, 1, 1e5f, "%.0f N/m",
+                      "Tension over strain along the rows, or along the pattern's first axis.", log);
+    changed |= slider("weft", fabric.weft, 1, 1e5f, "%.0f N/m", "The same across them.", log);
+    changed |= slider("shear", fabric.shear, 0.1f, 1e5f, "%.1f N/m", "Stiffness in shear.", log);
+    float micro = 1e6f * fabric.bending;
+    if (slider("bending", micro, 0.1f, 1e4f, "%.1f uN m", "Flexural rigidity: moment over curvature.", log)) {
+        fabric.bending = 1e-6f * micro;
+        changed = true;
+    }
+    changed |= slider("damping", fabric.damping, 0, 0.1f, "%.5f s",
+                      "Time constant with which a strain that is let go decays.", log);
     changed |= slider("weight", fabric.areal_density, 0.02f, 2, "%.2f kg/m2", "Mass of a square metre.", log);
     changed |=
         slider("air damping", settings.air_damping, 0, 10, "%.2f /s", "Rate at which velocity decays.", log);

@@ -32,7 +32,7 @@ class Flag final : public Scene {
 
         ClothSettings settings;
         settings.fabric.areal_density = 0.12f;
-        settings.fabric.bend = 1.0f;
+        settings.fabric.bending = 5e-6f;
         settings.self_collision.enabled = true;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

@@ -41,8 +41,12 @@ class Ribbon final : public Scene {
         distance_ = 0.8f * length / static_cast<float>(grid.rows - 1);
 
         ClothSettings settings;
-        settings.fabric = {
-            .areal_density = 0.2f, .stretch = 200.0f, .shear = 80.0f, .bend = 8.0f, .damping = 1e-3f};
+        settings.fabric = {.areal_density = 0.2f,
+                           .warp = 200.0f,
+                           .weft = 200.0f,
+                           .shear = 80.0f,
+                           .bending = 2e-5f,
+                           .damping = 1e-3f};
         settings.method = Jacobi{.iterations = 15};
         settings.air_damping = 1.0f;
         settings.self_collision = {.enabled = true, .distance = distance_, .friction = 0.4f};

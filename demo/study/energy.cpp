@@ -1,12 +1,16 @@
 #include "demo/study/energy.h"
 
-#include "cloth/system/springs/springs.h"
+#include <vector>
+
+#include "cloth/system/springs/membrane.h"
 
 namespace weft::study {
 
 Energy energy_of(const Cloth& cloth, const Vec3& gravity) {
     const CookedCloth& model = cloth.model;
-    const auto stiffness = stiffnesses(cloth.settings.fabric);
+    const Fabric& fabric = cloth.settings.fabric;
+    std::vector<float> stiffness(model.neighbours.size());
+    spring_stiffness(model, fabric, stiffness);
     const Eigen::Vector3d g = to_vector(gravity).cast<double>();
     Energy energy;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -20,8 +24,10 @@ Energy energy_of(const Cloth& cloth, const Vec3& gravity) {
             if (j < i) continue;  // each spring is stored at both ends
             const double length = (xyz(cloth.state.positions[j]).cast<double>() - x).norm();
             const double extension = length - static_cast<double>(model.rest_lengths[e]);
-            const double k = static_cast<double>(stiffness[static_cast<std::size_t>(model.kinds[e])]);
-            energy.elastic += k * extension * extension / 2;
+            const double k = static_cast<double>(stiffness[e]);
+            const double bending =
+                static_cast<double>(fabric.bending) * static_cast<double>(model.bending[e]);
+            energy.elastic += (k * extension * extension + bending * length * length) / 2;
         }
     }
     return energy;

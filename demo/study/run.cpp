@@ -78,7 +78,7 @@ Positions positions_of(const Cloth& cloth) {
 double kappa(const Cloth& cloth, double frame) {
     const ClothInfo info = cloth.info();
     const double mass = static_cast<double>(info.mass) / info.particles;
-    return static_cast<double>(cloth.settings.fabric.stretch) * frame * frame / mass;
+    return static_cast<double>(cloth.settings.fabric.warp) * frame * frame / mass;
 }
 
 }  // namespace weft::study

@@ -26,10 +26,8 @@ void soften_motion(StudyScene& scene) {
     scene.world.max_speed = std::numeric_limits<float>::infinity();
 }
 
-void stiffen(Fabric& fabric, FiniteElements& elements, float times) {
-    for (float* k : {&fabric.stretch, &fabric.shear, &fabric.bend, &elements.warp, &elements.weft,
-                     &elements.shear, &elements.bending})
-        *k *= times;
+void stiffen(Fabric& fabric, float times) {
+    for (float* k : {&fabric.warp, &fabric.weft, &fabric.shear, &fabric.bending}) *k *= times;
 }
 
 /// Mean of max(0, strain) of the structural springs: slack that folds take up does not offset stretch.
@@ -101,7 +99,7 @@ Tolerance tolerance_of(Start start) {
 StudyScene stability_scene(const StabilitySheet& sheet, Start start, double stiffness) {
     StudyScene scene = hung_sheet(sheet.per_side, false);
     soften_motion(scene);
-    stiffen(scene.cloth.fabric, scene.cloth.finite_elements, static_cast<float>(stiffness));
+    stiffen(scene.cloth.fabric, static_cast<float>(stiffness));
     std::mt19937 random(1);
     for (std::uint32_t i = 0; i < scene.start_positions.size(); ++i) {
         if (std::ranges::find(scene.pins, i) != scene.pins.end()) continue;

@@ -50,7 +50,6 @@ StudyScene hung_garment(const std::filesystem::path& obj, int quartered, const s
     demo::drop_unfit_pattern(scene.mesh);
     demo::stand_upright(scene.mesh, 0.45f);
     for (int i = 0; i < quartered; ++i) scene.mesh = demo::refined(scene.mesh);
-    scene.cloth.fabric.bend = 0.05f * scene.cloth.fabric.stretch;
     scene.world.wind.air_density = 0;
     scene.pins = demo::highest_opening(scene.mesh);
     return scene;

@@ -1,7 +1,7 @@
 // Bending: gradients against finite differences, energies against those of bent plates, and a strip of cloth
 // that hangs over an edge against the heavy elastica.
 
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 #include <gtest/gtest.h>
 
@@ -183,7 +183,8 @@ TEST_P(FoldedPanel, RestsWhereItWasFoldedAndComesBackFromBothSides) {
             ClothSettings settings;
             settings.air_damping = 2;
             settings.fabric.areal_density = 0.2f;
-            settings.finite_elements = {.enabled = true, .bending = 1e-3f, .dihedral = true};
+            settings.fabric.bending = 1e-3f;
+            settings.finite_elements = {.enabled = true, .dihedral = true};
             return settings;
         }());
         const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
@@ -225,12 +226,10 @@ TEST_P(HeavyElastica, StripHangsAsTheElasticaDoes) {
     settings.air_damping = 0;
     settings.fabric.damping = 0;
     settings.fabric.areal_density = static_cast<float>(expected.gamma) / g;
-    settings.finite_elements = {.enabled = true,
-                                .warp = 1e4f,
-                                .weft = 1e4f,
-                                .shear = 5e3f,
-                                .bending = 1,
-                                .dihedral = expected.dihedral};
+    settings.fabric.warp = settings.fabric.weft = 1e4f;
+    settings.fabric.shear = 5e3f;
+    settings.fabric.bending = 1;
+    settings.finite_elements = {.enabled = true, .dihedral = expected.dihedral};
     Cloth cloth(cook(strip(columns + 1, rows, cell, expected.irregular)).value(), settings);
     const auto at = [&](std::uint32_t row, std::uint32_t column) {
         return cloth.model.vertex_to_particle[row * (columns + 2) + column];

@@ -19,8 +19,9 @@ struct Kind {
 std::vector<Kind> kinds() {
     const auto elements = [](float bending, bool dihedral, bool consistent_mass) {
         ClothSettings settings;
+        settings.fabric.bending = bending;
         settings.finite_elements = {
-            .enabled = true, .bending = bending, .dihedral = dihedral, .consistent_mass = consistent_mass};
+            .enabled = true, .dihedral = dihedral, .consistent_mass = consistent_mass};
         return settings;
     };
     ClothSettings jacobi;

@@ -65,7 +65,7 @@ struct Problem {
 /// Springs along threads alone, which make a bipartite graph: the spectrum reaches from nearly 0 to nearly 2.
 Cloth bipartite(float stiffness) {
     Cloth cloth = crumpled(sheet(6, 6), 0.01f, stiffness);
-    cloth.settings.fabric.shear = cloth.settings.fabric.bend = 0;
+    cloth.settings.fabric.shear = cloth.settings.fabric.bending = 0;
     return cloth;
 }
 
@@ -156,7 +156,7 @@ double noise_left(const Method& method) {
     std::uniform_real_distribution<float> offset(-1e-4f, 1e-4f);
     for (Vec3& x : mesh.positions) x = {x.x + offset(random), 0, x.z + offset(random)};
     ClothSettings settings;
-    settings.fabric = {.stretch = 4e4f, .shear = 0, .bend = 0, .damping = 0};
+    settings.fabric = {.warp = 4e4f, .weft = 4e4f, .shear = 0, .bending = 0, .damping = 0};
     settings.air_damping = 0;
     settings.method = method;
     (void)world.add_cloth(mesh, settings).value();

@@ -21,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 /// Springs along the threads alone: a strip of two columns is two chains side by side.
 ClothSettings threads_only(float stretch, TimeScheme scheme, int substeps, float air_damping = 0) {
     ClothSettings settings;
-    settings.fabric = {.stretch = stretch, .shear = 0, .bend = 0, .damping = 0};
+    settings.fabric = {.warp = stretch, .weft = stretch, .shear = 0, .bending = 0, .damping = 0};
     settings.air_damping = air_damping;
     settings.method = ConjugateGradient{.iterations = 400};
     settings.time_scheme = scheme;

@@ -42,7 +42,8 @@ class CollapsedStart : public testing::TestWithParam<Case> {
         settings.method = GetParam().method;
         settings.time_scheme = GetParam().scheme;
         settings.substeps = GetParam().substeps;
-        for (float* k : {&settings.fabric.stretch, &settings.fabric.shear, &settings.fabric.bend})
+        for (float* k :
+             {&settings.fabric.warp, &settings.fabric.weft, &settings.fabric.shear, &settings.fabric.bending})
             *k *= stiffer;
         auto made = std::make_unique<Cloth>(cook(sheet(9, 9)).value(), settings);
         Cloth& cloth = *made;

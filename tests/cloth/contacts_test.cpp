@@ -26,7 +26,9 @@ struct LyingCloth {
           held(cloth.model.particle_count) {
         if (elements) {
             ClothSettings settings = cloth.settings;
-            settings.finite_elements = {.enabled = true, .warp = 60, .weft = 40};
+            settings.finite_elements = {.enabled = true};
+            settings.fabric.warp = 60;
+            settings.fabric.weft = 40;
             cloth.apply(settings);
         }
         cloth.pin(1);
@@ -85,7 +87,7 @@ Law law_of(const LyingCloth& lying, std::uint32_t i, double stored, double took,
     Law law;
     const bool presses = gap + gravity_fall * n.y() < 0 || (stored > 0 && gap < 4e-3);
     if (w == 0 || !presses) return law;
-    const double stretch = static_cast<double>(lying.cloth.settings.fabric.stretch);
+    const double stretch = static_cast<double>(lying.cloth.settings.fabric.warp);
     const double spring = 50 / w + 0.005 * step * step * stretch;
     const double impulse = spring / step * (stored > 0 ? -gap : std::max(0.0, -gap));
     const double limit =

@@ -8,7 +8,7 @@
 #include "cloth/frame/simulation.h"
 #include "cloth/solvers/make_system.h"
 #include "cloth/system/implicit_system.h"
-#include "cloth/system/springs/springs.h"
+#include "cloth/system/springs/membrane.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -22,8 +22,11 @@ inline Mesh sheet(std::uint32_t rows, std::uint32_t columns) {
 /// iterations converge quickly.
 inline Cloth crumpled(const Mesh& mesh, float displacement, float stiffness, std::uint32_t seed = 7) {
     ClothSettings settings;
-    settings.fabric = {
-        .areal_density = 2.0f, .stretch = stiffness, .shear = 0.3f * stiffness, .bend = 0.1f * stiffness};
+    settings.fabric = {.areal_density = 2.0f,
+                       .warp = stiffness,
+                       .weft = stiffness,
+                       .shear = 0.3f * stiffness,
+                       .bending = 1e-3f * stiffness};
     settings.air_damping = 0;
     Cloth cloth(cook(mesh).value(), settings);
     std::mt19937 random(seed);

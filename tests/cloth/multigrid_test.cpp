@@ -24,8 +24,11 @@ constexpr float h = 1.0f / 60;
 
 ClothSettings stiff(float stretch = 400) {
     ClothSettings settings;
-    settings.fabric = {
-        .areal_density = 0.2f, .stretch = stretch, .shear = 0.25f * stretch, .bend = 0.01f * stretch};
+    settings.fabric = {.areal_density = 0.2f,
+                       .warp = stretch,
+                       .weft = stretch,
+                       .shear = 0.25f * stretch,
+                       .bending = 5e-8f * stretch};
     return settings;
 }
 
@@ -164,7 +167,6 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
         for (std::uint32_t j = 0; j < cloth.state.size(); ++j) {
             if (j == i) continue;
             auto block = springs.block<3, 3>(3 * i, 3 * j);
-            if (!block.isZero() && levels.system->is_minor(i, j)) block.setZero();
             if (!pinned) diagonal -= block;
         }
     }
@@ -454,11 +456,11 @@ TEST(MultilevelSolver, MovesEachOfManyPiecesAsItWouldAlone) {
 }
 
 TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
-    const auto settings_of = [](float shear, float bend) {
+    const auto settings_of = [](float shear, float bending) {
         ClothSettings settings = stiff();
         settings.method = Multilevel{};
         settings.fabric.shear = shear;
-        settings.fabric.bend = bend;
+        settings.fabric.bending = bending;
         return settings;
     };
     const std::uint32_t corners[] = {0, 19};
@@ -478,11 +480,11 @@ TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
         }
         return flat(cloth.next_velocities.span());
     };
-    const ClothSettings last = settings_of(50, 2);
+    const ClothSettings last = settings_of(50, 2e-5f);
     const Eigen::VectorXd expected = step_after({last});
-    for (const ClothSettings& before : {settings_of(1, 2), settings_of(800, 300), settings_of(0, 0)})
+    for (const ClothSettings& before : {settings_of(1, 2e-5f), settings_of(800, 1e-2f), settings_of(0, 0)})
         EXPECT_EQ(step_after({before, last}), expected);
-    const ClothSettings stiff_bending = settings_of(50, 300);
+    const ClothSettings stiff_bending = settings_of(50, 1e-2f);
     EXPECT_EQ(step_after({last, stiff_bending}), step_after({stiff_bending}));
 }
 

@@ -14,7 +14,8 @@ constexpr float h = 1.0f / 60;
 
 ClothSettings undamped(float stretch, int iterations) {
     ClothSettings settings;
-    settings.fabric = {.stretch = stretch, .shear = 0.25f * stretch, .bend = 0.01f * stretch, .damping = 0};
+    settings.fabric = {
+        .warp = stretch, .weft = stretch, .shear = 0.25f * stretch, .bending = 5e-8f * stretch, .damping = 0};
     settings.method = Jacobi{.iterations = iterations};
     settings.air_damping = 0;
     return settings;
@@ -201,7 +202,7 @@ TEST(HungStrip, StretchesByWeightOverStiffness) {
             .value();
     World world = World::create(vacuum({0, -9.81f, 0})).value();
     ClothSettings settings = undamped(50, 400);
-    settings.fabric.shear = settings.fabric.bend = 0;
+    settings.fabric.shear = settings.fabric.bending = 0;
     settings.fabric.damping = 0.02f;
     settings.air_damping = 2.0f;
     const ClothId id = world.add_cloth(mesh, settings).value();

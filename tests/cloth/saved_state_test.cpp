@@ -162,9 +162,9 @@ TEST_P(SavedState, IsReadBackPartByPart) {
 std::vector<ClothSettings> detours(const ClothSettings& from) {
     std::vector<ClothSettings> result;
     const auto add = [&](const auto& change) { change(result.emplace_back(from)); };
-    add([](ClothSettings& s) { s.fabric.stretch *= 100; });
+    add([](ClothSettings& s) { s.fabric.warp *= 100; });
     add([](ClothSettings& s) { s.fabric.shear = 0; });
-    add([](ClothSettings& s) { s.fabric.bend = s.fabric.stretch; });
+    add([](ClothSettings& s) { s.fabric.bending = 1e-3f; });
     add([](ClothSettings& s) { s.fabric.areal_density *= 7; });
     add([](ClothSettings& s) { s.fabric.damping = 0.01f; });
     add([](ClothSettings& s) { s.method = Jacobi{}; });

@@ -34,15 +34,12 @@ std::vector<Knob> knobs() {
     using S = Settings;
     return {
         {"Fabric::areal_density", 1e-4f, 1e4f, [](S& s) -> float& { return s.cloth.fabric.areal_density; }},
-        {"Fabric::stretch", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.stretch; }},
+        {"Fabric::warp", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.warp; }},
         {"Fabric::shear", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.shear; }},
-        {"Fabric::bend", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.bend; }},
+        {"Fabric::weft", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.weft; }},
+        {"Fabric::bending", 0, 1e4f, [](S& s) -> float& { return s.cloth.fabric.bending; }},
         {"Fabric::damping", 0, 100, [](S& s) -> float& { return s.cloth.fabric.damping; }},
-        {"FiniteElements::warp", 1e-4f, 1e9f, [](S& s) -> float& { return s.cloth.finite_elements.warp; }},
-        {"FiniteElements::weft", 1e-4f, 1e9f, [](S& s) -> float& { return s.cloth.finite_elements.weft; }},
-        {"FiniteElements::shear", 1e-4f, 1e9f, [](S& s) -> float& { return s.cloth.finite_elements.shear; }},
         {"FiniteElements::poisson", 0, 0.49f, [](S& s) -> float& { return s.cloth.finite_elements.poisson; }},
-        {"FiniteElements::bending", 0, 1e4f, [](S& s) -> float& { return s.cloth.finite_elements.bending; }},
         {"Tethers::slack", 1, 1e3f, [](S& s) -> float& { return s.cloth.tethers.slack; }},
         {"SelfCollision::distance", 1e-6f, 10,
          [](S& s) -> float& { return s.cloth.self_collision.distance; }},

@@ -51,7 +51,8 @@ float residual_of_a_step(const Method& method, bool elements = false) {
     Cloth cloth = crumpled(sheet(9, 8), 0.01f, 100);
     ClothSettings settings = cloth.settings;
     settings.method = method;
-    settings.finite_elements = {.enabled = elements, .warp = 100, .weft = 100, .shear = 30};
+    settings.finite_elements = {.enabled = elements};
+    if (elements) settings.fabric = {.warp = 100, .weft = 100, .shear = 30};
     cloth.apply(settings);
     cloth.pin(0);
     cloth.pin(7);
@@ -179,7 +180,7 @@ TEST_P(EachMethod, LandsFlatOnAPlaneAndStaysThere) {
         for (Vec3& x : mesh.positions) x.y += height;
         ClothSettings settings = settings_of(GetParam());
         if (std::holds_alternative<SymplecticEuler>(settings.method))
-            settings.fabric = {.stretch = 40, .shear = 10, .bend = 0};
+            settings.fabric = {.warp = 40, .weft = 40, .shear = 10, .bending = 0};
         const ClothId id = world.add_cloth(mesh, settings).value();
         ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
         float up = 0;
@@ -218,7 +219,7 @@ TEST_P(EachMethod, GoesOnAfterAStateThatIsNotFinite) {
         Simulation simulation(vacuum({0, -9.81f, 0}));
         ClothSettings settings = settings_of(GetParam());
         if (std::holds_alternative<SymplecticEuler>(settings.method))
-            settings.fabric = {.stretch = 40, .shear = 10, .bend = 0};
+            settings.fabric = {.warp = 40, .weft = 40, .shear = 10, .bending = 0};
         auto made = std::make_unique<Cloth>(cook(loose_sheet(9, 9)).value(), settings);
         Cloth& cloth = *made;
         cloth.pin(0);
@@ -249,9 +250,10 @@ TEST_P(EachMethod, DoesNotDependOnThePathThatSettingsAndPinsTook) {
     const auto run = [&](bool detour) {
         World world = World::create(vacuum({0, -9.81f, 0})).value();
         ClothSettings settings = settings_of(GetParam());
-        settings.fabric = {.stretch = 40, .shear = 10, .bend = 1};
+        settings.fabric = {.warp = 40, .weft = 40, .shear = 10, .bending = 2e-5f};
         ClothSettings other = settings;
-        other.fabric = {.areal_density = 0.4f, .stretch = 60, .shear = 0, .bend = 2, .damping = 0};
+        other.fabric = {
+            .areal_density = 0.4f, .warp = 60, .weft = 60, .shear = 0, .bending = 4e-5f, .damping = 0};
         if (auto* fibres = std::get_if<Fibres>(&other.method)) fibres->horizontal = Fibres::SetSolver::ldlt;
         const ClothId id = world.add_cloth(sheet(20, 17), detour ? other : settings).value();
         const auto reset = [&](ClothId cloth) {  // a step's traces in the state are not the solver's

@@ -19,7 +19,8 @@ constexpr Vec3 gravity = {0, -9.81f, 0};
 
 ClothSettings undamped(float stretch, const Method& method, TimeScheme scheme, int substeps = 1) {
     ClothSettings settings;
-    settings.fabric = {.stretch = stretch, .shear = 0.25f * stretch, .bend = 0.01f * stretch, .damping = 0};
+    settings.fabric = {
+        .warp = stretch, .weft = stretch, .shear = 0.25f * stretch, .bending = 5e-8f * stretch, .damping = 0};
     settings.air_damping = 0;
     settings.method = method;
     settings.time_scheme = scheme;
@@ -297,18 +298,21 @@ TEST(SymplecticEuler, TakesSpringsForcesWhereParticlesAre) {
                          .equation = equation_of(cloth, h),
                          .velocities = cloth.next_velocities.span()});
     const Eigen::VectorXd change = velocity_change(cloth);
-    const std::array<float, 3> stiffness = stiffnesses(cloth.settings.fabric);
     const CookedCloth& model = cloth.model;
+    std::vector<float> stiffness(model.neighbours.size());
+    spring_stiffness(model, cloth.settings.fabric, stiffness);
+    const auto rigidity = static_cast<double>(cloth.settings.fabric.bending);
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         Eigen::Vector3d force(0, -9.81 * static_cast<double>(cloth.mass(i)), 0);
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t j = model.neighbours[e];
-            const auto k = static_cast<double>(stiffness[static_cast<std::size_t>(model.kinds[e])]);
+            const auto k = static_cast<double>(stiffness[e]);
             const Eigen::Vector3d d =
                 (xyz(cloth.state.positions[j]) - xyz(cloth.state.positions[i])).cast<double>();
             const Eigen::Vector3d u =
                 (xyz(cloth.state.velocities[j]) - xyz(cloth.state.velocities[i])).cast<double>();
             const Eigen::Vector3d n = d.normalized();
+            force += rigidity * static_cast<double>(model.bending[e]) * (d + 1e-3 * u);
             force +=
                 k * (d.norm() - static_cast<double>(model.rest_lengths[e])) * n + 1e-3 * k * n.dot(u) * n;
         }

@@ -27,13 +27,13 @@ void PrintTo(const Model& m, std::ostream* out) {
 Cloth elements(const Mesh& mesh, const Model& model) {
     Cloth cloth = crumpled(mesh, model.spread, 0);
     ClothSettings settings = cloth.settings;
+    settings.fabric.warp = 300;
+    settings.fabric.weft = 200;
+    settings.fabric.shear = 60;
+    settings.fabric.bending = 1e-3f;
     settings.fabric.damping = 1e-3f;
     settings.finite_elements = {.enabled = true,
-                                .warp = 300,
-                                .weft = 200,
-                                .shear = 60,
                                 .poisson = 0.2f,
-                                .bending = 1e-3f,
                                 .dihedral = model.dihedral,
                                 .consistent_mass = model.consistent_mass};
     cloth.apply(settings);

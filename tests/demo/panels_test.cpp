@@ -126,7 +126,7 @@ TEST(Panels, SayWhatAClothRefuses) {
     ASSERT_TRUE(simulation.ok());
     ClothSettings settings = *simulation->world().cloth_settings(simulation->content().cloths.front().id);
     EXPECT_TRUE(set_all_cloths(*simulation, settings).ok());
-    settings.fabric.stretch = -1;
+    settings.fabric.warp = -1;
     const auto refused = set_all_cloths(*simulation, settings);
     ASSERT_FALSE(refused.ok());
     EXPECT_NE(refused.error().message.find("stretch"), std::string::npos) << refused.error().message;

@@ -124,12 +124,12 @@ TEST(Simulation, KeepsSettingsOverARestart) {
     world.wind.gust = 0.125f;
     ASSERT_TRUE(simulation.world().set_settings(world).ok());
     ClothSettings cloth = *simulation.world().cloth_settings(simulation.content().cloths.front().id);
-    cloth.fabric.stretch = 123;
+    cloth.fabric.warp = 123;
     ASSERT_TRUE(simulation.world().set_cloth_settings(simulation.content().cloths.front().id, cloth).ok());
 
     ASSERT_TRUE(simulation.restart().ok());
     EXPECT_EQ(simulation.world().settings().wind.gust, 0.125f);
-    EXPECT_EQ(simulation.world().cloth_settings(simulation.content().cloths.front().id)->fabric.stretch, 123);
+    EXPECT_EQ(simulation.world().cloth_settings(simulation.content().cloths.front().id)->fabric.warp, 123);
 }
 
 TEST(Simulation, WritesItsClothsAsOneMesh) {

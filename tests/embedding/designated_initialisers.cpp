@@ -10,7 +10,7 @@ int main() {
         {.executor = {.width = 2}},
     };
     [[maybe_unused]] const weft::ClothSettings cloths[] = {
-        {.fabric = {.stretch = 100}},
+        {.fabric = {.warp = 100, .weft = 100}},
         {.finite_elements = {.enabled = true}},
         {.method = weft::Multilevel{.passes = 1}},
         {.method = weft::Jacobi{.iterations = 7}},

@@ -38,9 +38,9 @@ TEST(NumberText, ReadsBackAsTheSameFloat) {
 }
 
 TEST(OutOfRange, NamesTheSettingTheValueAndTheRemedy) {
-    const Error error = out_of_range("ClothSettings::fabric.stretch", -3, "finite and >= 0 N/m");
+    const Error error = out_of_range("ClothSettings::fabric.warp", -3, "finite and >= 0 N/m");
     EXPECT_EQ(error.code, ErrorCode::invalid_argument);
-    EXPECT_EQ(error.message, "ClothSettings::fabric.stretch is -3; it must be finite and >= 0 N/m");
+    EXPECT_EQ(error.message, "ClothSettings::fabric.warp is -3; it must be finite and >= 0 N/m");
 }
 
 TEST(OutOfRange, WritesVectorsByComponent) {

@@ -74,11 +74,7 @@ FiniteElements random_elements(Random& random, Fields& fields, const Method& met
     const bool is_explicit = std::holds_alternative<SymplecticEuler>(method);
     FiniteElements elements;
     elements.enabled = random.chance(0.4) && (!positional || fields.odd_choice());
-    elements.warp = fields.positive(1, 1e5f);
-    elements.weft = fields.positive(1, 1e5f);
-    elements.shear = fields.positive(1, 1e5f);
     elements.poisson = random.chance(0.5) ? 0 : random.between(0, 0.499f);
-    elements.bending = fields.zero_or_more(1e-7f, 1e-2f);
     elements.dihedral = random.chance(0.5);
     elements.consistent_mass = random.chance(0.3) && ((!is_explicit && !positional) || fields.odd_choice());
     return elements;
@@ -88,15 +84,12 @@ FiniteElements random_elements(Random& random, Fields& fields, const Method& met
 void spoil(Random& random, ClothSettings& s) {
     const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
     float* const fields[] = {&s.fabric.areal_density,
-                             &s.fabric.stretch,
+                             &s.fabric.warp,
+                             &s.fabric.weft,
                              &s.fabric.shear,
-                             &s.fabric.bend,
+                             &s.fabric.bending,
                              &s.fabric.damping,
-                             &s.finite_elements.warp,
-                             &s.finite_elements.weft,
-                             &s.finite_elements.shear,
                              &s.finite_elements.poisson,
-                             &s.finite_elements.bending,
                              &s.tethers.slack,
                              &s.self_collision.distance,
                              &s.self_collision.friction,
@@ -199,9 +192,10 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     Fields fields(random, drawn.answer == Answer::either);
     ClothSettings& s = drawn.value;
     s.fabric.areal_density = fields.positive(0.02f, 5);
-    s.fabric.stretch = fields.zero_or_more(0.1f, 1e6f);
+    s.fabric.warp = fields.zero_or_more(0.1f, 1e6f);
+    s.fabric.weft = fields.zero_or_more(0.1f, 1e6f);
     s.fabric.shear = fields.zero_or_more(0.1f, 1e5f);
-    s.fabric.bend = fields.zero_or_more(1e-3f, 1e4f);
+    s.fabric.bending = fields.zero_or_more(1e-8f, 1);
     s.fabric.damping = fields.zero_or_more(1e-6f, 1);
     s.substeps = random.chance(0.5)
                      ? 1
@@ -209,6 +203,8 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     const auto passes = most_passes / static_cast<std::uint64_t>(s.substeps);
     s.method = random_method(random, static_cast<int>(std::min<std::uint64_t>(passes / 9, 200)));
     s.finite_elements = random_elements(random, fields, s.method);
+    if (s.finite_elements.enabled && !fields.odd_choice())
+        for (float* k : {&s.fabric.warp, &s.fabric.weft, &s.fabric.shear}) *k = std::max(*k, 1e-3f);
     s.time_scheme = random.chance(0.3) ? TimeScheme::bdf2 : TimeScheme::backward_euler;
     s.tethers.enabled = random.chance(0.3);
     s.tethers.slack = random.chance(0.5) ? 1 : 1 + fields.zero_or_more(1e-3f, 1);

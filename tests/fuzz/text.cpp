@@ -80,13 +80,12 @@ std::string text_of(const Collider& collider) {
 }
 
 static std::string text_of(const Fabric& f) {
-    return braced("Fabric", {text_of(f.areal_density), text_of(f.stretch), text_of(f.shear), text_of(f.bend),
-                             text_of(f.damping)});
+    return braced("Fabric", {text_of(f.areal_density), text_of(f.warp), text_of(f.weft), text_of(f.shear),
+                             text_of(f.bending), text_of(f.damping)});
 }
 static std::string text_of(const FiniteElements& f) {
     return braced("FiniteElements",
-                  {text_of(f.enabled), text_of(f.warp), text_of(f.weft), text_of(f.shear), text_of(f.poisson),
-                   text_of(f.bending), text_of(f.dihedral), text_of(f.consistent_mass)});
+                  {text_of(f.enabled), text_of(f.poisson), text_of(f.dihedral), text_of(f.consistent_mass)});
 }
 static std::string text_of(const Tethers& t) {
     return braced("Tethers", {text_of(t.enabled), text_of(t.slack)});

@@ -30,8 +30,7 @@ struct NamedSettings {
 std::vector<NamedSettings> methods() {
     const auto with = [](const Method& method, int substeps = 1) {
         ClothSettings settings;
-        settings.fabric = {.areal_density = 0.2f, .stretch = 100, .shear = 25, .bend = 1};
-        settings.finite_elements = {.warp = 100, .weft = 80, .shear = 25};
+        settings.fabric = {.areal_density = 0.2f, .warp = 100, .weft = 100, .shear = 25, .bending = 2e-5f};
         settings.method = method;
         settings.substeps = substeps;
         return settings;

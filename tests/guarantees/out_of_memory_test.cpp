@@ -310,7 +310,7 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
     Scene scene;
     const ClothId stale{77, 3};
     ClothSettings bad;
-    bad.fabric.stretch = -1;
+    bad.fabric.warp = -1;
     WorldSettings bad_world;
     bad_world.substeps = 0;
     Mesh no_cloth = LoweredSheet::mesh(false, side);

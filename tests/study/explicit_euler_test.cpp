@@ -22,9 +22,9 @@ class Oscillator {
         auto cloth =
             std::make_unique<Cloth>(cook(make_sheet({.rows = 2, .columns = 2}).value()).value(), settings);
         const float mass = cloth->mass(3);
-        settings.fabric = {.stretch = mass * static_cast<float>(omega * omega),
+        settings.fabric = {.warp = mass * static_cast<float>(omega * omega), .weft = mass * static_cast<float>(omega * omega),
                            .shear = 0,
-                           .bend = 0,
+                           .bending = 0,
                            .damping = static_cast<float>(spring_damping)};
         cloth->apply(settings);
         cloth->solver = std::make_unique<ExplicitEulerSolver>(cloth->model, settings);

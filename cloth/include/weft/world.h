@@ -28,7 +28,8 @@ struct ClothInfo {
     std::uint32_t particles = 0;  ///< after welding
     std::uint32_t triangles = 0;
     std::uint32_t components = 0;
-    std::uint32_t structural_springs = 0, shear_springs = 0, bend_springs = 0;
+    std::uint32_t structural_springs = 0, shear_springs = 0;
+    std::uint32_t bending_elements = 0;   ///< threads' triples and cells of a sheet; shared edges of a mesh
     std::uint32_t border_edges = 0;       ///< edges of one triangle
     std::uint32_t dropped_triangles = 0;  ///< warning: faces of no area, which were left out
     std::uint32_t misoriented_edges =

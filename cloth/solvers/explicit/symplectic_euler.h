@@ -16,6 +16,7 @@ class SymplecticEulerSolver final : public Solver {
     SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings);
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 

@@ -20,15 +20,13 @@ Spectrum chebyshev_interval(int iterations, double least) {
 // Each spring adds to the diagonal at both its ends, half of that along any one direction in the plane.
 double least_eigenvalue(const ClothInfo& info, const ClothSettings& settings, double area, float gamma) {
     const Fabric& fabric = settings.fabric;
-    const FiniteElements& elements = settings.finite_elements;
     const auto times = [](float stiffness, std::uint32_t count) {
         return static_cast<double>(stiffness) * count;
     };
-    const double stiffness = elements.enabled
-                                 ? times(elements.warp + elements.weft + elements.shear, info.particles)
-                                 : times(fabric.stretch, info.structural_springs) +
-                                       times(fabric.shear, info.shear_springs) +
-                                       times(fabric.bend, info.bend_springs);
+    const double stiffness = settings.finite_elements.enabled
+                                 ? times(fabric.warp + fabric.weft + fabric.shear, info.particles)
+                                 : times(0.5f * (fabric.warp + fabric.weft), info.structural_springs) +
+                                       times(fabric.shear, info.shear_springs);
     const double mass = static_cast<double>(fabric.areal_density) * area;
     return 1 / (1 + static_cast<double>(gamma * (gamma + fabric.damping)) * stiffness / mass);
 }

@@ -16,6 +16,7 @@ class LinearSolver : public Solver {
   public:
     LinearSolver(const CookedCloth& model, const ClothSettings& settings);
     SolveResult solve(const SolverStep& step) final;
+    void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:

@@ -4,23 +4,17 @@ namespace weft {
 
 namespace {
 
-/// Bend springs below this part of the stretch stiffness are minor: see SpringSystem::is_minor.
-constexpr float minor_bend = 0.05f;
-
-/// The defaults; where bend springs count, as stiff as shear.
+/// The defaults.
 ClothSettings representative(const LevelsKey& key) {
     ClothSettings settings;
     settings.finite_elements.enabled = key.elements;
-    if (key.bend_counts) settings.fabric.bend = settings.fabric.shear;
     return settings;
 }
 
 }  // namespace
 
 LevelsKey levels_key(const ClothSettings& settings) {
-    const bool elements = settings.finite_elements.enabled;
-    return {.elements = elements,
-            .bend_counts = !elements && settings.fabric.bend > minor_bend * settings.fabric.stretch};
+    return {.elements = settings.finite_elements.enabled};
 }
 
 std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, const LevelsKey& key,

@@ -1,5 +1,5 @@
 #pragma once
-// The levels of a cloth's multigrid as a function of its mesh and of two settings: the same settings give the
+// The levels of a cloth's multigrid as a function of its mesh and of one setting: the same settings give the
 // same levels, whatever was set before.
 
 #include <memory>
@@ -14,8 +14,7 @@ namespace weft {
 /// All that levels depend on besides the mesh. Stiffnesses beyond this only scale the springs that levels
 /// interpolate along; their ratios hardly matter to how fast cycles converge.
 struct LevelsKey {
-    bool elements = false;     ///< finite elements, not springs
-    bool bend_counts = false;  ///< bend springs are so stiff that coarse motions feel them
+    bool elements = false;  ///< finite elements, not springs
 
     friend bool operator==(const LevelsKey&, const LevelsKey&) = default;
 };

@@ -39,7 +39,9 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
             if (j == i) continue;
             const std::uint32_t entry = system.entry_between(i, j);
             graph.neighbours.push_back(j);
-            graph.stiffness.push_back(3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm());
+            // Where there is bending alone, or it pushes apart, nothing is interpolated along.
+            const float stiffness = 3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm();
+            graph.stiffness.push_back(std::max(stiffness, 0.0f));
             graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
         }
         graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
@@ -53,7 +55,6 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
     links_ = links_of(graph);
-    std::erase_if(links_, [&](const Link& link) { return system.is_minor(link.first, link.second); });
     for (const Link& link : links_)
         slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
     std::ranges::sort(slots_);
@@ -107,8 +108,7 @@ void Multigrid::for_each_link_of(std::uint32_t particle, const Body& body) const
         const std::uint32_t neighbour = stencil.neighbours[s * Stencil::lanes + lane];
         if (neighbour == particle) continue;
         const Link link{std::min(particle, neighbour), std::max(particle, neighbour)};
-        // Minor springs have no link.
-        if (std::ranges::binary_search(links_, link)) body(neighbour, link);
+        body(neighbour, link);
     }
 }
 

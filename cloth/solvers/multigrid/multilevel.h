@@ -19,6 +19,7 @@ class MultilevelSolver final : public Solver {
                      std::span<const Vec4> positions);
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }
     void reserve_pins(std::size_t count) override;
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;

@@ -106,7 +106,7 @@ template <class Body>
 void for_each_spring(const CookedCloth& model, const Body& body) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i)
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
-            if (i < model.neighbours[e]) body(i, e);
+            if (i < model.neighbours[e] && model.kinds[e] != SpringKind::bending) body(i, e);
 }
 
 std::vector<std::uint32_t> colours_of_mesh(const CookedCloth& model) {
@@ -115,8 +115,8 @@ std::vector<std::uint32_t> colours_of_mesh(const CookedCloth& model) {
     return std::move(colouring).result();
 }
 
-/// Springs of one kind and direction form lines, whose springs take two colours in turn: neighbours every
-/// other one, second neighbours two by two. So a colour is regular in memory, too.
+/// Springs of one kind and direction form lines, whose springs take two colours in turn. So a colour is
+/// regular in memory, too.
 std::uint32_t grid_colour(const CookedCloth& model, std::uint32_t low, std::uint32_t half_edge) {
     const std::uint32_t high = model.neighbours[half_edge];
     const std::uint32_t row = low / model.columns, column = low % model.columns;
@@ -126,10 +126,10 @@ std::uint32_t grid_colour(const CookedCloth& model, std::uint32_t low, std::uint
             return along_row ? column % 2 : 2 + row % 2;
         case SpringKind::shear:
             return (high % model.columns > column ? 4 : 6) + row % 2;
-        case SpringKind::bend:
+        case SpringKind::bending:
             break;
     }
-    return along_row ? 8 + column / 2 % 2 : 10 + row / 2 % 2;
+    return no_colour;
 }
 
 std::vector<std::uint32_t> colours_of_grid(const CookedCloth& model) {

@@ -4,9 +4,9 @@
 
 namespace weft {
 
-Displacements::Displacements(std::uint32_t particles, std::uint32_t stand_ins)
-    : start_(particles + stand_ins), moved_(particles + stand_ins) {
-    for (std::uint32_t i = 0; i < stand_ins; ++i) start_[particles + i].x = static_cast<float>(i);
+Displacements::Displacements(const CookedCloth& model, std::uint32_t stand_ins)
+    : bending_(model), start_(model.particle_count + stand_ins), moved_(start_.size()) {
+    for (std::uint32_t i = 0; i < stand_ins; ++i) start_[model.particle_count + i].x = static_cast<float>(i);
 }
 
 void Displacements::predict(const SolverStep& step) {
@@ -20,6 +20,7 @@ void Displacements::predict(const SolverStep& step) {
             moved_[i] = to_vec4(equation.h * xyz(step.velocities[i]), 0);
         }
     });
+    if (step.settings.fabric.bending > 0) bending_.apply(step, start_.span(), moved_.span());
 }
 
 // v = (p - x) / h (Mueller, Heidelberger, Hennix, Ratcliff 2007, line 13).

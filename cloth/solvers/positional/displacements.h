@@ -3,6 +3,7 @@
 // it has moved since. Positions would round that away: at 64 substeps a particle moves some ten thousandths
 // of its coordinate, and its velocity is that over h.
 
+#include "cloth/solvers/positional/bending_step.h"
 #include "cloth/solvers/solver.h"
 #include "engine/aligned_buffer.h"
 
@@ -12,18 +13,21 @@ class Displacements {
   public:
     /// With `stand_ins` particles behind the last one, in places of their own, for lanes that have nothing to
     /// do.
-    Displacements(std::uint32_t particles, std::uint32_t stand_ins);
+    Displacements(const CookedCloth& model, std::uint32_t stand_ins);
 
-    /// Moves all particles as if nothing but external forces acted.
+    /// Moves all particles as if nothing but external forces and bending acted.
     void predict(const SolverStep& step);
     /// The velocities that end where they have been moved to.
     void find_velocities(const SolverStep& step) const;
 
     [[nodiscard]] std::span<const Vec4> start() const { return start_.span(); }
     [[nodiscard]] std::span<Vec4> moved() { return moved_.span(); }
-    [[nodiscard]] std::size_t bytes() const noexcept { return start_.bytes() + moved_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return start_.bytes() + moved_.bytes() + bending_.bytes();
+    }
 
   private:
+    BendingStep bending_;
     AlignedBuffer<Vec4> start_, moved_;  // [m], w 0
 };
 

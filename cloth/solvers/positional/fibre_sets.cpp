@@ -55,7 +55,9 @@ class FibreWalk {
           twins_(twin_half_edges(model)),
           partner_(match_continuations(model)),
           used_(model.neighbours.size(), false),
-          last_fibre_of_(model.particle_count, none) {}
+          last_fibre_of_(model.particle_count, none) {
+        for (std::size_t e = 0; e < used_.size(); ++e) used_[e] = model.kinds[e] == SpringKind::bending;
+    }
 
     std::vector<Fibre> all() && {
         for (const bool rings : {false, true}) {
@@ -166,7 +168,11 @@ class Packer {
         }
         if (blocks.back() != groups()) blocks.push_back(groups());
         result_.stand_ins = std::max(result_.stand_ins, groups() - begin);
-        result_.sets.push_back({set.front()->kind, set.front()->springs, begin, groups(), std::move(blocks)});
+        std::vector<std::uint32_t> half_edges;
+        for (const Fibre* fibre : set)
+            half_edges.insert(half_edges.end(), fibre->half_edges.begin(), fibre->half_edges.end());
+        result_.sets.push_back(
+            {set.front()->kind, begin, groups(), std::move(blocks), std::move(half_edges)});
     }
 
     FibreSets finish() && {
@@ -223,7 +229,6 @@ FibreSets make_fibre_sets(const CookedCloth& model) {
     std::vector<Fibre> fibres = find_fibres(model);
     std::ranges::stable_sort(fibres, std::greater<>{}, [](const Fibre& f) { return f.particles.size(); });
     static constexpr std::pair<FibreKind, SpringKind> order[] = {
-        {FibreKind::shear, SpringKind::bend},
         {FibreKind::shear, SpringKind::shear},
         {FibreKind::horizontal, SpringKind::structural},
         {FibreKind::vertical, SpringKind::structural}};
@@ -239,7 +244,8 @@ FibreSets make_fibre_sets(const CookedCloth& model) {
 
 std::size_t FibreSets::bytes() const noexcept {
     std::size_t in_sets = rows.size() * sizeof(std::uint32_t);
-    for (const FibreSet& set : sets) in_sets += sizeof(FibreSet) + set.blocks.size() * sizeof(std::uint32_t);
+    for (const FibreSet& set : sets)
+        in_sets += sizeof(FibreSet) + (set.blocks.size() + set.half_edges.size()) * sizeof(std::uint32_t);
     return in_sets + particles.bytes() + rest_lengths.bytes();
 }
 

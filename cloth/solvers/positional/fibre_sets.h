@@ -24,16 +24,15 @@ struct Fibre {
 };
 
 /// On a grid: rows, columns and diagonals. Structural fibres are vertical if they go further up or down,
-/// where the cloth starts, than across; up is +z for cloth that starts level. Diagonals and second neighbours
-/// are shear.
+/// where the cloth starts, than across; up is +z for cloth that starts level. Diagonals are shear.
 [[nodiscard]] std::vector<Fibre> find_fibres(const CookedCloth& model);
 
 /// A set's groups [groups_begin, groups_end), in blocks of about equal work.
 struct FibreSet {
     FibreKind kind;
-    SpringKind springs;
     std::uint32_t groups_begin, groups_end;
-    std::vector<std::uint32_t> blocks;  ///< groups of block b: [blocks[b], blocks[b + 1])
+    std::vector<std::uint32_t> blocks;      ///< groups of block b: [blocks[b], blocks[b + 1])
+    std::vector<std::uint32_t> half_edges;  ///< where the model has its springs
 };
 
 /// The sets, in the order in which they are solved: the fibres that carry weight come last, because the last

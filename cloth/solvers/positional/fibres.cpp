@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cloth/system/springs/springs.h"
+#include "cloth/system/springs/membrane.h"
 
 namespace weft {
 
@@ -24,10 +24,13 @@ Fibres::SetSolver solver_of(const Fibres& method, FibreKind kind) {
 
 FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& settings,
                            std::span<const Vec4> positions)
-    : method_(std::get<Fibres>(settings.method)),
+    : model_(model),
+      method_(std::get<Fibres>(settings.method)),
       sets_(make_fibre_sets(model)),
       occurrences_(sets_.particles.span(), model.particle_count),
-      displacements_(model.particle_count, sets_.stand_ins),
+      stiffness_(model.neighbours.size()),
+      of_sets_(sets_.sets.size()),
+      displacements_(model, sets_.stand_ins),
       weights_(sets_.particles.size()),
       multipliers_(sets_.rest_lengths.size()),
       residual_(model, {}) {
@@ -54,10 +57,20 @@ void FibresSolver::inverse_masses_changed(std::span<const Vec4> positions) noexc
     for (std::uint32_t i = 0; i < positions.size(); ++i) inverse_mass_changed(i, positions);
 }
 
-void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
-    const Fabric& fabric = step.settings.fabric;
-    const float h = step.equation.h;
-    const float kappa = stiffnesses(fabric)[static_cast<std::size_t>(set.springs)] * h * h;
+void FibresSolver::find_stiffness(const Fabric& fabric) noexcept {
+    if (fabric == fabric_) return;
+    fabric_ = fabric;
+    spring_stiffness(model_, fabric, stiffness_.span());
+    for (std::size_t s = 0; s < of_sets_.size(); ++s) {
+        double sum = 0;
+        for (const std::uint32_t e : sets_.sets[s].half_edges) sum += static_cast<double>(stiffness_[e]);
+        of_sets_[s] = static_cast<float>(sum / static_cast<double>(sets_.sets[s].half_edges.size()));
+    }
+}
+
+void FibresSolver::solve_set(const SolverStep& step, std::size_t number) {
+    const FibreSet& set = sets_.sets[number];
+    const float h = step.equation.h, kappa = of_sets_[number] * h * h;
     if (kappa == 0) return;
     const bool factorised =
         solver_of(std::get<Fibres>(step.settings.method), set.kind) == Fibres::SetSolver::ldlt;
@@ -73,7 +86,7 @@ void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
                                    .multipliers = &multipliers_[row * lanes],
                                    .scratch = scratch_.data() + row_in_set * FibreGroup::scratch_rows * lanes,
                                    .kappa = kappa,
-                                   .gamma = fabric.damping / h,
+                                   .gamma = step.settings.fabric.damping / h,
                                    .start = displacements_.start().data(),
                                    .moved = displacements_.moved().data()};
             factorised ? solve_by_ldlt(group) : solve_by_gauss_seidel(group);
@@ -83,18 +96,19 @@ void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
 
 SolveResult FibresSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
+    find_stiffness(step.settings.fabric);
     displacements_.predict(step);
     std::ranges::fill(multipliers_.span(), 0.0f);
     const int iterations = std::get<Fibres>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k)
-        for (const FibreSet& set : sets_.sets) solve_set(step, set);
+        for (std::size_t set = 0; set < sets_.sets.size(); ++set) solve_set(step, set);
     displacements_.find_velocities(step);
     return {.residual = residual_(step)};
 }
 
 std::size_t FibresSolver::bytes() const noexcept {
     return sets_.bytes() + occurrences_.bytes() + displacements_.bytes() + weights_.bytes() +
-           multipliers_.bytes() + scratch_.bytes();
+           multipliers_.bytes() + scratch_.bytes() + stiffness_.bytes() + of_sets_.size() * sizeof(float);
 }
 
 }  // namespace weft

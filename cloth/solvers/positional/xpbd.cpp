@@ -1,6 +1,6 @@
 #include "cloth/solvers/positional/xpbd.h"
 
-#include "cloth/system/springs/springs.h"
+#include "cloth/system/springs/membrane.h"
 
 namespace weft {
 
@@ -10,7 +10,8 @@ XpbdSolver::XpbdSolver(const CookedCloth& model, std::span<const Vec4> positions
       firsts_(colours_.first.span(), model.particle_count),
       seconds_(colours_.second.span(), model.particle_count),
       springs_(colours_.springs()),
-      displacements_(model.particle_count, SpringColours::stand_ins),
+      displacements_(model, SpringColours::stand_ins),
+      stiffness_(model.neighbours.size()),
       residual_(model, {}) {
     for (std::uint32_t s = 0; s < colours_.springs(); ++s) {
         const std::uint32_t half_edge = colours_.half_edges[s];
@@ -35,9 +36,11 @@ void XpbdSolver::inverse_masses_changed(std::span<const Vec4> positions) noexcep
     for (std::uint32_t i = 0; i < positions.size(); ++i) inverse_mass_changed(i, positions);
 }
 
-void XpbdSolver::find_responses(const Stiffness& stiffness) {
-    if (stiffness == stiffness_) return;
-    stiffness_ = stiffness;
+void XpbdSolver::find_responses(const Fabric& fabric, float h) noexcept {
+    if (h == h_ && fabric == fabric_) return;
+    spring_stiffness(model_, fabric, stiffness_.span());
+    fabric_ = fabric;
+    h_ = h;
     for (std::uint32_t s = 0; s < colours_.springs(); ++s) find_response(s);
 }
 
@@ -46,9 +49,10 @@ void XpbdSolver::find_responses(const Stiffness& stiffness) {
 void XpbdSolver::find_response(std::uint32_t spring) noexcept {
     const std::uint32_t half_edge = colours_.half_edges[spring];
     if (half_edge == SpringColours::no_half_edge) return;
-    const float kappa = stiffness_.kappa[static_cast<std::size_t>(model_.kinds[half_edge])];
+    const float kappa = stiffness_[half_edge] * h_ * h_;
+    const float gamma = h_ > 0 ? fabric_.damping / h_ : 0;
     const float weight = springs_.first_weights[spring] + springs_.second_weights[spring];
-    springs_.releases[spring] = 1.0f / (1.0f + kappa * (1.0f + stiffness_.gamma) * weight);
+    springs_.releases[spring] = 1.0f / (1.0f + kappa * (1.0f + gamma) * weight);
     springs_.responses[spring] = kappa * springs_.releases[spring];
 }
 
@@ -56,8 +60,7 @@ SolveResult XpbdSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
     const Fabric& fabric = step.settings.fabric;
     const float h = step.equation.h, gamma = fabric.damping / h;
-    const auto [stretch, shear, bend] = stiffnesses(fabric);
-    find_responses({.kappa = {stretch * h * h, shear * h * h, bend * h * h}, .gamma = gamma});
+    find_responses(fabric, h);
     displacements_.predict(step);
     const int iterations = std::get<Xpbd>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k) {
@@ -69,7 +72,8 @@ SolveResult XpbdSolver::solve(const SolverStep& step) {
 }
 
 std::size_t XpbdSolver::bytes() const noexcept {
-    return colours_.bytes() + firsts_.bytes() + seconds_.bytes() + springs_.bytes() + displacements_.bytes();
+    return colours_.bytes() + firsts_.bytes() + seconds_.bytes() + springs_.bytes() + displacements_.bytes() +
+           stiffness_.bytes();
 }
 
 }  // namespace weft

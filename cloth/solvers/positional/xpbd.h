@@ -3,8 +3,6 @@
 // / k, solved by Gauss-Seidel in colours. With one iteration a step and many substeps it is the method of
 // Macklin et al. 2019.
 
-#include <array>
-
 #include "cloth/solvers/positional/colouring.h"
 #include "cloth/solvers/positional/displacements.h"
 #include "cloth/solvers/positional/occurrences.h"
@@ -22,19 +20,16 @@ class XpbdSolver final : public Solver {
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<Xpbd>(settings.method);
     }
+    void prepare(const ClothSettings& settings) noexcept override {
+        if (h_ > 0) find_responses(settings.fabric, h_);
+    }
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    /// What the springs' responses are made of, but for their particles' inverse masses.
-    struct Stiffness {
-        std::array<float, 3> kappa{};  // by SpringKind: k h^2, the inverse of XPBD's alpha~ [kg]
-        float gamma = 0;               // damping / h
-        friend bool operator==(const Stiffness&, const Stiffness&) = default;
-    };
-    void find_responses(const Stiffness& stiffness);
+    void find_responses(const Fabric& fabric, float h) noexcept;
     void find_response(std::uint32_t spring) noexcept;
 
     const CookedCloth& model_;
@@ -42,7 +37,9 @@ class XpbdSolver final : public Solver {
     Occurrences firsts_, seconds_;  // of particles among the springs' ends
     XpbdSprings springs_;
     Displacements displacements_;
-    Stiffness stiffness_;  // that the responses are for
+    Fabric fabric_{.areal_density = -1};  // that the responses are for; none yet
+    float h_ = 0;
+    AlignedBuffer<float> stiffness_;  // of each half-edge [N/m]
     StepResidual residual_;
 };
 

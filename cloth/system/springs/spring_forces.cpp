@@ -63,47 +63,75 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
-/// Where a state has its springs' lengths and kinds. A kernel's own: through the state they would be looked
-/// up anew after each store.
+/// Rest lengths, stiffness and bending of the lanes of an entry.
+struct EntryLanes {
+    Lanes rest_length, stiffness, bending;
+};
+
+/// Where a state has its springs. A kernel's own: through the state they would be looked up anew after each
+/// store.
 class SpringTables {
+    using SlotKind = SpringTable::SlotKind;
+
   public:
     HWY_INLINE explicit SpringTables(const SpringState& state)
-        : rest_lengths_(state.rest_lengths.data()),
-          of_slots_(state.kinds.of_slots.data()),
-          of_entries_(state.kinds.of_entries.data()) {}
+        : slots_(state.table.slots()),
+          rest_lengths_(state.table.rest_lengths()),
+          stiffness_(state.table.stiffness()),
+          bending_(state.table.bending()),
+          shifts_(state.coupling.shifts()),
+          sources_(state.coupling.sources()),
+          has_coupling_(!state.coupling.empty()) {}
 
-    /// Of the entries from one on.
-    HWY_INLINE Lanes rest_length(std::uint32_t entry) const { return load_lanes(rest_lengths_ + entry); }
-    HWY_INLINE Lanes stiffness(std::uint32_t entry, const SpringStiffness& of_kind) const {
-        const std::uint8_t of_slot = of_slots_[entry / Stencil::lanes];
-        if (of_slot != SpringKinds::mixed) return set(of_kind.values[of_slot]);
-        const Tag d;
-        const hn::RebindToSigned<Tag> numbers;
-        const hn::Rebind<std::uint8_t, Tag> bytes;
-        const auto kind = hn::PromoteTo(numbers, hn::Load(bytes, of_entries_ + entry));
-        return hn::TableLookupLanes(hn::Load(d, of_kind.values), hn::IndicesFromVec(d, kind));
+    [[nodiscard]] HWY_INLINE bool has_springs(std::uint32_t entry) const {
+        return slots_[entry / Stencil::lanes].kind < SlotKind::same_bending;
+    }
+    [[nodiscard]] HWY_INLINE Lanes bending(std::uint32_t entry) const {
+        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
+        return slot.kind == SlotKind::same_bending ? set(slot.entry.bending) : load_lanes(bending_ + entry);
+    }
+    /// Of the entries from one on, whose slot has springs.
+    [[nodiscard]] HWY_INLINE EntryLanes operator[](std::uint32_t entry) const {
+        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
+        if (slot.kind == SlotKind::same && !has_coupling_)
+            return {set(slot.entry.rest_length), set(slot.entry.stiffness), set(slot.entry.bending)};
+        return {shifted(entry, load_lanes(rest_lengths_ + entry)), load_lanes(stiffness_ + entry),
+                load_lanes(bending_ + entry)};
     }
 
   private:
-    const float* rest_lengths_;
-    const std::uint8_t *of_slots_, *of_entries_;
+    [[nodiscard]] HWY_INLINE Lanes shifted(std::uint32_t entry, Lanes rest_length) const {
+        if (!has_coupling_) return rest_length;
+        const hn::RebindToSigned<Tag> numbers;
+        const std::uint32_t* const sources =
+            sources_ + std::size_t{2} * (entry / Stencil::lanes) * Stencil::lanes + entry % Stencil::lanes;
+        const auto source = [&](std::uint32_t k) HWY_ATTR {
+            return hn::BitCast(numbers, hn::Load(hn::RebindToUnsigned<Tag>(), sources + k * Stencil::lanes));
+        };
+        const Lanes shift =
+            hn::Add(hn::GatherIndex(Tag(), shifts_, source(0)), hn::GatherIndex(Tag(), shifts_, source(1)));
+        return hn::Add(rest_length, shift);
+    }
+
+    const SpringTable::Slot* slots_;
+    const float *rest_lengths_, *stiffness_, *bending_, *shifts_;
+    const std::uint32_t* sources_;
+    bool has_coupling_;
 };
 
 /// Of the entries from one on, which are those of the lanes from particle `i` on.
-HWY_INLINE Springs springs_in(const SpringState& state, const SpringTables& tables, std::uint32_t entry,
-                              std::uint32_t i, const SpringStiffness& of_kind, const Ends& ends) {
+HWY_INLINE Springs springs_in(const SpringState& state, const EntryLanes& of, std::uint32_t entry,
+                              std::uint32_t i, const Ends& ends) {
     const auto& [separation, squared, length, inverse_length] = ends;
-    const Lanes rest_length = tables.rest_length(entry), stiffness = tables.stiffness(entry, of_kind);
-
     const auto apart = hn::Gt(squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, inverse_length * separation);
     // Where ends coincide there is no spring, mostly.
     if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)) &&
-        !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
+        !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(of.stiffness, set(0)))))
         direction = with_separating_directions(direction.x, direction.y, direction.z, apart, state, entry, i);
 
-    return {direction, hn::Sub(length, rest_length), hn::IfThenElseZero(apart, inverse_length),
-            hn::Mul(rest_length, inverse_length), stiffness};
+    return {direction, hn::Sub(length, of.rest_length), hn::IfThenElseZero(apart, inverse_length),
+            hn::Mul(of.rest_length, inverse_length), of.stiffness};
 }
 
 /// What springs add up to in rows.
@@ -130,14 +158,16 @@ HWY_INLINE RowSums no_sums() {
 // A spring under tension resists turning, whether it is stretched or being stretched: damping's tension
 // counts like the elastic one. Without it, iterates about themselves overshoot where damping is stiff, and
 // never come to rest. Tension that is negative would make W indefinite, and counts as none (Choi and Ko
-// 2002).
+// 2002). Bending's Hessian is taken as it is, its negative weights too.
 struct Linearisation {
     Linearisation(const SpringState& state, LinearisedAbout about)
         : about_base(about == LinearisedAbout::base),
           damping(state.equation.settings.fabric.damping),
           uses_velocities(about_base || damping > 0),
           squared(state.matrix.unit * state.matrix.unit),
-          of_kind(state.stiffness.times(state.equation.gamma * state.equation.gamma / squared)),
+          elastic(state.equation.gamma * state.equation.gamma / squared),
+          rigidity(state.equation.settings.fabric.bending * elastic),
+          has_bending(rigidity > 0),
           per_gamma(1 / state.equation.gamma),
           viscosity(damping / state.equation.gamma) {}
 
@@ -145,12 +175,14 @@ struct Linearisation {
     template <class Relative>
     HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Relative& relative,
                                           Lanes3& force) const {
+        const Lanes stiffness = hn::Mul(set(elastic), springs.stiffness);
         Lanes slack = springs.rest_ratio;  // 1 - tension / (stiffness x length)
-        Lanes push = hn::Mul(springs.stiffness, hn::Mul(set(per_gamma), springs.extension));
-        const Lanes viscous = hn::Mul(set(viscosity), springs.stiffness);
+        Lanes push = hn::Mul(stiffness, hn::Mul(set(per_gamma), springs.extension));
+        const Lanes viscous = hn::Mul(set(viscosity), stiffness);
         if (about_base) {
-            const Lanes axial = hn::Mul(springs.stiffness, hn::Min(set(1), slack));
-            const Lanes a = hn::Sub(springs.stiffness, axial), along = hn::Add(viscous, axial);
+            const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), slack));
+            const Lanes a = hn::Sub(stiffness, axial);
+            const Lanes along = hn::Max(hn::Add(viscous, axial), set(0));
             const Lanes3 v = relative();
             push = hn::MulAdd(along, dot(springs.direction, v), push);
             force = mul_add(push, springs.direction, mul_add(a, v, force));
@@ -161,9 +193,20 @@ struct Linearisation {
             push = hn::MulAdd(viscous, rate, push);
             slack = hn::NegMulAdd(hn::Mul(set(damping), rate), springs.per_length, slack);
         }
-        const Lanes along = hn::Max(hn::MulAdd(springs.stiffness, hn::Min(set(1), slack), viscous), set(0));
+        const Lanes along = hn::Max(hn::MulAdd(stiffness, hn::Min(set(1), slack), viscous), set(0));
         force = mul_add(push, springs.direction, force);
-        return {hn::Sub(hn::Add(springs.stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
+        return {hn::Sub(hn::Add(stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
+    }
+
+    /// Adds what bending pulls to `force`; its number in W. Of weights by a rigidity of 1.
+    template <class Relative>
+    HWY_INLINE Lanes add_bending(Lanes weights, const Lanes3& separation, const Relative& relative,
+                                 Lanes3& force) const {
+        const Lanes weight = hn::Mul(set(rigidity), weights);
+        force = mul_add(hn::Mul(set(per_gamma), weight), separation, force);
+        const float resisted = about_base ? 1 + viscosity : viscosity;
+        if (uses_velocities) force = mul_add(hn::Mul(set(resisted), weight), relative(), force);
+        return hn::Mul(set(1 + viscosity), weight);
     }
 
     /// Rows of W and b, for the lanes from particle `i` on.
@@ -177,6 +220,10 @@ struct Linearisation {
         hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
         SymmetricLanes diagonal =
             add_identity(squared_unit * add_identity(sums.squares, sums.a), row.row_sum);
+        if (has_bending) {
+            const Lanes excess = load_lanes(&state.bending_excess[i]);
+            diagonal = add_identity(diagonal, hn::Mul(set(squared * rigidity * (1 + viscosity)), excess));
+        }
         if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
         store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
                         &matrix.inverse_diagonal[lane_index(i, 0, 6)]);
@@ -185,19 +232,33 @@ struct Linearisation {
     bool about_base;
     float damping;
     bool uses_velocities;
-    float squared;
-    SpringStiffness of_kind;
+    float squared, elastic, rigidity;
+    bool has_bending;
     float per_gamma, viscosity;
 };
 
-/// What springs pull with; see Linearisation::add_force.
-template <class Relative>
-HWY_INLINE Lanes push_of(const SpringState& state, const Springs& springs, const Relative& relative) {
-    const float viscosity = state.equation.settings.fabric.damping;
-    Lanes pull = springs.extension;
-    if (viscosity > 0) pull = hn::MulAdd(set(viscosity), dot(springs.direction, relative()), pull);
-    return hn::Mul(springs.stiffness, pull);
-}
+/// What a residual is made of: forces alone.
+struct SpringPulls {
+    explicit SpringPulls(const SpringState& state)
+        : viscosity(state.equation.settings.fabric.damping),
+          rigidity(state.equation.settings.fabric.bending),
+          has_bending(rigidity > 0) {}
+
+    template <class Relative>
+    HWY_INLINE Lanes3 of_springs(const Springs& springs, const Relative& relative) const {
+        Lanes pull = springs.extension;
+        if (viscosity > 0) pull = hn::MulAdd(set(viscosity), dot(springs.direction, relative()), pull);
+        return hn::Mul(springs.stiffness, pull) * springs.direction;
+    }
+    template <class Relative>
+    HWY_INLINE Lanes3 of_bending(Lanes weights, const Lanes3& separation, const Relative& relative) const {
+        const Lanes3 reach = viscosity > 0 ? mul_add(set(viscosity), relative(), separation) : separation;
+        return hn::Mul(set(rigidity), weights) * reach;
+    }
+
+    float viscosity, rigidity;
+    bool has_bending;
+};
 
 HWY_INLINE void finish_residual(const SpringState& state, std::uint32_t i, const Lanes3& v_i,
                                 const Lanes3& force, Vec4* residual) {
@@ -206,6 +267,13 @@ HWY_INLINE void finish_residual(const SpringState& state, std::uint32_t i, const
     store_rows(keep_where(free, mul_add(set(state.equation.gamma), force, row.impulse)), set(0),
                residual + i);
 }
+
+/// What a slot holds, in the lanes from particle `i` on.
+struct Slot {
+    std::uint32_t number;  ///< of the stencil, or the diagonal
+    std::uint32_t entry;
+    Lanes3 separation;
+};
 
 /// Any mesh: each particle looks at all its springs.
 class SpringsOfMesh {
@@ -227,32 +295,52 @@ class SpringsOfMesh {
         for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
             const Lanes3 v_i = velocities_.own(i);
             RowSums sums = no_sums();
-            for_each_slot(i, equations.of_kind, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
-                const std::uint32_t entry = s * Stencil::lanes + i % Stencil::lanes;
-                const auto block = equations.add_force(springs, relative(s, i, v_i), sums.force);
-                sums.add(store_block(block, &matrix.coefficients[lane_index(entry, 0, 4)]));
-            });
+            const auto add = [&](const Slot& slot, SpringBlockLanes block) HWY_ATTR {
+                if (equations.has_bending)
+                    block.a =
+                        hn::Add(block.a, equations.add_bending(tables_.bending(slot.entry), slot.separation,
+                                                               relative(slot.number, i, v_i), sums.force));
+                sums.add(store_block(block, &matrix.coefficients[lane_index(slot.entry, 0, 4)]));
+            };
+            for_each_slot(
+                i,
+                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
+                    add(slot, equations.add_force(springs, relative(slot.number, i, v_i), sums.force));
+                },
+                [&](const Slot& slot) HWY_ATTR {
+                    add(slot, {set(0), zero3()});
+                });
             equations.finish(state_, i, v_i, sums, matrix, right_side);
         }
     }
 
     void residual(const BlockRange& range, Vec4* residual) const {
+        const SpringPulls pulls(state_);
         for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
             const Lanes3 v_i = velocities_.own(i);
             Lanes3 force = zero3();
-            for_each_slot(i, state_.stiffness, [&](std::uint32_t s, const Springs& springs) HWY_ATTR {
-                force = mul_add(push_of(state_, springs, relative(s, i, v_i)), springs.direction, force);
-            });
+            const auto bend = [&](const Slot& slot) HWY_ATTR {
+                if (pulls.has_bending)
+                    force = force + pulls.of_bending(tables_.bending(slot.entry), slot.separation,
+                                                     relative(slot.number, i, v_i));
+            };
+            for_each_slot(
+                i,
+                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
+                    force = force + pulls.of_springs(springs, relative(slot.number, i, v_i));
+                    bend(slot);
+                },
+                bend);
             finish_residual(state_, i, v_i, force, residual);
         }
     }
 
   private:
-    /// body(s, springs) for the slots of the lanes from particle `i` on. The ends of each slot are worked out
-    /// while the one before is, else a processor would spend half its time on waiting for one root after the
-    /// other.
-    template <class Body>
-    HWY_INLINE void for_each_slot(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) const {
+    /// springs(slot, springs) for the slots of the lanes from particle `i` on that have any, bending(slot)
+    /// for the others. The ends of each slot are worked out while the one before is, else a processor would
+    /// spend half its time on waiting for one root after the other.
+    template <class WithSprings, class Bending>
+    HWY_INLINE void for_each_slot(std::uint32_t i, const WithSprings& springs, const Bending& bending) const {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
         const std::uint32_t begin = stencil_.group_slots[group], end = stencil_.group_slots[group + 1];
         if (begin == end) return;
@@ -261,7 +349,11 @@ class SpringsOfMesh {
         for (std::uint32_t s = begin; s < end; ++s) {
             const Ends ends = next;
             if (s + 1 < end) next = ends_apart(positions_.neighbours(s + 1, lane) - x_i);
-            body(s, springs_in(state_, tables_, s * Stencil::lanes + lane, i, of_kind, ends));
+            const Slot slot{s, s * Stencil::lanes + lane, ends.separation};
+            if (tables_.has_springs(slot.entry))
+                springs(slot, springs_in(state_, tables_[slot.entry], slot.entry, i, ends));
+            else
+                bending(slot);
         }
     }
 
@@ -289,8 +381,8 @@ class SpringsOfGrid {
 
     HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
                               Vec4* right_side) {
-        constexpr std::size_t slot = 4 * Stencil::lanes;
-        alignas(64) std::uint16_t not_stored[Diagonals::most * slot];  // in the halo, which is another tile's
+        constexpr std::size_t in_slot = 4 * Stencil::lanes;
+        alignas(64) std::uint16_t not_stored[Diagonals::most * in_slot];  // in the halo, another tile's
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
@@ -302,14 +394,27 @@ class SpringsOfGrid {
             loop_.take_from_far(take);
             std::uint16_t* const coefficients =
                 i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
-            for_each_later(i, equations.of_kind, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
-                Lanes3 force = zero3();
-                const auto block = equations.add_force(springs, relative(d, v_i), force);
-                const SpringBlockLanes stored = store_block(block, coefficients + d * slot);
-                loop_.give(d, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z, stored.a);
+            const auto give = [&](const Slot& slot, SpringBlockLanes block, Lanes3 force) HWY_ATTR {
+                if (equations.has_bending)
+                    block.a =
+                        hn::Add(block.a, equations.add_bending(tables_.bending(slot.entry), slot.separation,
+                                                               relative(slot.number, v_i), force));
+                const SpringBlockLanes stored = store_block(block, coefficients + slot.number * in_slot);
+                loop_.give(slot.number, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z,
+                           stored.a);
                 sums.force = sums.force + force;
                 sums.add(stored);
-            });
+            };
+            for_each_later(
+                i,
+                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
+                    Lanes3 force = zero3();
+                    const auto block = equations.add_force(springs, relative(slot.number, v_i), force);
+                    give(slot, block, force);
+                },
+                [&](const Slot& slot) HWY_ATTR {
+                    give(slot, {set(0), zero3()}, zero3());
+                });
             if (i < range.begin) continue;
             loop_.take_from_near(take);
             equations.finish(state_, i, v_i, sums, matrix, right_side);
@@ -317,17 +422,25 @@ class SpringsOfGrid {
     }
 
     HWY_INLINE void residual(const BlockRange& range, Vec4* residual) {
+        const SpringPulls pulls(state_);
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
             Lanes3 sum = zero3();
             const auto take = [&sum](const Given& given) HWY_ATTR { sum = sum - given.xyz(0); };
             loop_.take_from_far(take);
-            for_each_later(i, state_.stiffness, [&](std::uint32_t d, const Springs& springs) HWY_ATTR {
-                const Lanes3 force = push_of(state_, springs, relative(d, v_i)) * springs.direction;
-                loop_.give(d, force.x, force.y, force.z);
+            const auto give = [&](const Slot& slot, Lanes3 force) HWY_ATTR {
+                if (pulls.has_bending)
+                    force = force + pulls.of_bending(tables_.bending(slot.entry), slot.separation,
+                                                     relative(slot.number, v_i));
+                loop_.give(slot.number, force.x, force.y, force.z);
                 sum = sum + force;
-            });
+            };
+            for_each_later(
+                i,
+                [&](const Slot& slot, const Springs& springs)
+                    HWY_ATTR { give(slot, pulls.of_springs(springs, relative(slot.number, v_i))); },
+                [&](const Slot& slot) HWY_ATTR { give(slot, zero3()); });
             if (i < range.begin) continue;
             loop_.take_from_near(take);
             finish_residual(state_, i, v_i, sum, residual);
@@ -344,16 +457,20 @@ class SpringsOfGrid {
                                          v};
         });
     }
-    /// body(d, springs) for the diagonals; see SpringsOfMesh.
-    template <class Body>
-    HWY_INLINE void for_each_later(std::uint32_t i, const SpringStiffness& of_kind, const Body& body) {
+    /// As SpringsOfMesh::for_each_slot, for the diagonals.
+    template <class WithSprings, class Bending>
+    HWY_INLINE void for_each_later(std::uint32_t i, const WithSprings& springs, const Bending& bending) {
         const Lanes3 x_i = loop_.own(position);
         Ends next = ends_apart(loop_.later(position, 0) - x_i);
         std::uint32_t entry = diagonals_.entry(i, 0);
         for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, entry += Stencil::lanes) {
             const Ends ends = next;
             if (d + 1 < loop_.diagonals()) next = ends_apart(loop_.later(position, d + 1) - x_i);
-            body(d, springs_in(state_, tables_, entry, i, of_kind, ends));
+            const Slot slot{d, entry, ends.separation};
+            if (tables_.has_springs(entry))
+                springs(slot, springs_in(state_, tables_[entry], entry, i, ends));
+            else
+                bending(slot);
         }
     }
 
@@ -388,18 +505,6 @@ namespace weft {
 
 HWY_EXPORT(linearise);
 HWY_EXPORT(residual);
-
-SpringKinds::SpringKinds(std::size_t entries) : of_entries(entries), of_slots(entries / Stencil::lanes) {
-    std::ranges::fill(of_entries.span(), none);
-}
-
-void SpringKinds::sum_up() {
-    for (std::uint32_t s = 0; s < of_slots.size(); ++s) {
-        const auto slot = of_entries.span().subspan(s * Stencil::lanes, Stencil::lanes);
-        const bool all = slot[0] != none && std::ranges::count(slot, slot[0]) == Stencil::lanes;
-        of_slots[s] = all ? slot[0] : mixed;
-    }
-}
 
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
                      GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {

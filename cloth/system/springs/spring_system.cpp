@@ -12,42 +12,43 @@ SpringSystem::SpringSystem(const CookedCloth& model)
     : ImplicitSystem(model.particle_count),
       model_(model),
       matrix_(model.spring_offsets.span(), model.neighbours.span()),
-      kinds_(matrix_.entries()),
-      rest_lengths_(matrix_.entries()) {
+      table_(model, matrix_) {
     windows_ = GridWindows(matrix_.diagonals, 7);
-    if (windows_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
-    std::ranges::fill(rest_lengths_.span(), 1.0f);
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            const std::uint32_t entry = matrix_.entry(i, e, model.neighbours[e]);
-            if (entry == SpringMatrix::no_entry) continue;
-            rest_lengths_[entry] = model.rest_lengths[e];
-            kinds_.of_entries[entry] = static_cast<std::uint8_t>(model.kinds[e]);
-        }
-    }
-    kinds_.sum_up();
+    if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_);
+    if (windows_.empty() || !coupling_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
+    prepare(Fabric());
+}
+
+void SpringSystem::prepare(const Fabric& fabric) noexcept {
+    if (!table_.set(model_, matrix_, fabric)) return;
+    coupling_.set(model_, matrix_, table_);
 }
 
 SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equation,
                                    std::span<const Vec4> velocities, LinearisedAbout about) {
-    const bool ahead = about == LinearisedAbout::iterate, placed = ahead && windows_.empty();
+    const bool ahead = about == LinearisedAbout::iterate, placed = ahead && positions_.size() > 0;
     if (placed)
         scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
+    const std::span<const Vec4> positions =
+        placed ? std::as_const(positions_).span() : equation.base_positions;
+    prepare(equation.settings.fabric);
+    if (!coupling_.empty()) coupling_.compute(parallel, positions);
     return {.equation = equation,
             .matrix = matrix_,
-            .rest_lengths = rest_lengths_.span(),
-            .kinds = kinds_,
-            .stiffness = SpringStiffness(stiffnesses(equation.settings.fabric)),
-            .positions = placed ? std::as_const(positions_).span() : equation.base_positions,
+            .table = table_,
+            .coupling = coupling_,
+            .bending_excess = model_.bending_excess.span(),
+            .positions = positions,
             .velocities = velocities,
             .time_ahead = ahead && !placed ? equation.gamma : 0};
 }
 
 void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
-    stiffness_of_kind_ = stiffnesses(equation.settings.fabric);
-    const float stiffest = std::ranges::max(stiffness_of_kind_);
-    matrix_.set_unit((equation.gamma + equation.settings.fabric.damping) * equation.gamma * stiffest);
+    const Fabric& fabric = equation.settings.fabric;
+    prepare(fabric);
+    const float stiffest = table_.stiffest() + fabric.bending * table_.stiffest_bending();
+    matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(parallel, equation, velocities, about);
     blocks_in_tiles(parallel, model_.particle_count, windows_,
@@ -103,17 +104,6 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
         });
 }
 
-// Bend springs lie along structural ones, twice as long: at less than a twentieth of their stiffness they add
-// less than a fifth to what those hold in the plane. Across it, coarse motions are too long to feel them.
-bool SpringSystem::is_minor(std::uint32_t i, std::uint32_t j) const {
-    const auto row = model_.neighbours.span().subspan(
-        model_.spring_offsets[i], model_.spring_offsets[i + 1] - model_.spring_offsets[i]);
-    const auto e =
-        static_cast<std::size_t>(std::ranges::find(row, j) - row.begin()) + model_.spring_offsets[i];
-    const auto [stretch, shear, bend] = stiffness_of_kind_;
-    return model_.kinds[e] == SpringKind::bend && bend <= 0.05f * stretch;
-}
-
 void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                  std::span<Vec4> blocks) {
     parallel.ranges(static_cast<std::uint32_t>(slots.size()), [&](const BlockRange& range) {
@@ -127,7 +117,7 @@ std::uint32_t SpringSystem::entry_between(std::uint32_t i, std::uint32_t j) cons
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + matrix_.bytes() + kinds_.bytes() + rest_lengths_.bytes() +
+    return ImplicitSystem::bytes() + matrix_.bytes() + table_.bytes() + coupling_.bytes() +
            positions_.bytes();
 }
 

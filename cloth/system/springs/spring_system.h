@@ -14,6 +14,7 @@ namespace weft {
 class SpringSystem final : public ImplicitSystem {
   public:
     explicit SpringSystem(const CookedCloth& model);
+    void prepare(const Fabric& fabric) noexcept override;
 
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                    LinearisedAbout about) override;
@@ -29,7 +30,6 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
-    [[nodiscard]] bool is_minor(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
@@ -47,10 +47,9 @@ class SpringSystem final : public ImplicitSystem {
 
     const CookedCloth& model_;
     SpringMatrix matrix_;
-    SpringKinds kinds_;
-    AlignedBuffer<float> rest_lengths_;         // per entry; 1 where there is no spring
-    std::array<float, 3> stiffness_of_kind_{};  // of the last linearise
-    AlignedBuffer<Vec4> positions_;             // x_base + gamma v; in a grid added up on the way
+    SpringTable table_;
+    MembraneCoupling coupling_;
+    AlignedBuffer<Vec4> positions_;  // x_base + gamma v; in a sheet added up on the way
 };
 
 }  // namespace weft

@@ -1,7 +1,6 @@
 #pragma once
 // Springs: their forces, and the derivatives of these.
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -37,11 +36,6 @@ struct SpringTerms {
             .direction = n,
             .isotropic = isotropic,
             .axial = stiffness - isotropic};
-}
-
-/// Stiffness of each SpringKind [N/m].
-[[nodiscard]] inline std::array<float, 3> stiffnesses(const Fabric& fabric) {
-    return {fabric.stretch, fabric.shear, fabric.bend};
 }
 
 }  // namespace weft

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 namespace weft {
 

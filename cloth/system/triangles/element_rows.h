@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/system/triangles/rest_elements.h"
+#include "cloth/mesh/rest_elements.h"
 
 namespace weft {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 namespace weft {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "cloth/system/triangles/rest_elements.h"
+#include "cloth/mesh/rest_elements.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 

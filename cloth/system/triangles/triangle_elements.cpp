@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "cloth/system/triangles/rest_elements.h"
+#include "cloth/mesh/rest_elements.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/system/triangles/triangle_elements.cpp"
@@ -105,12 +105,12 @@ std::size_t TriangleElements::bytes() const noexcept {
     return sum;
 }
 
-MembraneModuli membrane_moduli(const FiniteElements& settings) {
-    const float nu = settings.poisson, part = 1.0f / (1.0f - nu * nu);
-    return {.warp = part * settings.warp,
-            .weft = part * settings.weft,
-            .coupling = part * nu * std::sqrt(settings.warp * settings.weft),
-            .shear = settings.shear};
+MembraneModuli membrane_moduli(const Fabric& fabric, float poisson) {
+    const float part = 1.0f / (1.0f - poisson * poisson);
+    return {.warp = part * fabric.warp,
+            .weft = part * fabric.weft,
+            .coupling = part * poisson * std::sqrt(fabric.warp * fabric.weft),
+            .shear = fabric.shear};
 }
 
 void compute_triangles(TriangleElements& elements, const BlockRange& range, const TrianglePass& pass) {

@@ -45,7 +45,7 @@ struct TriangleElements {
 struct MembraneModuli {
     float warp, weft, coupling, shear;  ///< [N/m]
 };
-[[nodiscard]] MembraneModuli membrane_moduli(const FiniteElements& settings);
+[[nodiscard]] MembraneModuli membrane_moduli(const Fabric& fabric, float poisson);
 
 /// What is asked of the triangles of one block.
 struct TrianglePass {

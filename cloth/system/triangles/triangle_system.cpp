@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 namespace weft {
 
@@ -51,7 +51,7 @@ void clear_rows(const BlockRange& range, TriangleMatrix& matrix) {
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings)
     : TriangleSystem(model, settings,
-                     settings.finite_elements.bending > 0 ? bending_elements(model) : Bending()) {}
+                     settings.fabric.bending > 0 ? bending_elements(model) : Bending()) {}
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
                                const Bending& bending)
@@ -98,7 +98,7 @@ void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& eq
                                       std::span<const Vec4> velocities, bool viscous, bool stiffness) {
     const FiniteElements& settings = equation.settings.finite_elements;
     const float gamma = equation.gamma, damping = viscous ? equation.settings.fabric.damping : 0.0f;
-    const TrianglePass triangles{.moduli = membrane_moduli(settings),
+    const TrianglePass triangles{.moduli = membrane_moduli(equation.settings.fabric, settings.poisson),
                                  .positions = positions_.data(),
                                  .velocities = damping > 0 ? velocities.data() : nullptr,
                                  .viscosity = damping,
@@ -108,7 +108,7 @@ void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& eq
     parallel.ranges(elements_.count,
                     [&](const BlockRange& range) { compute_triangles(elements_, range, triangles); });
     if (hinges_)
-        hinges_->compute(parallel, {.rigidity = settings.bending,
+        hinges_->compute(parallel, {.rigidity = equation.settings.fabric.bending,
                                     .positions = positions_.span(),
                                     .velocities = damping > 0 ? velocities : std::span<const Vec4>(),
                                     .viscosity = damping});
@@ -188,7 +188,7 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
     make_additions(parallel, equation, velocities, true, about);
     if (quadratic_.size() > 0)
-        matrix_.scale = bending_factor(equation) * equation.settings.finite_elements.bending;
+        matrix_.scale = bending_factor(equation) * equation.settings.fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {

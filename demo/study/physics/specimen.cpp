@@ -82,11 +82,6 @@ ClothSettings made_of(ForceModel model, const Fabric& fabric) {
     ClothSettings settings;
     settings.fabric = fabric;
     settings.finite_elements.enabled = model == ForceModel::elements;
-    settings.finite_elements.warp = fabric.warp;
-    settings.finite_elements.weft = fabric.weft;
-    settings.finite_elements.shear = fabric.shear;
-    settings.finite_elements.bending = fabric.bending;
-    settings.fabric.stretch = fabric.warp;
     settings.air_damping = 0;
     return settings;
 }

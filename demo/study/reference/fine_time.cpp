@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/system/springs/springs.h"
+#include "cloth/system/springs/membrane.h"
 #include "demo/study/stiffest_modes.h"
 #include "demo/study/study_options.h"
 
@@ -16,7 +16,7 @@ using Vector = Eigen::Vector3d;
 /// What the inner loop reads: springs slot by slot, positions and velocities component by component.
 struct SpringLoop {
     const std::uint32_t* neighbours;
-    const double *stiffness, *rest_lengths;
+    const double *stiffness, *rest_lengths, *bending;
     std::array<const double*, 3> x, v;
     double damping;
 };
@@ -30,7 +30,7 @@ struct SpringLoop {
 constexpr std::uint32_t lanes = FineTime::lanes;
 using Forces = std::array<std::array<double, lanes>, 3>;
 
-/// Sum of k (l - L + damping dl/dt) n over slots [first, last) of the particles from `begin`.
+/// Sum of k (l - L + damping dl/dt) n and of bending over slots [first, last) of the particles from `begin`.
 WEFT_STUDY_WIDEST void spring_forces(const SpringLoop& loop, std::uint32_t first, std::uint32_t last,
                                      std::uint32_t begin, Forces& forces) {
     const double *const x = loop.x[0], *const y = loop.x[1], *const z = loop.x[2];
@@ -42,18 +42,20 @@ WEFT_STUDY_WIDEST void spring_forces(const SpringLoop& loop, std::uint32_t first
         const std::uint32_t* const neighbours = loop.neighbours + std::size_t{slot} * lanes;
         const double* const stiffness = loop.stiffness + std::size_t{slot} * lanes;
         const double* const rest_lengths = loop.rest_lengths + std::size_t{slot} * lanes;
+        const double* const bending = loop.bending + std::size_t{slot} * lanes;
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t i = begin + lane, j = neighbours[lane];
             const double dx = x[j] - x[i], dy = y[j] - y[i], dz = z[j] - z[i];
             const double length = std::sqrt(dx * dx + dy * dy + dz * dz + 1e-300);
             const double inverse = 1 / length;
-            const double stretching =
-                (dx * (u[j] - u[i]) + dy * (v[j] - v[i]) + dz * (w[j] - w[i])) * inverse;
+            const double du = u[j] - u[i], dv = v[j] - v[i], dw = w[j] - w[i];
+            const double stretching = (dx * du + dy * dv + dz * dw) * inverse;
+            const double bend = bending[lane], viscous = bend * damping;
             const double tension =
-                stiffness[lane] * (length - rest_lengths[lane] + damping * stretching) * inverse;
-            fx[lane] += tension * dx;
-            fy[lane] += tension * dy;
-            fz[lane] += tension * dz;
+                stiffness[lane] * (length - rest_lengths[lane] + damping * stretching) * inverse + bend;
+            fx[lane] += tension * dx + viscous * du;
+            fy[lane] += tension * dy + viscous * dv;
+            fz[lane] += tension * dz + viscous * dw;
         }
     }
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
@@ -110,7 +112,8 @@ FineTime::FineTime(const StudyScene& scene, int threads)
 }
 
 void FineTime::make_springs(const CookedCloth& model, const Fabric& fabric) {
-    const std::array<float, 3> of_kind = stiffnesses(fabric);
+    std::vector<float> stiffness(model.neighbours.size());
+    spring_stiffness(model, fabric, stiffness);
     group_slots_.push_back(0);
     for (std::uint32_t begin = 0; begin < particles_; begin += lanes) {
         const std::uint32_t end = std::min(begin + lanes, particles_);
@@ -123,9 +126,10 @@ void FineTime::make_springs(const CookedCloth& model, const Fabric& fabric) {
             for (std::uint32_t i = begin; i < begin + lanes; ++i) {
                 const bool used = i < end && slot < degree(i);
                 const std::uint32_t e = used ? model.spring_offsets[i] + slot : 0;
-                const auto kind = static_cast<std::size_t>(model.kinds[e]);
                 neighbours_.push_back(used ? model.neighbours[e] : i);
-                stiffness_.push_back(used ? static_cast<double>(of_kind[kind]) : 0.0);
+                stiffness_.push_back(used ? static_cast<double>(stiffness[e]) : 0.0);
+                bending_.push_back(
+                    used ? static_cast<double>(fabric.bending) * static_cast<double>(model.bending[e]) : 0.0);
                 rest_lengths_.push_back(used ? static_cast<double>(model.rest_lengths[e]) : 1.0);
             }
         }
@@ -185,6 +189,7 @@ void FineTime::finish(double h) {
     const SpringLoop loop{neighbours_.data(),
                           stiffness_.data(),
                           rest_lengths_.data(),
+                          bending_.data(),
                           {x_[0].data(), x_[1].data(), x_[2].data()},
                           {predicted_[0].data(), predicted_[1].data(), predicted_[2].data()},
                           damping_};

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "cloth/system/springs/springs.h"
+#include "cloth/system/springs/membrane.h"
+#include "engine/separating_direction.h"
 
 namespace weft::study {
 
@@ -21,15 +22,16 @@ Eigen::Vector3d direction_of(const Spring& spring, const Eigen::Vector3d& separa
 }  // namespace
 
 std::vector<Spring> springs_of(const CookedCloth& model, const Fabric& fabric) {
-    const std::array<float, 3> of_kind = stiffnesses(fabric);
+    std::vector<float> stiffness(model.neighbours.size());
+    spring_stiffness(model, fabric, stiffness);
     std::vector<Spring> springs;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t j = model.neighbours[e];
             if (j < i) continue;
-            const float stiffness = of_kind[static_cast<std::size_t>(model.kinds[e])];
-            springs.push_back(
-                {i, j, static_cast<double>(stiffness), static_cast<double>(model.rest_lengths[e])});
+            springs.push_back({i, j, static_cast<double>(stiffness[e]),
+                               static_cast<double>(model.rest_lengths[e]),
+                               static_cast<double>(fabric.bending) * static_cast<double>(model.bending[e])});
         }
     }
     return springs;
@@ -101,6 +103,9 @@ double StepFunctional::value(const Flat& v, std::span<const DampedState> damped)
             direction.dot(v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i))) - stretching;
         value += spring.stiffness * (0.5 * strain * strain + damping_ * stretching * strain +
                                      0.5 * gamma_ * damping_ * change * change);
+        const Eigen::Vector3d apart = v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i));
+        value += 0.5 * spring.bending *
+                 (separation(spring, v).squaredNorm() + gamma_ * damping_ * apart.squaredNorm());
     }
     return value;
 }
@@ -109,10 +114,11 @@ Flat StepFunctional::residual(const Flat& v) const {
     Flat residual = Flat::Zero(v.size());
     for (const Spring& spring : springs_) {
         const Eigen::Vector3d d = separation(spring, v), n = direction_of(spring, d);
-        const double stretching = n.dot(v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i)));
-        const double tension = spring.stiffness * (d.norm() - spring.rest_length + damping_ * stretching);
-        residual.segment<3>(at(spring.i)) += gamma_ * tension * n;
-        residual.segment<3>(at(spring.j)) -= gamma_ * tension * n;
+        const Eigen::Vector3d apart = v.segment<3>(at(spring.j)) - v.segment<3>(at(spring.i));
+        const double tension = spring.stiffness * (d.norm() - spring.rest_length + damping_ * n.dot(apart));
+        const Eigen::Vector3d pull = tension * n + spring.bending * (d + damping_ * apart);
+        residual.segment<3>(at(spring.i)) += gamma_ * pull;
+        residual.segment<3>(at(spring.j)) -= gamma_ * pull;
     }
     for (std::uint32_t i = 0; i < particles(); ++i) {
         auto r_i = residual.segment<3>(at(i));
@@ -149,7 +155,8 @@ void StepFunctional::hessian(const Flat& v, Curvature curvature, BlockMatrix& ma
         const Eigen::Matrix3d along = n * n.transpose();
         const Eigen::Matrix3d stiffness =
             spring.stiffness * gamma_ *
-            (gamma_ * across * (Eigen::Matrix3d::Identity() - along) + (gamma_ + damping_) * along);
+                (gamma_ * across * (Eigen::Matrix3d::Identity() - along) + (gamma_ + damping_) * along) +
+            spring.bending * gamma_ * (gamma_ + damping_) * Eigen::Matrix3d::Identity();
         const bool i_is_free = masses_[spring.i] > 0, j_is_free = masses_[spring.j] > 0;
         if (i_is_free) matrix.add_diagonal(spring.i, stiffness);
         if (j_is_free) matrix.add_diagonal(spring.j, stiffness);

@@ -20,11 +20,12 @@
 
 namespace weft::study {
 
-/// A spring between two particles, the smaller first.
+/// A spring between two particles, the smaller first, and what bends between them.
 struct Spring {
     std::uint32_t i, j;
     double stiffness;    ///< [N/m]
     double rest_length;  ///< [m]
+    double bending;      ///< the weight that bending has between the two [N/m]
 };
 [[nodiscard]] std::vector<Spring> springs_of(const CookedCloth& model, const Fabric& fabric);
 [[nodiscard]] std::vector<ParticlePair> pairs_of(std::span<const Spring> springs);

@@ -1,11 +1,11 @@
-#include "cloth/system/triangles/rest_elements.h"
+#include "cloth/mesh/rest_elements.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <tuple>
 
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 namespace weft {
 
@@ -77,6 +77,7 @@ Hinge make_hinge(const CookedCloth& model, const Side& one, const Side& other) {
     Hinge hinge{.particles = {a.start, a.end, a.apex, b.apex},
                 .q = {-(a.cot_end + b_at_end), -(a.cot_start + b_at_start), a.cot_start + a.cot_end,
                       b.cot_start + b.cot_end},
+                .feet = {a.cot_start, b_at_start},
                 .length = length,
                 .least_height = 2 * std::min(a.area, b.area) / length,
                 .angle = 0,

@@ -26,10 +26,11 @@ struct Hinge {
     /// Bergou et al. 2006: |sum_k q_k x_k| is the edge's length times its angle, while that is small. From
     /// each triangle's own panel; sum_k q_k is 0.
     std::array<float, 4> q;
-    float length;        ///< of the edge, mean of both panels' [m]
-    float least_height;  ///< of the two triangles over the edge, about [m]
-    float angle;         ///< at rest; 0 on a flat pattern
-    float weight;        ///< see Bending
+    std::array<float, 2> feet;  ///< of each apex: how far its foot is from the edge's start, over its height
+    float length;               ///< of the edge, mean of both panels' [m]
+    float least_height;         ///< of the two triangles over the edge, about [m]
+    float angle;                ///< at rest; 0 on a flat pattern
+    float weight;               ///< see Bending
 };
 
 /// A triangle's curvature is the mean over it of what its edges bend (Grinspun et al. 2006, discrete shape

@@ -12,7 +12,7 @@
 #include <array>
 #include <functional>
 
-#include "cloth/system/triangles/rest_elements.h"
+#include "cloth/mesh/rest_elements.h"
 #include "engine/vector.h"
 
 namespace weft {

@@ -1,4 +1,4 @@
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,33 @@
+#pragma once
+// Bending as a linear force. The energy of an element is quadratic in positions,
+//
+//     E = 1/2 B k |sum_a c_a x_a|^2,   sum_a c_a = 0,
+//
+// for B the flexural rigidity. So its Hessian is constant, and between two particles a number times the
+// identity: w_ij = -B k c_i c_j.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cloth/mesh/cook.h"
+
+namespace weft {
+
+struct BendingElement {
+    std::array<std::uint32_t, 4> particles;  ///< an element of three names its first again
+    std::array<float, 4> c;                  ///< [1/m]; sum 0
+    float k;                                 ///< [m^0]; k c^2 is in 1/m^2
+};
+
+/// Of a sheet: what threads bend, by the second difference of three particles, and what cells twist, by that
+/// of their four corners. Together, the plate's B/2 |curvature tensor|^2 with Poisson's ratio 0.
+/// Of a general mesh: Bergou et al. 2006, per pair of triangles that share an edge.
+/// Needs the model's springs and triangles.
+[[nodiscard]] std::vector<BendingElement> linear_bending(const CookedCloth& model);
+
+/// Sums the elements up in the model: CookedCloth::bending and bending_excess. Precondition: the model has a
+/// half-edge between any two particles of an element.
+void store_bending(const std::vector<BendingElement>& elements, CookedCloth& model);
+
+}  // namespace weft

@@ -1,0 +1,28 @@
+#pragma once
+// Bending for positional methods: one step of Jacobi's iteration on backward Euler, element by element. It is
+// stable at any rigidity, keeps momentum and what is straight, and is the closer the shorter the step.
+
+#include <span>
+
+#include "cloth/mesh/linear_bending.h"
+#include "cloth/solvers/solver.h"
+#include "engine/aligned_buffer.h"
+
+namespace weft {
+
+class BendingStep {
+  public:
+    explicit BendingStep(const CookedCloth& model);
+    /// Moves particles, which are at start + moved.
+    void apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved);
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return elements_.bytes() + impulses_.bytes() + offsets_.bytes() + corners_.bytes();
+    }
+
+  private:
+    AlignedBuffer<BendingElement> elements_;
+    AlignedBuffer<Vec4> impulses_;  // of each element: to be multiplied by c, over B h^2 [1/m]
+    AlignedBuffer<std::uint32_t> offsets_, corners_;  // of particles: 4 element + corner, ascending
+};
+
+}  // namespace weft

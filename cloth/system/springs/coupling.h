@@ -1,0 +1,52 @@
+#pragma once
+// What the sides of a triangle do to one another, on general meshes: the part of the membrane that springs by
+// themselves cannot have. See membrane.h.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/mesh/cook.h"
+#include "cloth/system/springs/spring_table.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// Triangles in groups of 16 lanes; those behind the last are of one particle and have no part in anything.
+class MembraneCoupling {
+  public:
+    static constexpr std::uint32_t lanes = Stencil::lanes;
+
+    /// None, as on sheets.
+    MembraneCoupling() = default;
+    MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix);
+    /// For the fabric that the table has.
+    void set(const CookedCloth& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
+
+    [[nodiscard]] bool empty() const noexcept { return shifts_.size() == 0; }
+    /// By how much springs' rest lengths are shifted where particles are at `positions`.
+    void compute(Parallel& parallel, std::span<const Vec4> positions);
+    /// [m] of each side of each triangle, and last a 0.
+    [[nodiscard]] const float* shifts() const noexcept { return shifts_.data(); }
+    /// Of each entry the two sides that shift it, [slot * 2 + 0 or 1] * 16 + lane.
+    [[nodiscard]] const std::uint32_t* sources() const noexcept { return sources_.data(); }
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
+               shifts_.bytes();
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t place(std::uint32_t triangle, std::uint32_t side) const noexcept {
+        return (triangle / lanes * 3 + side) * lanes + triangle % lanes;
+    }
+
+    std::uint32_t groups_ = 0;
+    AlignedBuffer<std::uint32_t> corners_;  // [(group * 3 + corner) * 16 + lane]
+    AlignedBuffer<float> rest_lengths_;     // of sides, likewise
+    AlignedBuffer<float> factors_;          // [(group * 9 + 3 * side + by) * 16 + lane]: shift per extension
+    AlignedBuffer<std::uint32_t> sources_;
+    AlignedBuffer<float> shifts_;
+};
+
+}  // namespace weft

@@ -1,0 +1,69 @@
+#include "cloth/system/springs/membrane.h"
+
+#include <Eigen/Dense>
+
+#include "cloth/mesh/rest_elements.h"
+
+namespace weft {
+
+namespace {
+
+/// How much of the diagonal bounds C': the largest eigenvalue of D^-1/2 C' D^-1/2, from 1 to 3.
+double bound_of(const Eigen::Matrix3d& c) {
+    Eigen::Vector3d scale;
+    for (Eigen::Index k = 0; k < 3; ++k) scale[k] = c(k, k) > 0 ? 1 / std::sqrt(c(k, k)) : 0;
+    const Eigen::Matrix3d scaled = scale.asDiagonal() * c * scale.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
+        .computeDirect(scaled, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .maxCoeff();
+}
+
+}  // namespace
+
+TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) {
+    const RestSides rest = rest_sides(model, triangle);
+    const Eigen::Vector2d to1 = rest.to1.cast<double>(), to2 = rest.to2.cast<double>();
+    const std::array<Eigen::Vector2d, 3> sides{to1, to2 - to1, -to2};
+    const double area = std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2;
+    TriangleMembrane result;
+    Eigen::Matrix3d extensions;  // M, by strains xx, yy and xy, the engineers' shear
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double length = result.rest_lengths[k] = sides[k].norm();
+        const Eigen::Vector2d e = sides[k] / length;
+        extensions.row(static_cast<Eigen::Index>(k)) << length * e.x() * e.x(), length * e.y() * e.y(),
+            length * e.x() * e.y();
+    }
+    const Eigen::Vector3d moduli(static_cast<double>(fabric.warp), static_cast<double>(fabric.weft),
+                                 static_cast<double>(fabric.shear));
+    const Eigen::Matrix3d strains = extensions.inverse();
+    const Eigen::Matrix3d c = area * strains.transpose() * moduli.asDiagonal() * strains;
+    const double scale = std::max(1.0, 0.55 * bound_of(c));
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t m = 0; m < 3; ++m)
+            result.shared[k][m] = c(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+        result.own[k] = scale * result.shared[k][k];
+        result.shared[k][k] -= result.own[k];
+    }
+    return result;
+}
+
+SheetModuli sheet_moduli(const Fabric& fabric) {
+    const double warp = static_cast<double>(fabric.warp), weft = static_cast<double>(fabric.weft),
+                 shear = static_cast<double>(fabric.shear);
+    if (warp * weft == 0) return {std::max(warp, shear), std::max(weft, shear), shear};
+    const double t = (1 + std::sqrt(1 + 4 * shear * shear / (warp * weft))) / 2;
+    return {t * warp, t * weft, shear};
+}
+
+void spring_stiffness(const CookedCloth& model, const Fabric& fabric, std::span<float> stiffness) noexcept {
+    std::ranges::fill(stiffness, 0.0f);
+    for_each_spring_part(model, fabric,
+                         [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {
+                             stiffness[forth] += static_cast<float>(part);
+                             stiffness[back] += static_cast<float>(part);
+                         });
+    for (float& k : stiffness) k = std::max(k, 0.0f);
+}
+
+}  // namespace weft

@@ -1,0 +1,91 @@
+#pragma once
+// The membrane as springs: how stiff each is, so that together they have a fabric's warp, weft and shear
+// stiffness.
+//
+// A sheet's cells have four sides and two diagonals. Cells of sides a and b, diagonals of stiffness
+// k_d = G (a^2 + b^2) / (2 a b) and sides of what follows have Young's moduli K_u and K_v and the shear
+// modulus G: with P = t K_u and Q = t K_v, t = (1 + sqrt(1 + 4 G^2 / (K_u K_v))) / 2, the sides along u take
+// P b/a - G a/b, those along v Q a/b - G b/a, half of it for each cell beside them.
+//
+// A general mesh has edges only, and springs by themselves can be but one kind of membrane (Cauchy: Poisson's
+// ratio 1/3). So each triangle is the constant-strain element, written in its sides' extensions dl = l - L
+// (Delingette 2008, for the form): with rows L_k (e_x^2, e_y^2, e_x e_y) of M for unit sides e at rest,
+// C' = A M^-T C M^-1 has the energy 1/2 dl^T C' dl, and side k the tension sum_m C'_km dl_m, along itself. A
+// spring takes what its own length gives, the rest is a shift of its rest length by its triangles' other
+// sides: see MembraneCoupling.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "cloth/mesh/cook.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// A triangle in its sides' lengths: side k runs from corner k to the next.
+struct TriangleMembrane {
+    std::array<double, 3> rest_lengths;  ///< L [m]
+    /// C'_kk, or more: at least 0.55 of C' is bounded by these alone, so that matrices which know only them
+    /// converge on the whole [N/m].
+    std::array<double, 3> own;
+    std::array<std::array<double, 3>, 3> shared;  ///< C' less `own` on the diagonal [N/m]
+};
+[[nodiscard]] TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle,
+                                                 const Fabric& fabric);
+
+/// P, Q and G of a sheet.
+struct SheetModuli {
+    double warp, weft, shear;
+};
+[[nodiscard]] SheetModuli sheet_moduli(const Fabric& fabric);
+
+/// add(i, j, stiffness [N/m], rest length [m]) for what the cell whose near left corner is `near` has of the
+/// springs at its sides and diagonals.
+template <class Add>
+void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, std::uint32_t near,
+                           const Add& add) {
+    const std::uint32_t far = near + model.columns;
+    const auto rest = [&](std::uint32_t i, std::uint32_t j) {
+        return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
+    };
+    const double near_side = rest(near, near + 1), far_side = rest(far, far + 1), left = rest(near, far),
+                 right = rest(near + 1, far + 1);
+    const double a = (near_side + far_side) / 2, b = (left + right) / 2;
+    const double along_a = (moduli.warp * b / a - moduli.shear * a / b) / 2;
+    const double along_b = (moduli.weft * a / b - moduli.shear * b / a) / 2;
+    const double diagonal = moduli.shear * (a * a + b * b) / (2 * a * b);
+    add(near, near + 1, along_a, near_side);
+    add(far, far + 1, along_a, far_side);
+    add(near, far, along_b, left);
+    add(near + 1, far + 1, along_b, right);
+    add(near, far + 1, diagonal, rest(near, far + 1));
+    add(near + 1, far, diagonal, rest(near + 1, far));
+}
+
+/// body(half-edge from i, half-edge from j, stiffness [N/m], rest length [m]) for each part of each spring
+/// (i, j): one for each cell or triangle that it is a side of. The stiffness of a spring is their sum, but no
+/// less than 0.
+template <class Body>
+void for_each_spring_part(const CookedCloth& model, const Fabric& fabric, const Body& body) {
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double rest_length) {
+        body(half_edge_between(model, i, j), half_edge_between(model, j, i), stiffness, rest_length);
+    };
+    for (std::uint32_t t = 0; model.rows == 0 && t < model.triangles.size(); ++t) {
+        const TriangleMembrane membrane = triangle_membrane(model, t, fabric);
+        for (std::size_t k = 0; k < 3; ++k)
+            add(model.triangles[t][k], model.triangles[t][(k + 1) % 3], membrane.own[k],
+                membrane.rest_lengths[k]);
+    }
+    const SheetModuli moduli = sheet_moduli(fabric);
+    for (std::uint32_t row = 0; row + 1 < model.rows; ++row)
+        for (std::uint32_t column = 0; column + 1 < model.columns; ++column)
+            for_each_part_of_cell(model, moduli, row * model.columns + column, add);
+}
+
+/// Of each half-edge [N/m].
+void spring_stiffness(const CookedCloth& model, const Fabric& fabric, std::span<float> stiffness) noexcept;
+
+}  // namespace weft

@@ -1,0 +1,57 @@
+#pragma once
+// What springs and bending are at each entry of a matrix, once a fabric is set.
+
+#include <cstdint>
+
+#include "cloth/mesh/cook.h"
+#include "cloth/system/springs/spring_matrix.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// Of one spring, and of the bending between its ends. Bending is of rigidity 1.
+struct SpringEntry {
+    float rest_length;  ///< [m]
+    float stiffness;    ///< [N/m]
+    float bending;      ///< [1/m^2]
+};
+
+/// Entry by entry; and by slots of 16 where all lanes have the same, as most of a sheet's do.
+class SpringTable {
+  public:
+    SpringTable(const CookedCloth& model, const SpringMatrix& matrix);
+    /// Takes O(springs). False: nothing to do, it has that fabric's membrane.
+    bool set(const CookedCloth& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
+
+    enum class SlotKind : std::uint8_t {
+        mixed,         ///< look at each lane
+        same,          ///< all lanes are as SlotEntry says
+        same_bending,  ///< likewise, and there is no spring
+        bending,       ///< no spring in any lane
+    };
+    struct Slot {
+        SpringEntry entry;
+        SlotKind kind;
+    };
+    [[nodiscard]] const Slot* slots() const noexcept { return slots_.data(); }
+    [[nodiscard]] const float* rest_lengths() const noexcept { return rest_lengths_.data(); }
+    [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
+    [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
+    [[nodiscard]] const Fabric& fabric() const noexcept { return fabric_; }
+
+    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }                  ///< [N/m]
+    [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< of B = 1 [1/m^2]
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return slots_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes();
+    }
+
+  private:
+    void sum_up_slots() noexcept;
+
+    AlignedBuffer<float> rest_lengths_, stiffness_, bending_;
+    AlignedBuffer<Slot> slots_;
+    Fabric fabric_{.areal_density = -1};  // none yet
+    float stiffest_ = 0, stiffest_bending_ = 0;
+};
+
+}  // namespace weft
