@@ -124,13 +124,6 @@ void check_together(Checks& checks, const ClothSettings& settings) {
     const FiniteElements& elements = settings.finite_elements;
     const bool positional =
         std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
-    if (elements.enabled) {  // which divide by them
-        constexpr float least_stiffness = 1e-4f;  // [N/m]
-        const Fabric& fabric = settings.fabric;
-        checks.between("With FiniteElements, Fabric::warp", fabric.warp, least_stiffness, most_stiffness);
-        checks.between("With FiniteElements, Fabric::weft", fabric.weft, least_stiffness, most_stiffness);
-        checks.between("With FiniteElements, Fabric::shear", fabric.shear, least_stiffness, most_stiffness);
-    }
     checks.allow(
         !(elements.enabled && positional),
         "FiniteElements::enabled is true, and Xpbd and Fibres know springs only; it must be false with "

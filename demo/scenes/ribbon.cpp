@@ -47,7 +47,6 @@ class Ribbon final : public Scene {
                            .shear = 80.0f,
                            .bending = 2e-5f,
                            .damping = 1e-3f};
-        settings.method = Jacobi{.iterations = 15};
         settings.air_damping = 1.0f;
         settings.self_collision = {.enabled = true, .distance = distance_, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;

@@ -73,7 +73,7 @@ class Sheet final : public Scene {
                        (centre - summit).norm(), 0.1f);
 
         const Stretch stretch = structural_stretch(mesh_, *view);
-        checks.at_most("worst stretch", stretch.worst, 1.15f);
+        checks.at_most("worst stretch", stretch.worst, 1.3f);
         checks.at_most("mean stretch", stretch.mean, 1.02f);
         const float corner = vertex_position(*view, 0).y();
         checks.at_most("a corner's height above the ground [m]", corner, 0.2f);

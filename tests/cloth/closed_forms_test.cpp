@@ -17,11 +17,15 @@ namespace {
 constexpr float frame = 1.0f / 60;
 constexpr double gravity = 9.81;
 constexpr double pi = std::numbers::pi;
+constexpr float strip_width = 0.1f;
 
-/// Springs along the threads alone: a strip of two columns is two chains side by side.
-ClothSettings threads_only(float stretch, TimeScheme scheme, int substeps, float air_damping = 0) {
+/// Springs along the threads alone: a strip of two columns is two chains side by side, each half of its
+/// width.
+ClothSettings threads_only(float chain, std::uint32_t cells, TimeScheme scheme, int substeps,
+                           float air_damping = 0) {
     ClothSettings settings;
-    settings.fabric = {.warp = stretch, .weft = stretch, .shear = 0, .bending = 0, .damping = 0};
+    const float stiffness = 2 * chain / (strip_width * static_cast<float>(cells));
+    settings.fabric = {.warp = stiffness, .weft = stiffness, .shear = 0, .bending = 0, .damping = 0};
     settings.air_damping = air_damping;
     settings.method = ConjugateGradient{.iterations = 400};
     settings.time_scheme = scheme;
@@ -32,8 +36,6 @@ ClothSettings threads_only(float stretch, TimeScheme scheme, int substeps, float
 World world_in_vacuum(const Vec3& acceleration) {
     return World::create(vacuum(acceleration)).value();
 }
-
-constexpr float strip_width = 0.1f;
 
 /// `nodes` rows of two particles along `along`, 1 m at rest. `place` moves a particle, given how far along it
 /// is.
@@ -54,7 +56,7 @@ TEST(HungStrip, EveryEdgeIsStretchedByWhatHangsBelow) {
     constexpr float stretch = 200;
     World world = world_in_vacuum({0, -9.81f, 0});
     const Mesh mesh = strip(nodes, {0, -1, 0}, [](Vec3 x, float) { return x; });
-    const ClothSettings settings = threads_only(stretch, TimeScheme::backward_euler, 1, 20);
+    const ClothSettings settings = threads_only(stretch, nodes - 1, TimeScheme::backward_euler, 1, 20);
     const ClothId id = world.add_cloth(mesh, settings).value();
     (void)world.pin(id, 0);
     (void)world.pin(id, 1);
@@ -91,7 +93,7 @@ TEST(HangingChain, SwingsAtTheZerosOfBesselsFunction) {
         const Mesh mesh = strip(nodes, {0, -1, 0}, [&](Vec3 x, float along) {
             return Vec3{x.x + 0.005f * shape(along), x.y, x.z};
         });
-        const ClothId id = world.add_cloth(mesh, threads_only(4000, TimeScheme::bdf2, 6)).value();
+        const ClothId id = world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::bdf2, 6)).value();
         (void)world.pin(id, 0);
         (void)world.pin(id, 1);
         const auto deflection = [&] {
@@ -124,7 +126,7 @@ TEST(HangingChain, HangsAsACatenary) {
     const Mesh mesh = strip(nodes, {1, 0, 0}, [&](Vec3 x, float along) {
         return Vec3{static_cast<float>(span) * (along - 0.5f), -0.8f * (0.5f - std::abs(along - 0.5f)), x.z};
     });
-    const ClothId id = world.add_cloth(mesh, threads_only(4000, TimeScheme::backward_euler, 1, 4)).value();
+    const ClothId id = world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::backward_euler, 1, 4)).value();
     for (const std::uint32_t end : {0u, 1u, 2 * nodes - 2, 2 * nodes - 1}) (void)world.pin(id, end);
     for (int k = 0; k < 400; ++k) world.step(frame);
 
@@ -152,7 +154,7 @@ struct String {
         const Mesh mesh = strip(beads + 2, {1, 0, 0}, [&](Vec3 x, float along) {
             return Vec3{(1 + strain) * x.x, amplitude * shape(along), x.z};
         });
-        id = world.add_cloth(mesh, threads_only(stretch, scheme, substeps)).value();
+        id = world.add_cloth(mesh, threads_only(stretch, beads + 1, scheme, substeps)).value();
         for (const std::uint32_t end : {0u, 1u, 2 * beads + 2, 2 * beads + 3}) (void)world.pin(id, end);
     }
     [[nodiscard]] float shape(float along) const {
@@ -243,7 +245,7 @@ double relative_sag(std::uint32_t cells) {
     Mesh mesh = evenly_cut({.rows = n, .columns = n});
     mesh.pattern = mesh.texcoords;
     for (Vec3& x : mesh.positions) x = {1.2f * x.x, 0, 1.2f * x.z};
-    ClothSettings settings = threads_only(50, TimeScheme::backward_euler, 1);
+    ClothSettings settings = threads_only(50, 20, TimeScheme::backward_euler, 1);
     const ClothId id = world.add_cloth(mesh, settings).value();
     for (std::uint32_t i = 0; i < n * n; ++i) {
         if (i / n == 0 || i / n == n - 1 || i % n == 0 || i % n == n - 1) (void)world.pin(id, i);

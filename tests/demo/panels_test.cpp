@@ -129,7 +129,7 @@ TEST(Panels, SayWhatAClothRefuses) {
     settings.fabric.warp = -1;
     const auto refused = set_all_cloths(*simulation, settings);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("stretch"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.find("warp"), std::string::npos) << refused.error().message;
 }
 
 TEST(FlagsText, NamesTheSettingToChange) {

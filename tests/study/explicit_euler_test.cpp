@@ -22,7 +22,9 @@ class Oscillator {
         auto cloth =
             std::make_unique<Cloth>(cook(make_sheet({.rows = 2, .columns = 2}).value()).value(), settings);
         const float mass = cloth->mass(3);
-        settings.fabric = {.warp = mass * static_cast<float>(omega * omega), .weft = mass * static_cast<float>(omega * omega),
+        const float stiffness = 2 * mass * static_cast<float>(omega * omega);  // halved at a border
+        settings.fabric = {.warp = stiffness,
+                           .weft = stiffness,
                            .shear = 0,
                            .bending = 0,
                            .damping = static_cast<float>(spring_damping)};

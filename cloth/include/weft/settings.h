@@ -37,8 +37,8 @@ struct Fabric {
 };
 
 /// Triangle finite elements in place of the springs, of the same fabric. Of the implicit methods and
-/// SymplecticEuler only: Xpbd and Fibres refuse them. Fabric::warp, weft and shear are at least 1e-4 N/m
-/// then.
+/// SymplecticEuler only: Xpbd and Fibres refuse them. Fabric::warp, weft and shear below 1e-4 N/m count as
+/// that.
 struct FiniteElements {
     bool enabled = false;
     float poisson = 0.0f;   ///< lateral contraction under stretch, in [0, 0.5)

@@ -22,6 +22,7 @@ struct RowOfParticles {
 
 /// One spring in each lane; where a fibre has ended, direction and violation are 0.
 struct Links {
+    Lanes compliance;
     Rows apart;     ///< from the row's particles to the next one's [m]
     Lanes inverse;  ///< of the length
     Lanes3 direction;
@@ -65,6 +66,7 @@ HWY_INLINE Links links_between(const FibreGroup& group, std::uint32_t row, std::
         squared = dot(d, d);
     }
     const Lanes rest = load_lanes(group.rest_lengths + row * FibreSets::lanes + lane);
+    links.compliance = load_lanes(group.compliances + row * FibreSets::lanes + lane);
     const auto exists = hn::Ge(rest, hn::Zero(tag));
     links.inverse = hn::IfThenElseZero(exists, inverse_length(squared));
     links.direction = links.inverse * d;
@@ -76,22 +78,19 @@ HWY_INLINE Links links_between(const FibreGroup& group, std::uint32_t row, std::
     return links;
 }
 
-// Each spring as in XPBD (Macklin, Mueller, Chentanez 2016, eq. 18 and 26), which with kappa = 1 / alpha~
-// reads
-//   dlambda = (-kappa C - lambda) / (1 + kappa (1 + gamma) (w_a + w_b)).
+// Each spring as in XPBD (Macklin, Mueller, Chentanez 2016, eq. 18 and 26):
+//   dlambda = -(C + alpha~ lambda) / (alpha~ + (1 + gamma) (w_a + w_b)).
 void gauss_seidel(const FibreGroup& group) {
     const Tag tag;
-    const Lanes kappa = hn::Set(tag, group.kappa),
-                damped_kappa = hn::Set(tag, group.kappa * (1 + group.gamma));
+    const Lanes damped = hn::Set(tag, 1 + group.gamma);
     for (std::uint32_t lane = 0; lane < FibreSets::lanes; lane += part_lanes) {
         RowOfParticles here = particles_of(group, 0, lane);
         for (std::uint32_t row = 0; row < group.rows; ++row) {
             RowOfParticles next = particles_of(group, row + 1, lane);
             const Links links = links_between(group, row, lane, here, next);
             float* const multiplier = group.multipliers + row * FibreSets::lanes + lane;
-            const Lanes right = hn::MulAdd(kappa, links.violation, load_lanes(multiplier));
-            const Lanes change =
-                hn::Neg(hn::Div(right, hn::MulAdd(damped_kappa, links.weight, hn::Set(tag, 1.0f))));
+            const Lanes right = hn::MulAdd(links.compliance, load_lanes(multiplier), links.violation);
+            const Lanes change = hn::Neg(hn::Div(right, hn::MulAdd(damped, links.weight, links.compliance)));
             hn::Store(hn::Add(load_lanes(multiplier), change), tag, multiplier);
 
             const Lanes along = hn::Mul(change, links.inverse);
@@ -124,21 +123,20 @@ HWY_INLINE Kept kept_of(const FibreGroup& group, std::uint32_t row, std::uint32_
 /// Factorises, and solves L y = right side. Returns the sum of all violations that are left [m].
 HWY_INLINE Lanes factorise(const FibreGroup& group, std::uint32_t lane) {
     const Tag tag;
-    const Lanes one = hn::Set(tag, 1.0f), kappa = hn::Set(tag, group.kappa);
-    const Lanes damped_kappa = hn::Set(tag, group.kappa * (1 + group.gamma));
+    const Lanes one = hn::Set(tag, 1.0f), damped = hn::Set(tag, 1 + group.gamma);
     Lanes y = hn::Zero(tag), inverse_pivot = y, violations = y;
     Lanes3 direction = {y, y, y};
     RowOfParticles here = particles_of(group, 0, lane);
     for (std::uint32_t row = 0; row < group.rows; ++row) {
         RowOfParticles next = particles_of(group, row + 1, lane);
         const Links links = links_between(group, row, lane, here, next);
-        const Lanes right = hn::Neg(hn::MulAdd(
-            kappa, links.violation, load_lanes(group.multipliers + row * FibreSets::lanes + lane)));
-        const Lanes diagonal = hn::MulAdd(damped_kappa, links.weight, one);
-        const Lanes beside =
-            hn::Neg(hn::Mul(hn::Mul(damped_kappa, here.weights), dot(direction, links.direction)));
+        const Lanes right = hn::Neg(hn::MulAdd(links.compliance,
+                                               load_lanes(group.multipliers + row * FibreSets::lanes + lane),
+                                               links.violation));
+        const Lanes diagonal = hn::MulAdd(damped, links.weight, links.compliance);
+        const Lanes beside = hn::Neg(hn::Mul(hn::Mul(damped, here.weights), dot(direction, links.direction)));
         const Lanes factor = hn::Mul(beside, inverse_pivot);
-        const Lanes least = hn::Max(one, hn::Mul(hn::Set(tag, 1e-5f), diagonal));
+        const Lanes least = hn::Max(links.compliance, hn::Mul(hn::Set(tag, 1e-5f), diagonal));
         inverse_pivot = hn::Div(one, hn::Max(least, hn::NegMulAdd(factor, beside, diagonal)));
         y = hn::NegMulAdd(factor, y, right);
         violations = hn::Add(violations, hn::Abs(right));
@@ -153,7 +151,7 @@ HWY_INLINE Lanes factorise(const FibreGroup& group, std::uint32_t lane) {
         hn::Store(y, tag, kept.solution());
         here = next;
     }
-    return hn::Div(violations, kappa);
+    return violations;
 }
 
 /// Solves D L^T dlambda = y in place. Returns the square of the furthest that this would move a particle
@@ -200,13 +198,13 @@ HWY_INLINE void move_particles(const FibreGroup& group, std::uint32_t lane, Lane
 }
 
 // The fibre's equations J W J^T dlambda = -C with XPBD's compliance and damping,
-//   (1 + kappa (1 + gamma) J W J^T) dlambda = -kappa C - lambda,
-// are tridiagonal: row s has -kappa (1 + gamma) w n_s . n_s+1 beside its diagonal, w of the particle between.
-// Two things guard them. No pivot of 1 + (a positive semidefinite matrix) is below 1, and none can be told
-// from rounding below 1e-5 of its diagonal: what is less is raised, which makes that spring more compliant in
-// this iteration. And no particle has further to go than all violations of its fibre together: where the
-// linearised solution would move one further, as along a straight fibre that is pinned at both ends, the
-// whole solution is scaled down. Neither touches momentum.
+//   (alpha~ + (1 + gamma) J W J^T) dlambda = -C - alpha~ lambda,
+// are tridiagonal: row s has -(1 + gamma) w n_s . n_s+1 beside its diagonal, w of the particle between.
+// Two things guard them. No pivot of alpha~ + (a positive semidefinite matrix) is below alpha~, and none can
+// be told from rounding below 1e-5 of its diagonal: what is less is raised, which makes that spring more
+// compliant in this iteration. And no particle has further to go than all violations of its fibre together:
+// where the linearised solution would move one further, as along a straight fibre that is pinned at both
+// ends, the whole solution is scaled down. Neither touches momentum.
 void ldlt(const FibreGroup& group) {
     const Tag tag;
     const Lanes one = hn::Set(tag, 1.0f);

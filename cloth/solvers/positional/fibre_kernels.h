@@ -17,9 +17,9 @@ struct FibreGroup {
     const std::uint32_t* particles;  ///< rows + 1 rows of 16
     const float* weights;            ///< the particles' inverse masses [1/kg], likewise
     const float* rest_lengths;       ///< rows rows of 16 [m]
+    const float* compliances;        ///< likewise, XPBD's alpha~ = 1 / (k h^2) [1/kg]; above 0
     float* multipliers;              ///< likewise [kg m]; 0 at the start of a step
     float* scratch;                  ///< scratch_rows * rows rows
-    float kappa;                     ///< k h^2, the inverse of XPBD's alpha~ [kg]
     float gamma;                     ///< damping / h, see sweep_springs
     const Vec4* start;
     Vec4* moved;

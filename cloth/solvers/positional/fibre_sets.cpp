@@ -168,11 +168,7 @@ class Packer {
         }
         if (blocks.back() != groups()) blocks.push_back(groups());
         result_.stand_ins = std::max(result_.stand_ins, groups() - begin);
-        std::vector<std::uint32_t> half_edges;
-        for (const Fibre* fibre : set)
-            half_edges.insert(half_edges.end(), fibre->half_edges.begin(), fibre->half_edges.end());
-        result_.sets.push_back(
-            {set.front()->kind, begin, groups(), std::move(blocks), std::move(half_edges)});
+        result_.sets.push_back({set.front()->kind, begin, groups(), std::move(blocks)});
     }
 
     FibreSets finish() && {
@@ -180,6 +176,8 @@ class Packer {
         result_.rest_lengths = AlignedBuffer<float>(rest_lengths_.size());
         std::ranges::copy(particles_, result_.particles.data());
         std::ranges::copy(rest_lengths_, result_.rest_lengths.data());
+        result_.half_edges = AlignedBuffer<std::uint32_t>(half_edges_.size());
+        std::ranges::copy(half_edges_, result_.half_edges.data());
         return std::move(result_);
     }
 
@@ -202,6 +200,7 @@ class Packer {
                 const bool has_spring = fibre && row < fibre->half_edges.size();
                 rest_lengths_.push_back(has_spring ? model_.rest_lengths[fibre->half_edges[row]]
                                                    : FibreSets::no_spring);
+                half_edges_.push_back(has_spring ? fibre->half_edges[row] : 0);
             }
         }
         result_.rows.push_back(result_.rows.back() + rows);
@@ -209,7 +208,7 @@ class Packer {
 
     const CookedCloth& model_;
     FibreSets result_;
-    std::vector<std::uint32_t> particles_;
+    std::vector<std::uint32_t> particles_, half_edges_;
     std::vector<float> rest_lengths_;
 };
 
@@ -244,9 +243,8 @@ FibreSets make_fibre_sets(const CookedCloth& model) {
 
 std::size_t FibreSets::bytes() const noexcept {
     std::size_t in_sets = rows.size() * sizeof(std::uint32_t);
-    for (const FibreSet& set : sets)
-        in_sets += sizeof(FibreSet) + (set.blocks.size() + set.half_edges.size()) * sizeof(std::uint32_t);
-    return in_sets + particles.bytes() + rest_lengths.bytes();
+    for (const FibreSet& set : sets) in_sets += sizeof(FibreSet) + set.blocks.size() * sizeof(std::uint32_t);
+    return in_sets + particles.bytes() + rest_lengths.bytes() + half_edges.bytes();
 }
 
 }  // namespace weft

@@ -31,8 +31,7 @@ struct Fibre {
 struct FibreSet {
     FibreKind kind;
     std::uint32_t groups_begin, groups_end;
-    std::vector<std::uint32_t> blocks;      ///< groups of block b: [blocks[b], blocks[b + 1])
-    std::vector<std::uint32_t> half_edges;  ///< where the model has its springs
+    std::vector<std::uint32_t> blocks;  ///< groups of block b: [blocks[b], blocks[b + 1])
 };
 
 /// The sets, in the order in which they are solved: the fibres that carry weight come last, because the last
@@ -48,6 +47,8 @@ struct FibreSets {
     std::vector<std::uint32_t> rows;
     AlignedBuffer<std::uint32_t> particles;  ///< [row * lanes + lane]
     AlignedBuffer<float> rest_lengths;       ///< [m], likewise
+    /// Where the model has each spring, likewise; any, where there is none.
+    AlignedBuffer<std::uint32_t> half_edges;
     std::uint32_t stand_ins = 0;             ///< groups of the set that has most
 
     [[nodiscard]] std::uint32_t particle_row(std::uint32_t group) const { return rows[group] + group; }

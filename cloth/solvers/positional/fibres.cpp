@@ -29,7 +29,7 @@ FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& settin
       sets_(make_fibre_sets(model)),
       occurrences_(sets_.particles.span(), model.particle_count),
       stiffness_(model.neighbours.size()),
-      of_sets_(sets_.sets.size()),
+      compliances_(sets_.rest_lengths.size()),
       displacements_(model, sets_.stand_ins),
       weights_(sets_.particles.size()),
       multipliers_(sets_.rest_lengths.size()),
@@ -57,21 +57,18 @@ void FibresSolver::inverse_masses_changed(std::span<const Vec4> positions) noexc
     for (std::uint32_t i = 0; i < positions.size(); ++i) inverse_mass_changed(i, positions);
 }
 
-void FibresSolver::find_stiffness(const Fabric& fabric) noexcept {
-    if (fabric == fabric_) return;
+void FibresSolver::find_compliances(const Fabric& fabric, float h) noexcept {
+    if (fabric == fabric_ && h == h_) return;
     fabric_ = fabric;
+    h_ = h;
     spring_stiffness(model_, fabric, stiffness_.span());
-    for (std::size_t s = 0; s < of_sets_.size(); ++s) {
-        double sum = 0;
-        for (const std::uint32_t e : sets_.sets[s].half_edges) sum += static_cast<double>(stiffness_[e]);
-        of_sets_[s] = static_cast<float>(sum / static_cast<double>(sets_.sets[s].half_edges.size()));
-    }
+    constexpr float softest = 1e-20f;  // [kg]; of springs that are none
+    for (std::size_t at = 0; at < compliances_.size(); ++at)
+        compliances_[at] = 1 / std::max(stiffness_[sets_.half_edges[at]] * h * h, softest);
 }
 
-void FibresSolver::solve_set(const SolverStep& step, std::size_t number) {
-    const FibreSet& set = sets_.sets[number];
-    const float h = step.equation.h, kappa = of_sets_[number] * h * h;
-    if (kappa == 0) return;
+void FibresSolver::solve_set(const SolverStep& step, const FibreSet& set) {
+    const float h = step.equation.h;
     const bool factorised =
         solver_of(std::get<Fibres>(step.settings.method), set.kind) == Fibres::SetSolver::ldlt;
     const auto blocks = static_cast<std::uint32_t>(set.blocks.size()) - 1;
@@ -83,9 +80,9 @@ void FibresSolver::solve_set(const SolverStep& step, std::size_t number) {
                                    .particles = &sets_.particles[sets_.particle_row(g) * lanes],
                                    .weights = &weights_[sets_.particle_row(g) * lanes],
                                    .rest_lengths = &sets_.rest_lengths[row * lanes],
+                                   .compliances = &compliances_[row * lanes],
                                    .multipliers = &multipliers_[row * lanes],
                                    .scratch = scratch_.data() + row_in_set * FibreGroup::scratch_rows * lanes,
-                                   .kappa = kappa,
                                    .gamma = step.settings.fabric.damping / h,
                                    .start = displacements_.start().data(),
                                    .moved = displacements_.moved().data()};
@@ -96,19 +93,19 @@ void FibresSolver::solve_set(const SolverStep& step, std::size_t number) {
 
 SolveResult FibresSolver::solve(const SolverStep& step) {
     const auto timer = step.timed(Stage::solve);
-    find_stiffness(step.settings.fabric);
+    find_compliances(step.settings.fabric, step.equation.h);
     displacements_.predict(step);
     std::ranges::fill(multipliers_.span(), 0.0f);
     const int iterations = std::get<Fibres>(step.settings.method).iterations;
     for (int k = 0; k < iterations; ++k)
-        for (std::size_t set = 0; set < sets_.sets.size(); ++set) solve_set(step, set);
+        for (const FibreSet& set : sets_.sets) solve_set(step, set);
     displacements_.find_velocities(step);
     return {.residual = residual_(step)};
 }
 
 std::size_t FibresSolver::bytes() const noexcept {
     return sets_.bytes() + occurrences_.bytes() + displacements_.bytes() + weights_.bytes() +
-           multipliers_.bytes() + scratch_.bytes() + stiffness_.bytes() + of_sets_.size() * sizeof(float);
+           multipliers_.bytes() + scratch_.bytes() + stiffness_.bytes() + compliances_.bytes();
 }
 
 }  // namespace weft

@@ -19,23 +19,26 @@ class FibresSolver final : public Solver {
     SolveResult solve(const SolverStep& step) override;
     /// Its memory is made for the set solvers, not for the iterations.
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
-    void prepare(const ClothSettings& settings) noexcept override { find_stiffness(settings.fabric); }
+    void prepare(const ClothSettings& settings) noexcept override {
+        if (h_ > 0) find_compliances(settings.fabric, h_);
+    }
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    void find_stiffness(const Fabric& fabric) noexcept;
-    void solve_set(const SolverStep& step, std::size_t set);
+    void find_compliances(const Fabric& fabric, float h) noexcept;
+    void solve_set(const SolverStep& step, const FibreSet& set);
 
     const CookedCloth& model_;
     Fibres method_;  // that it was made for
     FibreSets sets_;
     Occurrences occurrences_;             // in sets_.particles
-    Fabric fabric_{.areal_density = -1};  // that the stiffnesses are of; none yet
-    AlignedBuffer<float> stiffness_;      // of each half-edge [N/m]
-    std::vector<float> of_sets_;          // the mean of each set's springs [N/m]
+    Fabric fabric_{.areal_density = -1};  // that the compliances are of; none yet
+    float h_ = 0;
+    AlignedBuffer<float> stiffness_;    // of each half-edge [N/m]
+    AlignedBuffer<float> compliances_;  // like sets_.rest_lengths
     Displacements displacements_;
     AlignedBuffer<float> weights_;      // inverse masses, like sets_.particles
     AlignedBuffer<float> multipliers_;  // like sets_.rest_lengths

@@ -107,10 +107,12 @@ std::size_t TriangleElements::bytes() const noexcept {
 
 MembraneModuli membrane_moduli(const Fabric& fabric, float poisson) {
     const float part = 1.0f / (1.0f - poisson * poisson);
-    return {.warp = part * fabric.warp,
-            .weft = part * fabric.weft,
-            .coupling = part * poisson * std::sqrt(fabric.warp * fabric.weft),
-            .shear = fabric.shear};
+    constexpr float least = 1e-4f;  // [N/m]; elements divide by these
+    const float warp = std::max(fabric.warp, least), weft = std::max(fabric.weft, least);
+    return {.warp = part * warp,
+            .weft = part * weft,
+            .coupling = part * poisson * std::sqrt(warp * weft),
+            .shear = std::max(fabric.shear, least)};
 }
 
 void compute_triangles(TriangleElements& elements, const BlockRange& range, const TrianglePass& pass) {
