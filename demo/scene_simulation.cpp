@@ -13,6 +13,7 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
         auto settings = world.cloth_settings(cloth.id);
         if (!settings) return settings.error();
         settings->method = overrides.method.value_or(settings->method);
+        settings->fabric = overrides.fabric.value_or(settings->fabric);
         if (overrides.iterations) {
             if (!iterations_of(settings->method))
                 return Error{ErrorCode::invalid_argument, "method " +

@@ -13,6 +13,7 @@ namespace weft::demo {
 struct Overrides {
     std::optional<Vec3> wind;  ///< [m/s]
     std::optional<Method> method;
+    std::optional<Fabric> fabric;
     std::optional<int> iterations;  ///< of the method, whichever it is
     std::optional<int> substeps;
     std::optional<bool> self_collision;

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "demo/fabric_file.h"
 #include "demo/method_table.h"
 #include "demo/wind_control.h"
 
@@ -22,6 +23,13 @@ std::string parse_wind(const std::string& text, std::optional<Vec3>& wind) {
         return text + " is not a wind; X,Y,Z in m/s and at most 100 m/s are, as in 5,0,-1";
     wind = Vec3{v[0], v[1], v[2]};
     return {};
+}
+
+std::string fabric_help() {
+    std::string help("What the cloth is made of (default: the scene's own):");
+    for (const NamedFabric& each : fabrics())
+        help.append(&each == &fabrics().front() ? " " : ", ").append(each.name);
+    return help.append(", or a file, see demo/fabric_file.h");
 }
 
 std::vector<std::string> method_names() {
@@ -59,6 +67,15 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
            [&options](const std::string& name) { options.overrides.method = find_method(name)->method; },
            "How the cloth is stepped (default: the scene's own)")
         ->check(CLI::IsMember(method_names()));
+    app.add_option_function<std::string>(
+           "--fabric",
+           [&options](const std::string& name) {
+               const auto fabric = find_fabric(name);
+               if (!fabric) throw CLI::ValidationError("--fabric", fabric.error().message);
+               options.overrides.fabric = *fabric;
+           },
+           fabric_help())
+        ->type_name("NAME|FILE.json");
     app.add_option("--iterations", options.overrides.iterations,
                    "Iterations of the method in each of its substeps")
         ->check(CLI::Range(0, 10000));

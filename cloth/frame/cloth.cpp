@@ -232,6 +232,8 @@ ClothInfo Cloth::info() const {
     double mass_sum = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
     info.mass = static_cast<float>(mass_sum);
+    const float finest = 2 * info.mean_edge;
+    info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
     std::size_t of_limits = 0;
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +

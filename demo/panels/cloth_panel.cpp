@@ -7,10 +7,30 @@
 namespace weft::demo {
 namespace {
 
+/// Fabrics by name; "own" where the sliders have made another.
+bool fabric_menu(Fabric& fabric) {
+    const auto present = std::ranges::find(fabrics(), fabric, &NamedFabric::fabric);
+    bool changed = false;
+    if (ImGui::BeginCombo("fabric", present == fabrics().end() ? "own" : present->name)) {
+        for (const NamedFabric& each : fabrics()) {
+            const bool chosen = each.fabric == fabric;
+            if (ImGui::Selectable(each.name, chosen) && !chosen) {
+                fabric = each.fabric;
+                changed = true;
+            }
+            tooltip(each.source);
+        }
+        ImGui::EndCombo();
+    }
+    tooltip(present == fabrics().end() ? "Measured fabrics; each tells where its figures are from."
+                                       : present->source);
+    return changed;
+}
+
 bool fabric_sliders(ClothSettings& settings) {
     constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
     Fabric& fabric = settings.fabric;
-    bool changed = false;
+    bool changed = fabric_menu(fabric);
     changed |= slider("warp", fabric.warp, 1, 1e5f, "%.0f N/m",
                       "Tension over strain along the rows, or along the pattern's first axis.", log);
     changed |= slider("weft", fabric.weft, 1, 1e5f, "%.0f N/m", "The same across them.", log);

@@ -10,10 +10,14 @@ namespace {
 
 using namespace weft::study;
 
-void describe_measuring(CLI::App& command, StudyOptions& options) {
+void describe_table(CLI::App& command, StudyOptions& options) {
     command.add_option("--csv", options.csv, "File for the rows")->required()->type_name("FILE");
     command.add_flag("--quick", options.quick, "Two minutes in all: smaller sheets, fewer settings");
     command.add_flag("--resume", options.resume, "Keep the file's rows and measure only those missing");
+}
+
+void describe_measuring(CLI::App& command, StudyOptions& options) {
+    describe_table(command, options);
     command.add_option("--threads", options.threads, "Threads of the simulation (default: one per core)")
         ->check(CLI::Range(1, 256));
     command.add_option("--only", options.only, "Methods whose name contains this")->type_name("TEXT");
@@ -42,6 +46,14 @@ void describe_accuracy(CLI::App& command, StudyOptions& options) {
         ->type_name("DIR");
 }
 
+void describe_physics(CLI::App& command, StudyOptions& options) {
+    describe_table(command, options);
+    command
+        .add_option("--only", options.only,
+                    "Tests whose name and force model, as in \"swing, springs, mesh\", contain this")
+        ->type_name("TEXT");
+}
+
 void describe_plot(CLI::App& command, PlotOptions& options) {
     command.add_option("--csv", options.csv, "Files that the other commands wrote")
         ->required()
@@ -55,14 +67,17 @@ void describe_plot(CLI::App& command, PlotOptions& options) {
 int main(int argc, char** argv) {
     CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
     app.require_subcommand(1);
-    StudyOptions accuracy, stability;
+    StudyOptions accuracy, stability, physics;
     PlotOptions plot;
     CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
     CLI::App* const stability_command =
         app.add_subcommand("stability", "Stiffness against step from hard starts, as CSV");
+    CLI::App* const physics_command =
+        app.add_subcommand("physics", "Measured beside known, as CSV and as a table");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
+    describe_physics(*physics_command, physics);
     describe_plot(*plot_command, plot);
     try {
         app.parse(argc, argv);
@@ -76,6 +91,7 @@ int main(int argc, char** argv) {
     try {
         if (accuracy_command->parsed()) return run_accuracy(accuracy);
         if (stability_command->parsed()) return run_stability(stability);
+        if (physics_command->parsed()) return run_physics(physics);
         return run_plot(plot);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft_study: %s\n", error.what());

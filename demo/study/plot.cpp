@@ -3,6 +3,8 @@
 #include "demo/study/accuracy_chart.h"
 #include "demo/study/commands.h"
 #include "demo/study/csv.h"
+#include "demo/study/physics/physics_chart.h"
+#include "demo/study/physics/physics_table.h"
 #include "demo/study/stability_causes.h"
 #include "demo/study/stability_chart.h"
 
@@ -16,6 +18,8 @@ int run_plot(const PlotOptions& options) {
         } else if (is_stability_table(table)) {
             draw_stability(table, options.out);
             write_causes(table, options.out);
+        } else if (is_physics_table(table)) {
+            draw_physics(table, options.out);
         } else {
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
         }

@@ -214,6 +214,23 @@ TEST(World, MassIsDensityTimesArea) {
     EXPECT_GT(info.bytes, 17u * 9u * 16u * 4u);
 }
 
+TEST(World, SaysBelowWhichBendingFoldsAreFinerThanTheMesh) {
+    World world = World::create().value();
+    ClothSettings settings;
+    settings.fabric.areal_density = 0.3f;
+    const auto least = [&](std::uint32_t per_side) {
+        return world.measure_cloth(make_sheet({.rows = per_side, .columns = per_side}).value(), settings)
+            .value()
+            .least_bending;
+    };
+    // Cloth of so much bending is bent by its weight over two edges.
+    const float coarse = least(33), fine = least(65);
+    EXPECT_NEAR(std::cbrt(coarse / (0.3f * 9.81f)), 2.0f / 32, 1e-5f);
+    EXPECT_NEAR(coarse / fine, 8, 1e-3f) << "half the edge, an eighth of the bending";
+    settings.fabric.areal_density = 0.6f;
+    EXPECT_NEAR(least(65) / fine, 2, 1e-3f);
+}
+
 TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
     World world = make_world();
     const ClothId id = world.add_cloth(sheet(32, 32)).value();

@@ -28,7 +28,8 @@ TEST(Options, ReadsEverything) {
                   "--threads",  "3",         "--wind",     "-1.5,0,2e1", "--iterations",     "9",
                   "--method",   "chebyshev", "--substeps", "4",          "--self-collision", "0",
                   "--headless", "--panels",  "--frames",   "77",         "--every",          "7",
-                  "--out",      "there",     "--size",     "640x480",    "--trace",          "t.json"});
+                  "--out",      "there",     "--size",     "640x480",    "--trace",          "t.json",
+                  "--fabric",   "denim"});
     EXPECT_EQ(o.scene, "curtain");
     EXPECT_EQ(o.scene_options.garment, "a.obj");
     EXPECT_EQ(o.scene_options.particles, 5000u);
@@ -40,6 +41,7 @@ TEST(Options, ReadsEverything) {
     EXPECT_EQ(o.overrides.iterations, 9);
     ASSERT_TRUE(o.overrides.method);
     EXPECT_TRUE(std::holds_alternative<Chebyshev>(*o.overrides.method));
+    EXPECT_EQ(o.overrides.fabric, *Fabric::named("denim"));
     EXPECT_EQ(o.overrides.substeps, 4);
     EXPECT_EQ(o.overrides.self_collision, false);
     EXPECT_TRUE(o.headless && o.panels && !o.list);
@@ -53,8 +55,8 @@ TEST(Options, ReadsEverything) {
 
 TEST(Options, LeavesTheScenesOwnSettingsAlone) {
     const Options o = accepted({});
-    EXPECT_FALSE(o.overrides.wind || o.overrides.method || o.overrides.iterations || o.overrides.substeps ||
-                 o.overrides.self_collision);
+    EXPECT_FALSE(o.overrides.wind || o.overrides.method || o.overrides.fabric || o.overrides.iterations ||
+                 o.overrides.substeps || o.overrides.self_collision);
     EXPECT_EQ(o.scene_options.particles, 0u);
 }
 
@@ -77,8 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"--wind", "1,2"}, Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
                     Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"}, Bad{"--size", "640"},
                     Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
-                    Bad{"--substeps", "0"}, Bad{"--frames", "0"}, Bad{"--every", "0"},
-                    Bad{"--method", "magic"}, Bad{"--self-collision", "maybe"}, Bad{"--self-collision", "2"},
+                    Bad{"--fabric", "felt"}, Bad{"--fabric", "missing.json"}, Bad{"--substeps", "0"},
+                    Bad{"--frames", "0"}, Bad{"--every", "0"}, Bad{"--method", "magic"},
+                    Bad{"--self-collision", "maybe"}, Bad{"--self-collision", "2"},
                     Bad{"--self-collision", "-1"}, Bad{"--self-collision", "0.5"}, Bad{"--particles", "nan"},
                     Bad{"--particles", "12.5"}, Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"},
                     Bad{"--wind", "80,80,0"}, Bad{"--substeps", "257"}, Bad{"--iterations", "10001"},

@@ -29,6 +29,7 @@ TEST(Simulation, TakesOverrides) {
     overrides.wind = Vec3{1, 2, 3};
     overrides.method = Chebyshev{};
     overrides.iterations = 3;
+    overrides.fabric = *Fabric::named("denim");
     overrides.substeps = 5;
     overrides.self_collision = false;
     overrides.threads = 2;
@@ -42,6 +43,7 @@ TEST(Simulation, TakesOverrides) {
     const auto cloth = simulation.world().cloth_settings(simulation.content().cloths.front().id);
     EXPECT_EQ(iterations_of(cloth->method), 3);
     EXPECT_TRUE(std::holds_alternative<Chebyshev>(cloth->method));
+    EXPECT_EQ(cloth->fabric, *Fabric::named("denim"));
     EXPECT_FALSE(cloth->self_collision.enabled);
 }
 

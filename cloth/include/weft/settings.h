@@ -2,7 +2,9 @@
 // What a host can set. Every field says its unit, its range and what it does; the defaults run.
 
 #include <cstdint>
+#include <string_view>
 
+#include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/methods.h"
 #include "weft/self_collision.h"
@@ -27,6 +29,9 @@ struct Fabric {
     /// Stress from the rate of strain over that from strain: a strain that is let go decays with this time
     /// constant, and a vibration of frequency f has the loss factor 2 pi f damping [s], 0 to 100.
     float damping = 2e-4f;
+
+    /// One of fabrics.h, such as "denim". Error: no fabric of that name, with the names there are.
+    [[nodiscard]] static Result<Fabric> named(std::string_view name);
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };

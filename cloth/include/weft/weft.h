@@ -16,6 +16,7 @@
 #include "weft/collider.h"
 #include "weft/error.h"
 #include "weft/executor.h"
+#include "weft/fabrics.h"
 #include "weft/fixed_step.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"

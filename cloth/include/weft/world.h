@@ -38,6 +38,13 @@ struct ClothInfo {
         0;                ///< warning: particles of no triangle; they have no mass and stay where they are
     float mean_edge = 0;  ///< mean rest length of structural springs [m]
     float mass = 0;       ///< [kg]
+    /// Warning where Fabric::bending is below it [N m]: folds want to be finer than the triangles, so that
+    /// the mesh, not the fabric, says how many there are. Take a finer mesh, or so much bending.
+    ///
+    /// Weight bends cloth over the length s at which its moment, areal_density g s^2, is that of bending by a
+    /// radius of s, B / s: s = (B / (areal_density g))^(1/3), g = 9.81 m/s^2. A fold's tip, half a circle of
+    /// this radius, is to be no fewer than six edges long: s >= 2 mean_edge.
+    float least_bending = 0;
     /// Memory of this cloth, solver included, within 1 %. Each step reuses it. Tethers to up to four holds
     /// take 8 bytes a particle each.
     std::uint64_t bytes = 0;

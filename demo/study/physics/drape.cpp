@@ -1,0 +1,155 @@
+// Cloth over a round table: the drape coefficient of Cusick's tester (1965), which the mesh must not change.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "demo/study/physics/experiment.h"
+#include "demo/study/physics/physics_test.h"
+
+namespace weft::study {
+
+namespace {
+
+constexpr double table = 0.09, disc = 0.15;  // radii [m]
+constexpr double pi = std::numbers::pi;
+
+struct Drape {
+    double coefficient;  ///< of the ring beyond the table, the part that still shades the floor
+    int folds;           ///< the strongest wave of the rim's distance from the axis
+    std::uint32_t vertices;
+};
+
+/// Of the shadow straight below, by rays through squares of 0.5 mm [m^2].
+double shadow_area(const Experiment& cloth) {
+    constexpr int across = 720;
+    constexpr double half = 0.18, square = 2 * half / across;
+    std::vector<char> dark(across * across);
+    const auto index = [&](double x) { return std::clamp((x + half) / square - 0.5, 0.0, across - 1.0); };
+    for (const auto& [a, b, c] : cloth.mesh().triangles) {
+        const Vec3 p[3]{cloth.at(a), cloth.at(b), cloth.at(c)};
+        const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
+        const auto [z0, z1] = std::minmax({p[0].z, p[1].z, p[2].z});
+        const auto side = [&](int k, double x, double z) {
+            const Vec3 &from = p[k], &to = p[(k + 1) % 3];
+            return (static_cast<double>(to.x) - static_cast<double>(from.x)) *
+                       (z - static_cast<double>(from.z)) -
+                   (static_cast<double>(to.z) - static_cast<double>(from.z)) *
+                       (x - static_cast<double>(from.x));
+        };
+        for (int j = static_cast<int>(std::ceil(index(static_cast<double>(z0))));
+             j <= index(static_cast<double>(z1)); ++j) {
+            for (int i = static_cast<int>(std::ceil(index(static_cast<double>(x0))));
+                 i <= index(static_cast<double>(x1)); ++i) {
+                const double x = (i + 0.5) * square - half, z = (j + 0.5) * square - half;
+                const double s[3]{side(0, x, z), side(1, x, z), side(2, x, z)};
+                if (std::ranges::all_of(s, [](double v) { return v >= 0; }) ||
+                    std::ranges::all_of(s, [](double v) { return v <= 0; }))
+                    dark[static_cast<std::size_t>(j * across + i)] = 1;
+            }
+        }
+    }
+    return static_cast<double>(std::ranges::count(dark, 1)) * square * square;
+}
+
+/// `rim`: vertices with their angles in the pattern, evenly spread.
+int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& rim) {
+    double most = 0;
+    int best = 0;
+    for (int wave = 2; wave <= 24; ++wave) {
+        std::complex<double> sum = 0;
+        for (const std::uint32_t vertex : rim) {
+            const Vec2 q = cloth.mesh().pattern[vertex];
+            const Vec3 p = cloth.at(vertex);
+            sum += static_cast<double>(std::hypot(p.x, p.z)) *
+                   std::polar(1.0, wave * std::atan2(static_cast<double>(q.y), static_cast<double>(q.x)));
+        }
+        if (std::abs(sum) > most) {
+            most = std::abs(sum);
+            best = wave;
+        }
+    }
+    return best;
+}
+
+/// Over a table of 18 cm. Flat at first but for 0.2 mm, so that it is the test and not rounding that says
+/// where folds begin.
+Drape hang(const Mesh& mesh, const ClothSettings& settings, double flat_area,
+           const std::function<bool(Vec2)>& is_rim) {
+    Experiment cloth(mesh, settings);
+    cloth.pin([](Vec2 p) { return std::hypot(p.x, p.y) < static_cast<float>(table) * 1.0001f; });
+    cloth.change([](ClothSettings& each) { each.air_damping = 1; });
+    cloth.run(2);
+    cloth.come_to_rest(3, 18, 1e-3f);
+    const double table_area = pi * table * table;
+    return {(shadow_area(cloth) - table_area) / (flat_area - table_area),
+            strongest_wave(cloth, cloth.vertices(is_rim)), static_cast<std::uint32_t>(mesh.pattern.size())};
+}
+
+Vec3 almost_flat(Vec2 p) {
+    std::uint32_t bits = 0;
+    for (const float each : {p.x, p.y})
+        bits = bits * 7919u + static_cast<std::uint32_t>(std::lround(each * 1e5f));
+    return {p.x, std::hypot(p.x, p.y) < 0.091f ? 0 : 2e-4f * noise(bits), p.y};
+}
+
+Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
+    Fabric fabric;
+    fabric.areal_density = 0.2f;
+    fabric.bending = static_cast<float>(bending);
+    const ClothSettings settings = made_of(model, fabric);
+    if (model != ForceModel::sheet) {
+        // Of the regular polygon that the rim is.
+        const double corners = 6 * rings, flat = 0.5 * corners * disc * disc * std::sin(2 * pi / corners);
+        return hang(disc_mesh(disc, rings, almost_flat), settings, flat,
+                    [](Vec2 p) { return std::hypot(p.x, p.y) > static_cast<float>(disc) * 0.9999f; });
+    }
+    // A square of the disc's area, since sheets are rectangles.
+    const double side = disc * std::sqrt(pi);
+    const std::uint32_t cells = static_cast<std::uint32_t>(std::lround(std::sqrt(3.0) * rings));
+    Mesh mesh = strip_mesh(model, {side, side, cells}, [](Vec2) { return Vec3{}; });
+    const auto half = static_cast<float>(side / 2);
+    for (std::size_t i = 0; i < mesh.pattern.size(); ++i) {
+        Vec2& p = mesh.pattern[i];
+        p = {p.x - half, p.y - half};
+        mesh.positions[i] = almost_flat(p);
+    }
+    return hang(mesh, settings, side * side,
+                [half](Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) > half * 0.9999f; });
+}
+
+/// Known is what the finest of the resolutions finds, give or take a twentieth.
+std::vector<Finding> resolutions(ForceModel model, double bending, const std::vector<std::uint32_t>& rings) {
+    std::vector<Drape> drapes;
+    for (const std::uint32_t each : rings) drapes.push_back(drape_of(model, bending, each));
+    std::vector<Finding> findings;
+    for (const Drape& drape : drapes) {
+        const double finest = drapes.back().coefficient;
+        findings.push_back(
+            {"drape coefficient", "", drape.coefficient, finest - 0.05, finest + 0.05, drape.vertices});
+        findings.push_back(
+            {.quantity = "folds", .unit = "", .measured = 1.0 * drape.folds, .cells = drape.vertices});
+    }
+    return findings;
+}
+
+}  // namespace
+
+std::vector<PhysicsTest> drape_tests() {
+    std::vector<PhysicsTest> tests;
+    for (const ForceModel model : force_models) {
+        for (const auto& [name, bending] :
+             {std::pair("Cusick, B = 1e-5 N m", 1e-5), {"Cusick, B = 1e-4 N m", 1e-4}}) {
+            tests.push_back({name, model, 45, false, [=, b = bending] {
+                                 return resolutions(model, b, {15, 20, 30, 45});
+                             }});
+            tests.push_back({std::string(name) + ", coarse", model, 20, true, [=, b = bending] {
+                                 return resolutions(model, b, {15, 20});
+                             }});
+        }
+    }
+    return tests;
+}
+
+}  // namespace weft::study

@@ -1,0 +1,156 @@
+// Cloth that swings and falls: periods, what becomes of the energy, what the step changes.
+
+#include <cmath>
+
+#include "demo/study/physics/experiment.h"
+#include "demo/study/physics/known_answers.h"
+#include "demo/study/physics/physics_test.h"
+
+namespace weft::study {
+
+namespace {
+
+constexpr double gravity = Experiment::gravity;
+
+/// Hung by its upper edge, 1 m long and 0.25 m wide, turned by `angle` about it.
+Experiment tilted(ForceModel model, std::uint32_t cells, const Fabric& fabric, double angle,
+                  double width = 0.25) {
+    const auto s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
+    Experiment cloth(strip_mesh(model, {1, width, cells},
+                                [=](Vec2 p) {
+                                    return Vec3{s * p.x, -c * p.x, p.y};
+                                }),
+                     made_of(model, fabric));
+    cloth.pin([](Vec2 p) { return p.x < 1e-6f; });
+    return cloth;
+}
+
+/// From the times at which `deflection` goes through 0: twice the mean of what lies between [s].
+double period(Experiment& cloth, double seconds, const std::function<double()>& deflection) {
+    double before = deflection(), first = 0, last = 0, time = 0;
+    int crossings = 0;
+    cloth.run(seconds, Experiment::usual_step, [&] {
+        const double now = deflection(), step = static_cast<double>(Experiment::usual_step);
+        time += step;
+        if (now * before < 0) {
+            last = time - step * now / (now - before);
+            if (crossings++ == 0) first = last;
+        }
+        before = now;
+    });
+    return crossings > 1 ? 2 * (last - first) / (crossings - 1) : 0;
+}
+
+Finding stiff_pendulum(ForceModel model, std::uint32_t cells) {
+    constexpr double amplitude = 0.2;
+    Fabric fabric;
+    fabric.warp = fabric.weft = 4000;
+    fabric.shear = 1500;
+    fabric.bending = 0.5f;
+    Experiment plate = tilted(model, cells, fabric, amplitude);
+    const auto end = plate.vertices([](Vec2 p) { return p.x > 1 - 1e-6f; });
+    const double measured = period(plate, 4, [&] { return static_cast<double>(plate.mean_place(end).x); });
+    return finding("period", "s", measured, plate_pendulum_period(1, amplitude, gravity));
+}
+
+Finding hanging_chain(ForceModel model, std::uint32_t cells) {
+    Fabric fabric;
+    fabric.warp = fabric.weft = 4000;
+    fabric.shear = 1000;
+    fabric.bending = 0;
+    const auto shape = [](float along) {
+        return static_cast<float>(
+            std::cyl_bessel_j(0.0, 2.404825557695773 * std::sqrt(1 - static_cast<double>(along))));
+    };
+    Experiment chain(strip_mesh(model, {1, 0.1, cells},
+                                [&](Vec2 p) {
+                                    return Vec3{0.005f * shape(p.x), -p.x, p.y};
+                                }),
+                     made_of(model, fabric));
+    chain.pin([](Vec2 p) { return p.x < 1e-6f; });
+    const auto deflection = [&] {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < chain.mesh().pattern.size(); ++i)
+            sum += static_cast<double>(chain.at(i).x * shape(chain.mesh().pattern[i].x));
+        return sum;
+    };
+    return finding("period", "s", period(chain, 6, deflection), chain_pendulum_period(1, gravity));
+}
+
+struct Swing {
+    double left;   ///< of the energy over that of hanging still, after 2 s
+    double speed;  ///< rms over the particles and from 1.5 to 2.5 s [m/s]
+};
+
+/// A square of 1 m, turned out by 60 degrees and let go, without air. `scheme` and `substeps` make the truth.
+Swing swing(ForceModel model, std::uint32_t cells, float step, bool truth) {
+    Experiment cloth = tilted(model, cells, Fabric{}, 1.0472, 1);
+    if (truth)
+        cloth.change([](ClothSettings& settings) {
+            settings.time_scheme = TimeScheme::bdf2;
+            settings.substeps = 64;
+        });
+    const double start = cloth.energy();
+    double left = 0, squares = 0;
+    int count = 0;
+    double time = 0;
+    const double hanging = -0.5 * gravity * 0.2 * (1 - 0.5 / cells);
+    cloth.run(2.5, step, [&] {
+        time += static_cast<double>(step);
+        if (std::abs(time - 2) < static_cast<double>(step) / 2)
+            left = (cloth.energy() - hanging) / (start - hanging);
+        if (time < 1.5) return;
+        squares += std::pow(cloth.rms_speed(), 2);
+        ++count;
+    });
+    return {left, std::sqrt(squares / count)};
+}
+
+std::vector<Finding> swings(ForceModel model, std::uint32_t cells) {
+    const Swing truth = swing(model, cells, 1.0f / 60, true);
+    std::vector<Finding> findings;
+    for (const int hz : {30, 60, 120, 240}) {
+        const Swing each = swing(model, cells, 1.0f / static_cast<float>(hz), false);
+        const std::string at = " at 1/" + std::to_string(hz) + " s";
+        findings.push_back(finding("energy left" + at, "", each.left, truth.left));
+        findings.push_back(finding("speed" + at, "m/s", each.speed, truth.speed));
+    }
+    return findings;
+}
+
+Finding terminal_fall(ForceModel model, std::uint32_t cells) {
+    Fabric fabric;
+    fabric.bending = 1e-3f;
+    WorldSettings settings = in_vacuum();
+    settings.wind.air_density = 1.2f;
+    settings.wind.drag = 1;
+    Experiment sheet(strip_mesh(model, {0.5, 0.5, cells},
+                                [](Vec2 p) {
+                                    return Vec3{p.x, 0, p.y};
+                                }),
+                     made_of(model, fabric), settings);
+    sheet.run(3);
+    return finding("speed", "m/s", sheet.rms_speed(),
+                   terminal_speed(static_cast<double>(fabric.areal_density), gravity, 1.2, 1));
+}
+
+}  // namespace
+
+std::vector<PhysicsTest> motion_tests() {
+    std::vector<PhysicsTest> tests;
+    for (const ForceModel model : force_models) {
+        for (const std::uint32_t cells : {16u, 32u}) {
+            const auto add = [&](const char* name, auto measure) {
+                tests.push_back({name, model, cells, cells == 16,
+                                 [=] { return std::vector<Finding>{measure(model, cells)}; }});
+            };
+            add("stiff pendulum", stiff_pendulum);
+            add("hanging chain", hanging_chain);
+            add("terminal fall", terminal_fall);
+            tests.push_back({"swing", model, cells, cells == 16, [=] { return swings(model, cells); }});
+        }
+    }
+    return tests;
+}
+
+}  // namespace weft::study

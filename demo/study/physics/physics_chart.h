@@ -1,0 +1,14 @@
+#pragma once
+// The picture of what `weft_study physics` found.
+
+#include <filesystem>
+
+#include "demo/study/csv.h"
+
+namespace weft::study {
+
+/// Writes physics.gnuplot, .svg and .png into `folder`: how far each figure is from what is known of it, the
+/// finest resolution of every force model. Throws std::runtime_error if gnuplot fails.
+void draw_physics(const CsvTable& table, const std::filesystem::path& folder);
+
+}  // namespace weft::study

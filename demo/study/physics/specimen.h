@@ -1,0 +1,44 @@
+#pragma once
+// Pieces of cloth to be tested, as sheets and as meshes of triangles, and what is made of them.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "weft/weft.h"
+
+namespace weft::study {
+
+/// What carries the fabric's stiffness, on which mesh.
+enum class ForceModel {
+    sheet,     ///< springs along a sheet's threads
+    mesh,      ///< springs along the edges of a general mesh
+    elements,  ///< finite elements on that mesh
+};
+inline constexpr std::array force_models{ForceModel::sheet, ForceModel::mesh, ForceModel::elements};
+[[nodiscard]] const char* name_of(ForceModel model);
+
+/// In still nothing, by the default method: what a test wants other is set there.
+[[nodiscard]] ClothSettings made_of(ForceModel model, const Fabric& fabric);
+
+/// Where a point of the pattern is in space.
+using Place = std::function<Vec3(Vec2)>;
+
+/// A rectangle [0, length] x [0, width] of the pattern, warp along the length, in `cells` columns along it:
+/// as a sheet of nearly square cells, or of nearly equilateral triangles with straight columns. The pattern
+/// is its rest shape.
+struct Strip {
+    double length = 1, width = 1;
+    std::uint32_t cells = 16;
+};
+[[nodiscard]] Mesh strip_mesh(ForceModel model, const Strip& strip, const Place& place);
+
+/// A disc about the pattern's origin, of `rings` rings of which ring k has 6 k particles, each turned by
+/// some part of its spacing, so that the mesh prefers no number of folds.
+[[nodiscard]] Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place);
+
+/// A number from -1 to 1 that looks random, the same for the same `number`.
+[[nodiscard]] float noise(std::uint32_t number);
+
+}  // namespace weft::study
