@@ -279,6 +279,8 @@ class OneParticle {
         return xyz(held_.normals[0]).squaredNorm() > 0;
     }
     [[nodiscard]] float thickness() const { return cloth_.settings.thickness; }
+    /// What the last linearisation holds it by, across the normal that it is given along +Y [kg].
+    [[nodiscard]] float damper() const { return contacts_.rows().block(0).xx; }
 
   private:
     Cloth cloth_;
@@ -309,6 +311,19 @@ TEST(ContactRows, LaterPassesReleaseWhatDoesNotTouchAnyMore) {
     EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
     EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
     EXPECT_FALSE(particle.touches_at({sideways / h, 0, 0}));
+}
+
+TEST(ContactRows, LaterPassesRubByWhatTheOneBeforePressed) {
+    const Collider floor{Plane{{0, 1, 0}, 0}, 0.5f};
+    OneParticle particle({0, OneParticle({0, 9, 0}, floor).thickness(), 0}, floor);
+    const Vector3 sliding(2, 0, 0), deeper(2, -0.3f, 0);
+    ASSERT_TRUE(particle.touches_at(sliding));
+    EXPECT_EQ(particle.damper(), 0) << "nothing is known to press yet";
+    ASSERT_TRUE(particle.touches_at(deeper));
+    const float first = particle.damper();
+    EXPECT_GT(first, 0) << "it presses at the velocity that was found";
+    ASSERT_TRUE(particle.touches_at(0.5f * sliding + Vector3(0, -0.3f, 0)));
+    EXPECT_GT(particle.damper(), first) << "friction's limit over half the speed";
 }
 
 }  // namespace
