@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "cloth/solvers/linear/jacobi.h"
+#include "cloth/solvers/linear/mean_motion.h"
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/system/contacts.h"
@@ -236,6 +239,37 @@ TEST(Contacts, SolversConvergeToTheDenseSolution) {
                 << method.index() << (elements ? " elements" : " springs");
         }
     }
+}
+
+/// How much of the sum of all rows is left after mean motion and three sweeps of Jacobi, over the sum of b.
+double mean_left(LyingCloth& lying, bool in_contact) {
+    Parallel serial(1);
+    const auto system = make_system(lying.cloth.model, lying.cloth.settings);
+    const StepEquation equation = in_contact ? lying.equation() : equation_of(lying.cloth, h);
+    system->linearise(serial, equation, lying.cloth.state.velocities.span(), LinearisedAbout::base);
+    const DenseSystem whole = dense(*system);
+    MeanMotion mean_motion(lying.cloth.model);
+    AlignedBuffer<Vec4> dv(lying.cloth.model.particle_count), scratch(dv.size());
+    const AlignedBuffer<Vec4> at_rest(dv.size());
+    mean_motion.take_out(serial, system->contacts(), system->right_side().span());
+    solve_jacobi(serial, *system, 3, scratch, dv.span());
+    mean_motion.put_back(serial, system->contacts(), system->right_side().span(), at_rest.span(), dv.span());
+    const Eigen::VectorXd left = whole.right_side - whole.matrix * flat(dv.span());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), all = sum;
+    for (Eigen::Index i = 0; i < left.size(); i += 3) {
+        sum += left.segment<3>(i);
+        all += whole.right_side.segment<3>(i);
+    }
+    return sum.norm() / all.norm();
+}
+
+TEST(Contacts, MeanMotionLeavesNothingOfTheRowsSum) {
+    LyingCloth lying;
+    lying.cloth.unpin(std::array{1u, 9u});
+    lying.press();
+    EXPECT_LT(mean_left(lying, false), 1e-4);
+    EXPECT_LT(mean_left(lying, true), 1e-4);
+    EXPECT_GT(lying.touching(), 8u);
 }
 
 TEST(Contacts, DoNotDependOnTheNumberOfThreads) {

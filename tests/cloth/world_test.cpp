@@ -246,6 +246,17 @@ TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
     EXPECT_EQ(world.cloth_info(id)->bytes, without);
 }
 
+TEST(World, MemoryForContactsIsThereOnlyWithColliders) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(16, 16)).value();
+    const std::uint64_t without = world.cloth_info(id)->bytes;
+    const ColliderId ground = world.add_collider({.shape = Plane{}}).value();
+    EXPECT_GT(world.cloth_info(id)->bytes, without + 50 * 256);
+    world.step(h);
+    ASSERT_TRUE(world.remove_collider(ground));
+    EXPECT_EQ(world.cloth_info(id)->bytes, without);
+}
+
 TEST(Guard, RestoresAClothThatRanAway) {
     // Out of the world at ten kilometres a second: the guard must keep the last sound state and say so.
     World world = make_world();

@@ -75,7 +75,8 @@ TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
     constexpr std::uint32_t side = 24;
     for (const test::PinPattern& pins : test::pin_patterns(side)) {
         std::uint64_t hash = 0;
-        for (const int threads : {1, 2}) {
+        const bool is_rest = pins.name != "corners" && pins.name != "random";
+        for (int threads = 1; threads <= (is_rest ? 1 : 2); ++threads) {
             SCOPED_TRACE(pins.name + ", " + std::to_string(threads) + " threads");
             test::LoweredSheet run(GetParam(), threads, side, pins);
             const WarmSteps seen = allocations_when_warm(run);
