@@ -5,7 +5,7 @@ namespace weft::demo {
 std::string flags_text(StepFlags flags) {
     std::string text;
     if (has(flags, StepFlags::invalid_dt))
-        text += "The step's length was not in (0, 1] s; nothing was done.\n";
+        text += "The step's length was not in [1e-6, 1] s; nothing was done.\n";
     if (has(flags, StepFlags::state_restored)) {
         text += "A cloth ran away and was put back: raise substeps or soften the fabric.\n";
     }

@@ -133,6 +133,11 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
         return Error{ErrorCode::invalid_argument,
                      "scene " + name + " needs an OBJ file; name one with --garment"};
     }
+    if (!scene->needs_garment && garment_given) {
+        return Error{ErrorCode::invalid_argument, "scene " + name + " has no garment; leave out --garment " +
+                                                      options.scene_options.garment.string() +
+                                                      ", or name the scene garment"};
+    }
     return scene;
 }
 

@@ -39,7 +39,8 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options);
 /// A line for each scene.
 [[nodiscard]] std::string scene_list();
 
-/// The scene that the options ask for. Error: no scene of that name; one that needs a garment, without it.
+/// The scene that the options ask for. Error: no scene of that name; one that needs a garment, without it;
+/// one that has none, with it.
 [[nodiscard]] Result<const SceneEntry*> choose_scene(const SimulationOptions& options);
 
 /// Fills what the app's options lead to; empty: it went well.

@@ -52,7 +52,7 @@ struct Simulation {
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
     /// drawn before its first step.
     void prepare(Cloth& cloth);
-    /// The frame. Precondition: dt is in (0, 1].
+    /// The frame. Precondition: dt is in [least_step, greatest_step].
     void step(float dt);
 
     WorldSettings settings;

@@ -253,7 +253,7 @@ Result<Collider> World::collider(ColliderId id) const {
 
 const StepReport& World::step(float dt) noexcept {
     StepReport& report = impl_->simulation.report;
-    if (dt > 0 && dt <= 1) {
+    if (dt >= least_step && dt <= greatest_step) {
         impl_->simulation.parallel.lend([&] { impl_->simulation.step(dt); });
     } else {
         report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};

@@ -19,9 +19,15 @@ T need(Result<T> result) {
     return std::move(result).value();
 }
 
-std::filesystem::path garment_file() {
+bool is_garment(SceneKind kind) {
+    return kind == SceneKind::garment || kind == SceneKind::dress;
+}
+
+std::filesystem::path garment_file(SceneKind kind) {
     const char* const data = std::getenv("WEFT_DATA");
-    return data ? std::filesystem::path(data) / "garments" / "tshirt-iso.obj" : std::filesystem::path();
+    if (data == nullptr) return {};
+    const char* const name = kind == SceneKind::dress ? "dress-victor-iso-draped.obj" : "tshirt-iso.obj";
+    return std::filesystem::path(data) / "garments" / name;
 }
 
 Mesh sheet(std::uint32_t side, float height) {
@@ -29,8 +35,8 @@ Mesh sheet(std::uint32_t side, float height) {
 }
 
 /// Garment files are +Z up.
-Mesh upright_garment() {
-    Mesh mesh = need(load_obj(garment_file()));
+Mesh upright_garment(SceneKind kind) {
+    Mesh mesh = need(load_obj(garment_file(kind)));
     for (Vec3& p : mesh.positions) p = {p.x, p.z, -p.y};
     return mesh;
 }
@@ -52,26 +58,40 @@ const char* name_of(SceneKind kind) {
             return "hanging-self";
         case SceneKind::draped:
             return "draped";
+        case SceneKind::dress:
+            return "dress";
         case SceneKind::garment:
             break;
     }
     return "garment";
 }
 
-bool has_garment() {
-    return std::filesystem::exists(garment_file());
+bool has_garment(SceneKind kind) {
+    return std::filesystem::exists(garment_file(kind));
 }
 
-Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSettings& given, bool air) {
+namespace {
+
+WorldSettings world_of(int threads, bool air) {
     WorldSettings world;
     world.threads = threads;
     if (!air) world.wind.air_density = 0;
-    simulation_ = std::make_unique<Simulation>(world);
+    return world;
+}
+
+}  // namespace
+
+Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSettings& given, bool air)
+    : Scene(kind, side, world_of(threads, air), given) {}
+
+Scene::Scene(SceneKind kind, std::uint32_t side, const WorldSettings& world, const ClothSettings& given,
+             bool as_mesh)
+    : simulation_(std::make_unique<Simulation>(world)) {
     ClothSettings settings = given;
     if (kind != SceneKind::hanging) settings.self_collision.enabled = true;
-    if (kind != SceneKind::garment) settings.self_collision.distance = 0.8f / static_cast<float>(side - 1);
-    const Mesh mesh =
-        kind == SceneKind::garment ? upright_garment() : sheet(side, kind == SceneKind::draped ? 0.32f : 0);
+    if (!is_garment(kind)) settings.self_collision.distance = 0.8f / static_cast<float>(side - 1);
+    Mesh mesh = is_garment(kind) ? upright_garment(kind) : sheet(side, kind == SceneKind::draped ? 0.32f : 0);
+    if (as_mesh) mesh.rows = mesh.columns = 0;
     auto made = std::make_unique<Cloth>(need(cook(mesh)), settings);
     cloth_ = made.get();
     simulation_->prepare(*made);
@@ -81,7 +101,7 @@ Scene::Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSetting
         simulation_->expect_colliders(simulation_->state.colliders.size());
     };
     if (kind == SceneKind::draped) add({.shape = Sphere{{0, 0, 0}, 0.3f}, .friction = 1});
-    if (kind == SceneKind::garment) {
+    if (is_garment(kind)) {
         pin_highest(*cloth_);
         const Vector3 middle = 0.5f * (to_vector(cloth_->extent.lower) + to_vector(cloth_->extent.upper));
         const auto at = [&](float y) { return Vec3{middle.x(), middle.y() + y, middle.z()}; };

@@ -17,15 +17,19 @@ enum class SceneKind {
     draped,        ///< the sheet on a sphere of radius 0.3 m that lies on the ground, with friction and
                    ///< self-collision
     garment,       ///< tshirt-iso.obj by its highest particles, over a capsule, with self-collision
+    dress,         ///< dress-victor-iso-draped.obj, likewise
 };
 [[nodiscard]] const char* name_of(SceneKind kind);
-/// Whether WEFT_DATA leads to the garment.
-[[nodiscard]] bool has_garment();
+/// Whether WEFT_DATA leads to the garment's file.
+[[nodiscard]] bool has_garment(SceneKind kind = SceneKind::garment);
 
 class Scene {
   public:
     /// Warmed up: 0.75 s after the start.
     Scene(SceneKind kind, std::uint32_t side, int threads, const ClothSettings& settings, bool air = true);
+    /// as_mesh: a sheet that does not say that it is a grid.
+    Scene(SceneKind kind, std::uint32_t side, const WorldSettings& world, const ClothSettings& settings,
+          bool as_mesh = false);
 
     void frame() { simulation_->step(1.0f / 60.0f); }
     [[nodiscard]] Simulation& simulation() { return *simulation_; }

@@ -12,4 +12,7 @@ void print_roofline(int threads);
 /// Prints median frame times of the scenes of MEASUREMENTS.md, side by side with Bullet where it was found.
 void print_peers();
 
+/// Prints what frames take on a host's naive pool over oneTBB's threads, and as a general mesh over a grid.
+void print_ratios();
+
 }  // namespace weft::bench

@@ -1,4 +1,4 @@
-// weft_bench: Google Benchmark's arguments, or --roofline[=THREADS], or --peers.
+// weft_bench: Google Benchmark's arguments, or --roofline[=THREADS], or --peers, or --ratios.
 
 #include <benchmark/benchmark.h>
 
@@ -14,6 +14,10 @@ int main(int argc, char** argv) {
         constexpr std::string_view roofline = "--roofline";
         if (argument == "--peers") {
             weft::bench::print_peers();
+            return 0;
+        }
+        if (argument == "--ratios") {
+            weft::bench::print_ratios();
             return 0;
         }
         if (argument.starts_with(roofline)) {

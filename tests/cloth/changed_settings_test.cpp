@@ -70,12 +70,14 @@ TEST(ChangedSettings, AreAsIfTheyHadBeenThereFromTheStart) {
 }
 
 /// Where a sheet is that flutters in a strong wind for `seconds`.
-std::vector<Vec4> in_wind(int substeps, int steps, float dt) {
+std::vector<Vec4> in_wind(int substeps, int steps, float dt, int of_the_cloth = 1) {
     WorldSettings settings = vacuum({0, -9.81f, 0});
     settings.wind = {.velocity = {3, 2, 9}, .air_density = 1.2f};
     settings.substeps = substeps;
     World world = World::create(settings).value();
-    const ClothId id = world.add_cloth(sheet(9, 9)).value();
+    ClothSettings cloth;
+    cloth.substeps = of_the_cloth;
+    const ClothId id = world.add_cloth(sheet(9, 9), cloth).value();
     EXPECT_TRUE(world.pin(id, 0));
     EXPECT_TRUE(world.pin(id, 8));
     for (int step = 0; step < steps; ++step) world.step(dt);
@@ -86,6 +88,8 @@ std::vector<Vec4> in_wind(int substeps, int steps, float dt) {
 TEST(Substeps, AirActsOnTheClothAsItLiesInEachOfThem) {
     const std::vector<Vec4> one_by_one = in_wind(1, 64, 1.0f / 128), by_eight = in_wind(8, 8, 1.0f / 16);
     EXPECT_LT(farthest(one_by_one, by_eight), 1e-4f);
+    EXPECT_LT(farthest(one_by_one, in_wind(1, 8, 1.0f / 16, 8)), 1e-4f) << "of the cloth's own";
+    EXPECT_LT(farthest(one_by_one, in_wind(2, 8, 1.0f / 16, 4)), 1e-4f) << "of both";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -60,10 +61,14 @@ class CollapsedStart : public testing::TestWithParam<Case> {
         Simulation simulation(world);
         simulation.prepare(cloth);
         simulation.cloths.insert(std::move(made));
+        // No step is short enough for the explicit method and fabric that is ten thousand times as stiff.
+        const bool can = stiffer == 1 || !std::holds_alternative<SymplecticEuler>(settings.method);
+        bool says_so = false;
         for (int frame = 0; frame < 30; ++frame) {
             simulation.step(1.0f / 60);
-            const bool explicit_method = std::holds_alternative<SymplecticEuler>(settings.method);
-            if (!explicit_method) {
+            says_so |= has(simulation.report.flags, StepFlags::state_restored) ||
+                       has(simulation.report.flags, StepFlags::speed_limited);
+            if (can) {
                 ASSERT_EQ(simulation.report.restored_cloths, 0u) << "frame " << frame;
             }
             for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
@@ -71,18 +76,31 @@ class CollapsedStart : public testing::TestWithParam<Case> {
                 ASSERT_TRUE(xyz(cloth.state.velocities[i]).allFinite()) << "frame " << frame;
             }
         }
+        if (!can) {
+            EXPECT_TRUE(says_so);
+        } else if (radius > 0) {
+            EXPECT_GT(width_of_the_free(cloth), 0.4f) << "it opens";
+        }
+    }
+
+    static float width_of_the_free(const Cloth& cloth) {
+        float width = 0;
+        for (const Vec4& a : cloth.state.positions.span())
+            for (const Vec4& b : cloth.state.positions.span())
+                if (a.w > 0 && b.w > 0) width = std::max(width, (xyz(a) - xyz(b)).norm());
+        return width;
     }
 };
 
 INSTANTIATE_TEST_SUITE_P(, CollapsedStart, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-TEST_P(CollapsedStart, StaysFiniteNearOnePoint) {
+TEST_P(CollapsedStart, OpensFromNearOnePoint) {
     run(1, 1e-4f);
     run(1e4f, 1e-4f);
 }
 
-TEST_P(CollapsedStart, StaysFiniteAtExactlyOnePoint) {
+TEST_P(CollapsedStart, GoesOnFromExactlyOnePoint) {
     run(1, 0);
     run(1e4f, 0);
 }

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "cloth/solvers/linear/jacobi.h"
+#include "cloth/solvers/linear/mean_motion.h"
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/system/contacts.h"
@@ -240,6 +243,37 @@ TEST(Contacts, SolversConvergeToTheDenseSolution) {
     }
 }
 
+/// How much of the sum of all rows is left after mean motion and three sweeps of Jacobi, over the sum of b.
+double mean_left(LyingCloth& lying, bool in_contact) {
+    Parallel serial(1);
+    const auto system = make_system(lying.cloth.model, lying.cloth.settings);
+    const StepEquation equation = in_contact ? lying.equation() : equation_of(lying.cloth, h);
+    system->linearise(serial, equation, lying.cloth.state.velocities.span(), LinearisedAbout::base);
+    const DenseSystem whole = dense(*system);
+    MeanMotion mean_motion(lying.cloth.model);
+    AlignedBuffer<Vec4> dv(lying.cloth.model.particle_count), scratch(dv.size());
+    const AlignedBuffer<Vec4> at_rest(dv.size());
+    mean_motion.take_out(serial, system->contacts(), system->right_side().span());
+    solve_jacobi(serial, *system, 3, scratch, dv.span());
+    mean_motion.put_back(serial, system->contacts(), system->right_side().span(), at_rest.span(), dv.span());
+    const Eigen::VectorXd left = whole.right_side - whole.matrix * flat(dv.span());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), all = sum;
+    for (Eigen::Index i = 0; i < left.size(); i += 3) {
+        sum += left.segment<3>(i);
+        all += whole.right_side.segment<3>(i);
+    }
+    return sum.norm() / all.norm();
+}
+
+TEST(Contacts, MeanMotionLeavesNothingOfTheRowsSum) {
+    LyingCloth lying;
+    lying.cloth.unpin(std::array{1u, 9u});
+    lying.press();
+    EXPECT_LT(mean_left(lying, false), 1e-4);
+    EXPECT_LT(mean_left(lying, true), 1e-4);
+    EXPECT_GT(lying.touching(), 8u);
+}
+
 TEST(Contacts, DoNotDependOnTheNumberOfThreads) {
     const auto hash = [](int threads) {
         WorldSettings world_settings = vacuum({0, -9.80665f, 0});
@@ -281,6 +315,8 @@ class OneParticle {
         return xyz(held_.normals[0]).squaredNorm() > 0;
     }
     [[nodiscard]] float thickness() const { return cloth_.settings.thickness; }
+    /// What the last linearisation holds it by, across the normal that it is given along +Y [kg].
+    [[nodiscard]] float damper() const { return contacts_.rows().block(0).xx; }
 
   private:
     Cloth cloth_;
@@ -311,6 +347,19 @@ TEST(ContactRows, LaterPassesReleaseWhatDoesNotTouchAnyMore) {
     EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
     EXPECT_TRUE(particle.touches_at(Vector3::Zero()));
     EXPECT_FALSE(particle.touches_at({sideways / h, 0, 0}));
+}
+
+TEST(ContactRows, LaterPassesRubByWhatTheOneBeforePressed) {
+    const Collider floor{Plane{{0, 1, 0}, 0}, 0.5f};
+    OneParticle particle({0, OneParticle({0, 9, 0}, floor).thickness(), 0}, floor);
+    const Vector3 sliding(2, 0, 0), deeper(2, -0.3f, 0);
+    ASSERT_TRUE(particle.touches_at(sliding));
+    EXPECT_EQ(particle.damper(), 0) << "nothing is known to press yet";
+    ASSERT_TRUE(particle.touches_at(deeper));
+    const float first = particle.damper();
+    EXPECT_GT(first, 0) << "it presses at the velocity that was found";
+    ASSERT_TRUE(particle.touches_at(0.5f * sliding + Vector3(0, -0.3f, 0)));
+    EXPECT_GT(particle.damper(), first) << "friction's limit over half the speed";
 }
 
 }  // namespace

@@ -142,9 +142,11 @@ TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
     Parallel serial(1);
     MeanMotion mean_motion(cloth.model);
+    const AlignedBuffer<Vec4> at_rest(cloth.model.particle_count);
     mean_motion.take_out(serial, nullptr, problem.system->right_side().span());
     problem.solve(4000);
-    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), problem.dv.span());
+    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), at_rest.span(),
+                         problem.dv.span());
     EXPECT_LT((problem.solution() - exact).norm() / exact.norm(), 2e-5);
 }
 
@@ -156,8 +158,10 @@ TEST(MeanMotion, LeavesPinnedComponentsAlone) {
     Problem problem(cloth);
     Parallel serial(1);
     MeanMotion mean_motion(cloth.model);
+    const AlignedBuffer<Vec4> at_rest(cloth.model.particle_count);
     mean_motion.take_out(serial, nullptr, problem.system->right_side().span());
-    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), problem.dv.span());
+    mean_motion.put_back(serial, nullptr, problem.system->right_side().span(), at_rest.span(),
+                         problem.dv.span());
     EXPECT_GT(xyz(problem.dv[0]).norm(), 0.1f) << "9.81 m/s^2 for 1/60 s";
     EXPECT_EQ(xyz(problem.dv[10]), Vector3(0, 0, 0));
 }

@@ -117,6 +117,17 @@ TEST(Layers, ANewDistanceHoldsFromTheNextStepOn) {
     EXPECT_GT(least_gap(world.cloth(id).value()), 0.9f * 2.5f * spacing);
 }
 
+TEST(Layers, AreNotReportedOnceSelfCollisionIsOff) {
+    World world = World::create(vacuum()).value();
+    ClothSettings settings = with_distance(0.005f);
+    const ClothId id = world.add_cloth(two_layers(0.001f), settings).value();
+    EXPECT_GT(world.step(h).self_contacts, 100u);
+    settings.self_collision.enabled = false;
+    ASSERT_TRUE(world.set_cloth_settings(id, settings));
+    EXPECT_EQ(world.step(h).self_contacts, 0u);
+    EXPECT_EQ(world.report().peak_self_contacts, 0u);
+}
+
 TEST(Layers, ADistanceOfVeryManyEdgesIsRefusedByName) {
     World world = World::create(vacuum()).value();
     const auto refused = world.add_cloth(square(64), with_distance(0.5f * length));

@@ -290,5 +290,26 @@ TEST_P(EachMethod, ServesWhatItWasMadeForAlone) {
     EXPECT_EQ(cloth.solver->serves(settings), positional);
 }
 
+TEST_P(EachMethod, OfElementsServesTheKindOfElementsThatItWasMadeFor) {
+    ClothSettings settings = settings_of(GetParam());
+    settings.finite_elements.enabled = true;
+    settings.finite_elements.bending = 1e-5f;
+    const bool positional =
+        std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
+    const Cloth cloth(cook(sheet(6, 6)).value(), settings);
+    ASSERT_TRUE(cloth.solver->serves(settings));
+    void (*const changes[])(FiniteElements&) = {
+        [](FiniteElements& e) { e.enabled = false; }, [](FiniteElements& e) { e.bending = 0; },
+        [](FiniteElements& e) { e.dihedral = !e.dihedral; },
+        [](FiniteElements& e) { e.consistent_mass = !e.consistent_mass; }};
+    for (std::size_t k = 0; k < std::size(changes); ++k) {
+        ClothSettings changed = settings;
+        changes[k](changed.finite_elements);
+        EXPECT_EQ(cloth.solver->serves(changed), positional) << "change " << k;
+    }
+    settings.finite_elements.bending = 2e-5f;
+    EXPECT_TRUE(cloth.solver->serves(settings)) << "another rigidity is read at each step";
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -2,11 +2,15 @@
 
 #include "cloth/system/triangles/triangle_system.h"
 #include "cloth/solvers/make_system.h"
+#include "cloth/system/triangles/bending.h"
 #include "cloth/system/triangles/hinge_elements.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "dense_algebra.h"
 #include "meshes.h"
@@ -163,8 +167,6 @@ TEST(TriangleSystem, SpringBlocksArePositiveAndNearTheirBlocks) {
     EXPECT_GT(total, 0);
 }
 
-// A uniform stretch gives uniform stress on any mesh: nothing moves inside, and the borders' forces balance
-// it.
 TEST(HingeElements, SharedOutHessianBoundsTheEnergysFromAbove) {
     // Of pairs of hinges 2 phi_e phi_f <= phi_e^2 + phi_f^2: the difference is never negative.
     const Cloth cloth = crumpled(sheet(5, 6), 0.02f, 0);
@@ -199,6 +201,58 @@ TEST(HingeElements, SharedOutHessianBoundsTheEnergysFromAbove) {
     EXPECT_NEAR(alike.dot(shared * alike), alike.dot(weights * alike), 1e-5 * alike.dot(weights * alike));
 }
 
+/// The energy that rest_elements.h states, of dihedral bending with rigidity 1, about the cloth's present
+/// place.
+double bending_energy(const Bending& bending, const Cloth& cloth) {
+    std::vector<double> bends;
+    for (const Hinge& hinge : bending.hinges) {
+        std::array<Vector3, 4> x;
+        for (std::size_t k = 0; k < 4; ++k) x[k] = xyz(cloth.state.positions[hinge.particles[k]]);
+        bends.push_back(static_cast<double>(hinge.length * (dihedral(x, 0).angle - hinge.angle)));
+    }
+    double energy = 0;
+    for (std::size_t h = 0; h < bends.size(); ++h)
+        energy += 0.5 * static_cast<double>(bending.hinges[h].weight) * bends[h] * bends[h];
+    for (const HingePair& pair : bending.pairs)
+        energy += static_cast<double>(pair.weight) * bends[pair.first] * bends[pair.second];
+    return energy;
+}
+
+TEST(HingeElements, ForcesAreTheEnergysDerivativeAndDampingIsAgainstTheMotion) {
+    Cloth cloth = crumpled(sheet(5, 6), 0.02f, 0);
+    const Bending bending = bending_elements(cloth.model);
+    ASSERT_GT(bending.pairs.size(), 20u);
+    HingeElements hinges(bending, cloth.model.particle_count, [](auto, auto) { return 0u; });
+    Parallel serial(1);
+    const auto power = [&](const AlignedBuffer<Vec4>& velocities, float viscosity) {
+        hinges.compute(serial, {1, cloth.state.positions.span(),
+                                viscosity > 0 ? velocities.span() : std::span<const Vec4>(), viscosity});
+        double sum = 0;
+        for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
+            for (const HingeElements::Corner& at : hinges.corners(i))
+                sum += static_cast<double>(hinges.moment(at.hinge) *
+                                           hinges.gradient(at.hinge, at.corner).dot(xyz(velocities[i])));
+        return sum;
+    };
+    const AlignedBuffer<Vec4> start = cloth.state.positions;
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        const AlignedBuffer<Vec4> velocities = random_rows(cloth.model.particle_count, 1, seed);
+        cloth.state.positions = start;
+        const double elastic = power(velocities, 0), viscous = power(velocities, 0.01f) - elastic;
+        const auto energy_after = [&](float time) {
+            for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
+                set_xyz(cloth.state.positions[i], xyz(start[i]) + time * xyz(velocities[i]));
+            return bending_energy(bending, cloth);
+        };
+        constexpr float step = 5e-4f;
+        const double rate = (energy_after(step) - energy_after(-step)) / (2 * static_cast<double>(step));
+        EXPECT_NEAR(elastic, -rate, 0.01 * std::abs(rate)) << seed;
+        EXPECT_LT(viscous, -0.01 * std::abs(rate)) << "it takes energy";
+    }
+}
+
+// A uniform stretch gives uniform stress on any mesh: nothing moves inside, and the borders' forces balance
+// it.
 TEST(TriangleSystem, PatchTest) {
     Cloth cloth = elements(strip(8, 6, 0.1f, true), {false, false, 0.0f});
     const std::size_t n = cloth.state.size();

@@ -82,10 +82,30 @@ TEST(World, RefusesBadStepsWithoutTouchingTheState) {
     ASSERT_TRUE(world.add_cloth(sheet(6, 6)).ok());
     world.step(h);
     const std::uint64_t before = world.state_hash();
-    for (const float dt : {0.0f, -h, not_a_number, std::numeric_limits<float>::infinity(), 1.5f}) {
+    for (const float dt : {0.0f, -h, not_a_number, std::numeric_limits<float>::infinity(), 1.5f, 1e-38f,
+                           std::numeric_limits<float>::denorm_min(), 0.99f * least_step}) {
         EXPECT_EQ(world.step(dt).flags, StepFlags::invalid_dt) << dt;
         EXPECT_EQ(world.state_hash(), before);
         EXPECT_EQ(world.report().step, 1u);
+    }
+}
+
+TEST(World, TakesTheShortestStepByEveryMethodInManySubsteps) {
+    for (const Method& method :
+         {Method(Multilevel{}), Method(Jacobi{}), Method(Chebyshev{}), Method(ConjugateGradient{}),
+          Method(Xpbd{}), Method(Fibres{}), Method(SymplecticEuler{})}) {
+        SCOPED_TRACE(method.index());
+        WorldSettings settings = vacuum({0, -9.81f, 0});
+        settings.substeps = 16;
+        World world = World::create(settings).value();
+        ClothSettings cloth;
+        cloth.method = method;
+        cloth.substeps = 16;
+        const ClothId id = world.add_cloth(sheet(6, 6), cloth).value();
+        ASSERT_TRUE(world.pin(id, 0));
+        ASSERT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, -1}}));
+        for (int k = 0; k < 100; ++k) EXPECT_EQ(world.step(least_step).flags, StepFlags::none);
+        EXPECT_NEAR(world.cloth(id)->velocities[35].y, -9.81f * 100 * least_step, 1e-5f);
     }
 }
 
@@ -240,6 +260,17 @@ TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
     ASSERT_TRUE(world.set_cloth_settings(id, settings).ok());
     EXPECT_GT(world.cloth_info(id)->bytes, without);
     ASSERT_TRUE(world.set_cloth_settings(id, {}).ok());
+    EXPECT_EQ(world.cloth_info(id)->bytes, without);
+}
+
+TEST(World, MemoryForContactsIsThereOnlyWithColliders) {
+    World world = make_world();
+    const ClothId id = world.add_cloth(sheet(16, 16)).value();
+    const std::uint64_t without = world.cloth_info(id)->bytes;
+    const ColliderId ground = world.add_collider({.shape = Plane{}}).value();
+    EXPECT_GT(world.cloth_info(id)->bytes, without + 50 * 256);
+    world.step(h);
+    ASSERT_TRUE(world.remove_collider(ground));
     EXPECT_EQ(world.cloth_info(id)->bytes, without);
 }
 

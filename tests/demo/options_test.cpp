@@ -104,12 +104,14 @@ TEST(Options, ChooseTheScene) {
     options.scene_options.garment = "some.obj";
     EXPECT_STREQ((*choose_scene(options))->name, "garment");
     options.scene = "sheet";
+    ASSERT_FALSE(choose_scene(options).ok()) << "a garment that would be left out";
+    EXPECT_NE(choose_scene(options).error().message.find("some.obj"), std::string::npos);
+    options.scene_options.garment.clear();
     EXPECT_STREQ((*choose_scene(options))->name, "sheet");
     options.scene = "nowhere";
     ASSERT_FALSE(choose_scene(options).ok());
     EXPECT_NE(choose_scene(options).error().message.find("nowhere"), std::string::npos);
     options.scene = "garment";
-    options.scene_options.garment.clear();
     EXPECT_FALSE(choose_scene(options).ok());
 }
 

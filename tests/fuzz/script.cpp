@@ -283,10 +283,10 @@ void Author::set_world_settings() {
 void Author::step() {
     const float infinity = std::numeric_limits<float>::infinity();
     if (random_.chance(0.05))
-        return add(Step{random_.one_of({0.0f, -1.0f / 60, infinity, -infinity, 1.01f,
-                                        std::numeric_limits<float>::quiet_NaN()})},
+        return add(Step{random_.one_of({0.0f, -1.0f / 60, infinity, -infinity, 1.01f, 1e-38f,
+                                        0.99f * least_step, std::numeric_limits<float>::quiet_NaN()})},
                    Answer::refused);
-    const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(1e-6f, 1);
+    const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(least_step, greatest_step);
     for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt});
     if (random_.chance(0.03)) add(MoveWorld{});
 }

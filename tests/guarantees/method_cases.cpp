@@ -1,5 +1,7 @@
 #include "tests/guarantees/method_cases.h"
 
+#include <algorithm>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -101,6 +103,21 @@ std::vector<MethodCase> method_cases() {
     return cases;
 }
 
+PinPattern corners(std::uint32_t side) {
+    return {"corners", {0, side - 1}};
+}
+
+std::vector<PinPattern> pin_patterns(std::uint32_t side) {
+    PinPattern none{"none", {}}, row{"row", {}}, rows{"two_rows", {}}, random{"random", {}};
+    for (std::uint32_t c = 0; c < side; ++c) row.vertices.push_back(c);
+    rows.vertices = row.vertices;
+    for (std::uint32_t c = 0; c < side; ++c) rows.vertices.push_back((side - 1) * side + c);
+    std::mt19937 draw(11);
+    for (std::uint32_t v = 0; v < side * side; ++v)
+        if (draw() % 10 < 3) random.vertices.push_back(v);
+    return {none, corners(side), row, rows, random};
+}
+
 Mesh LoweredSheet::mesh(bool grid, std::uint32_t side) {
     Mesh mesh = need(make_sheet({.rows = side,
                                  .columns = side,
@@ -111,25 +128,27 @@ Mesh LoweredSheet::mesh(bool grid, std::uint32_t side) {
     return mesh;
 }
 
-LoweredSheet::LoweredSheet(const MethodCase& method_case, int threads, std::uint32_t side)
+LoweredSheet::LoweredSheet(const MethodCase& method_case, int threads, std::uint32_t side,
+                           const PinPattern& pins)
     : world_([&] {
           WorldSettings settings = method_case.world;
           settings.threads = threads;
           return need(World::create(settings));
       }()),
-      cloth_(need(world_.add_cloth(mesh(method_case.grid, side), method_case.cloth))),
-      side_(side) {
-    need(world_.pin(cloth_, 0));
-    need(world_.pin(cloth_, side - 1));
+      cloth_(need(world_.add_cloth(mesh(method_case.grid, side), method_case.cloth))) {
+    const Mesh start = mesh(method_case.grid, side);
+    for (const std::uint32_t vertex : pins.vertices) pins_.emplace_back(vertex, start.positions[vertex]);
+    need(world_.pin(cloth_, pins.vertices));
     need(world_.add_collider({.shape = Plane{}, .friction = 0.6f}));
     need(world_.add_collider({.shape = Sphere{{0, 0, 0.05f}, 0.1f}, .friction = 0.4f}));
 }
 
+// None is let down into the ground.
 void LoweredSheet::before_step() {
     if (lowered_ < width) lowered_ += lowering_speed * dt;
-    for (const std::uint32_t corner : {0u, side_ - 1}) {
-        const float x = (corner == 0 ? -0.5f : 0.5f) * width;
-        need(world_.move_pin(cloth_, corner, {x, width + 0.04f - lowered_, 0.3f * lowered_}));
+    for (const auto& [vertex, start] : pins_) {
+        const float y = std::max(start.y + 0.02f - lowered_, 0.02f);
+        need(world_.move_pin(cloth_, vertex, {start.x, y, start.z + 0.3f * lowered_}));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "weft/weft.h"
@@ -23,11 +24,22 @@ void PrintTo(const MethodCase& method_case, std::ostream* out);
 /// All of them. An option that a method ignores is left out for it.
 [[nodiscard]] std::vector<MethodCase> method_cases();
 
-/// A sheet that hangs by two corners above a sphere and the ground, and is let down onto them: it folds, and
+/// Which particles of a square sheet are pinned.
+struct PinPattern {
+    std::string name;
+    std::vector<std::uint32_t> vertices;
+};
+[[nodiscard]] PinPattern corners(std::uint32_t side);
+/// None, the corners, a row, two rows, and 30 % at random.
+[[nodiscard]] std::vector<PinPattern> pin_patterns(std::uint32_t side);
+
+/// A sheet above a sphere and the ground that is let down onto them by its pins: by two corners it folds, and
 /// after 0.5 s layers lie on each other.
 class LoweredSheet {
   public:
-    explicit LoweredSheet(const MethodCase& method_case, int threads = 1, std::uint32_t side = 24);
+    explicit LoweredSheet(const MethodCase& method_case, int threads = 1, std::uint32_t side = 24)
+        : LoweredSheet(method_case, threads, side, corners(side)) {}
+    LoweredSheet(const MethodCase& method_case, int threads, std::uint32_t side, const PinPattern& pins);
 
     void before_step();
     const StepReport& step();
@@ -39,8 +51,8 @@ class LoweredSheet {
   private:
     World world_;
     ClothId cloth_;
-    std::uint32_t side_;
-    float lowered_ = 0;  // [m]
+    std::vector<std::pair<std::uint32_t, Vec3>> pins_;  // and where they start
+    float lowered_ = 0;                                 // [m]
 };
 
 }  // namespace weft::test

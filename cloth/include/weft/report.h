@@ -8,10 +8,14 @@
 
 namespace weft {
 
+/// What World::step takes [s]. Below a microsecond single precision loses what a step changes.
+inline constexpr float least_step = 1e-6f, greatest_step = 1;
+
 /// Each flag names the setting to change.
 enum class StepFlags : std::uint32_t {
     none = 0,
-    /// dt was zero, negative, not finite or above 1 s: nothing was done. Pass a step in (0, 1] s.
+    /// dt was below least_step, above greatest_step, or no number: nothing was done. Pass one between them,
+    /// as 1/60 s.
     invalid_dt = 1u << 0,
     /// A cloth's state stopped being finite, or left the 100 km around the origin. It is back at the start of
     /// the step, at rest. Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.

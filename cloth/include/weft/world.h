@@ -115,8 +115,9 @@ class World {
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
-    /// Advances by dt seconds, in (0, 1]; a game passes the same dt at every call. It never allocates, and
-    /// prepares nothing: what a change needs is made by the call that changes it.
+    /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt; a game passes the
+    /// same dt at every call. It never allocates, and prepares nothing: what a change needs is made by the
+    /// call that changes it.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
 

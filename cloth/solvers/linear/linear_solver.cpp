@@ -20,8 +20,12 @@ SolveResult LinearSolver::solve(const SolverStep& step) {
     const bool apart = solves_mean_motion_apart(step.settings);
     if (apart) mean_motion_.take_out(step.parallel, system_->contacts(), system_->right_side().span());
     const bool ok = solve_linear(step, *system_, dv);
-    if (apart) mean_motion_.put_back(step.parallel, system_->contacts(), system_->right_side().span(), dv);
-    scale_and_add(step.parallel, 1.0f, step.equation.velocities, 1.0f, step.velocities);
+    const std::span<const Vec4> velocities = step.equation.velocities;
+    if (apart)
+        mean_motion_.put_back(step.parallel, system_->contacts(), system_->right_side().span(), velocities,
+                              dv);
+    else
+        scale_and_add(step.parallel, 1.0f, velocities, 1.0f, dv);
     return {.residual = residual_(step, system_.get()), .ok = ok};
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+// Particles that meet colliders.
+
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "collision/collider_contacts.h"
+
+namespace weft::test {
+
+inline constexpr float h = 1.0f / 120;
+inline constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
+                       inf = std::numeric_limits<float>::infinity();
+
+struct Particles {
+    std::vector<Vec4> positions, velocities;
+};
+
+inline std::uint32_t meet(Particles& particles, const std::vector<ColliderMotion>& colliders, float thickness,
+                          float friction = 1, int threads = 1) {
+    Parallel parallel(threads);
+    std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(particles.positions.size())));
+    return collide(parallel, colliders, thickness, friction, h, {}, particles.positions, particles.velocities,
+                   partials);
+}
+
+inline ColliderMotion at_rest(const Collider& collider) {
+    return {collider, collider};
+}
+
+inline Particles cloud(std::size_t n) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    Particles particles;
+    for (std::size_t i = 0; i < n; ++i) {
+        particles.positions.push_back({uniform(random), uniform(random), uniform(random), 1});
+        particles.velocities.push_back({uniform(random), uniform(random), uniform(random), 0});
+    }
+    return particles;
+}
+
+}  // namespace weft::test
