@@ -9,6 +9,8 @@ namespace weft::study {
 int run_accuracy(const StudyOptions& options);
 /// Where methods fail: stiffness against step, from flat, crumpled and collapsed starts.
 int run_stability(const StudyOptions& options);
+/// Time schemes: energy, nearness to the truth, rest, dependence on the step, and time.
+int run_motion(const StudyOptions& options);
 /// Charts from what the others wrote.
 int run_plot(const PlotOptions& options);
 
