@@ -50,10 +50,12 @@ bool Effort::wants_another_pass() const {
     return affords_pass() && (passes_ < method_.passes || (is_hard() && left_ > tolerated_));
 }
 
-// A secant alone would nearly undo a step that was far too long.
-float Effort::step_back(double slope) {
+// By the trapezoid of its slopes the energy has risen along the step where it now rises faster than it fell
+// at first. Before another pass less is no harm: Newton's method goes on from there. A secant alone would
+// nearly undo a step that was far too long.
+float Effort::step_back(double slope, bool a_pass_follows) {
     constexpr double least = 0.1;
-    if (!(slope < 0) || length_ == 0) return 0;
+    if (!(slope < (a_pass_follows ? -slope_ : 0)) || length_ == 0) return 0;
     is_hard_ = true;
     const double kept = std::max(least, slope_ / (slope_ - slope));
     const float shorter = static_cast<float>(kept) * length_;

@@ -22,10 +22,11 @@ class Effort {
     void add(const CgResult& pass);
     [[nodiscard]] bool wants_another_pass() const;
 
-    /// The last step ends where the energy has this slope down its direction [J]. If the energy rises there:
-    /// how much of the step to take back, as a factor of the direction, to be about where it is least, by the
-    /// secant of the slopes at both ends. Else 0.
-    [[nodiscard]] float step_back(double slope);
+    /// The last step ends where the energy has this slope down its direction [J]. If that is uphill (and,
+    /// where a pass follows, so much that the energy has risen along the step): how much of the step to take
+    /// back, as a factor of the direction, to be about where the energy is least, by the secant of the slopes
+    /// at both ends. Else 0.
+    [[nodiscard]] float step_back(double slope, bool a_pass_follows);
 
     [[nodiscard]] bool is_hard() const { return adapts_ && is_hard_; }
     [[nodiscard]] bool is_unsolved() const { return left_ > tolerated_; }

@@ -102,8 +102,8 @@ CgResult MultilevelSolver::take_pass(const SolverStep& step, const Multilevel& m
     const auto precondition = [&](std::span<const Vec4> r, std::span<Vec4> z) { cycle(step, r, z); };
     const auto iterations_for = [&](double decrement) {
         const bool went_too_far =
-            effort.has_grown(decrement) &&
-            shorten_last_step(step, effort, system_->right_side().span(), vectors_.preconditioned.span());
+            effort.has_grown(decrement) && shorten_last_step(step, effort, system_->right_side().span(),
+                                                             vectors_.preconditioned.span(), true);
         return went_too_far ? 0 : effort.iterations_for(decrement);
     };
     return conjugate_gradients(step.parallel, *system_, method.iterations, precondition, iterations_for,
@@ -112,8 +112,10 @@ CgResult MultilevelSolver::take_pass(const SolverStep& step, const Multilevel& m
 
 // A line search along the last direction, by the equation's residual where the last step ended.
 bool MultilevelSolver::shorten_last_step(const SolverStep& step, Effort& effort,
-                                         std::span<const Vec4> residual, std::span<const Vec4> direction) {
-    const float back = effort.step_back(dot(step.parallel, residual, direction, sums_.span()));
+                                         std::span<const Vec4> residual, std::span<const Vec4> direction,
+                                         bool a_pass_follows) {
+    const double slope = dot(step.parallel, residual, direction, sums_.span());
+    const float back = effort.step_back(slope, a_pass_follows);
     if (back == 0) return false;
     scale_and_add(step.parallel, -back, direction, 1.0f, step.velocities);
     return true;
@@ -125,7 +127,8 @@ void MultilevelSolver::check_last_step(const SolverStep& step, Effort& effort) {
     const auto timer = step.timed(Stage::solve);
     for (int k = 0; k < most; ++k) {
         system_->residual(step.parallel, step.equation, step.velocities, vectors_.residual.span());
-        if (!shorten_last_step(step, effort, vectors_.residual.span(), vectors_.direction.span())) return;
+        if (!shorten_last_step(step, effort, vectors_.residual.span(), vectors_.direction.span(), false))
+            return;
     }
 }
 

@@ -32,7 +32,7 @@ class MultilevelSolver final : public Solver {
     /// If the last step went too far along `direction`, takes part of it back. `residual` is the equation's
     /// where the step ended.
     bool shorten_last_step(const SolverStep& step, Effort& effort, std::span<const Vec4> residual,
-                           std::span<const Vec4> direction);
+                           std::span<const Vec4> direction, bool a_pass_follows);
     void check_last_step(const SolverStep& step, Effort& effort);
     void linearise(const SolverStep& step);
     void build_levels(const SolverStep& step);
