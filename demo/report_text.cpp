@@ -15,6 +15,9 @@ std::string flags_text(StepFlags flags) {
     if (has(flags, StepFlags::speed_limited)) {
         text += "Particles were held to the largest speed: look for a pin or a collider that jumps.\n";
     }
+    if (has(flags, StepFlags::unsolved)) {
+        text += "The method left too much unsolved: raise its effort or passes, or substeps.\n";
+    }
     return text;
 }
 

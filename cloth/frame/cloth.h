@@ -93,6 +93,7 @@ struct Cloth {
 
     // Of the present step; a step that is done leaves them for the report.
     bool solver_failed = false;           ///< in one of its substeps
+    bool unsolved = false;                ///< beyond what its method tolerates, in one of them
     bool restored = false;                ///< by its guard
     float residual = 0;                   ///< as last measured
     Survey extent{};                      ///< of the state, as last surveyed

@@ -55,6 +55,22 @@ namespace weft {
 
 HWY_EXPORT(make_bases);
 
+namespace {
+
+/// What a collider holds was stopped or turned by it: an impulse that the next step must not go on with. It
+/// came in a straight line at its present velocity.
+void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange& range) {
+    if (state.held.touching.size() == 0) return;
+    for (std::uint32_t i = range.begin; i < range.end && i < state.size(); ++i) {
+        if (state.held.touching[i / Stencil::lanes] == 0 || xyz(state.held.normals[i]).isZero(0)) continue;
+        const Vector3 v = xyz(state.velocities[i]);
+        set_xyz(rows.base_positions[i], xyz(state.positions[i]) + state.record.h / 3 * v);
+        set_xyz(rows.base_velocities[i], v);
+    }
+}
+
+}  // namespace
+
 void History::begin(Parallel& parallel, const ClothState& state) {
     const BaseRows rows{.positions = state.positions.data(),
                         .velocities = state.velocities.data(),
@@ -65,6 +81,7 @@ void History::begin(Parallel& parallel, const ClothState& state) {
                         .base_velocities = base_velocities_.data()};
     parallel.ranges(state.size(), [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, state.record.h);
+        forget_held(state, rows, range);
     });
 }
 

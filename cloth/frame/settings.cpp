@@ -83,6 +83,8 @@ void check(Checks& checks, const ConjugateGradient& method) {
 void check(Checks& checks, const Multilevel& method) {
     checks.within("Multilevel::iterations", method.iterations, 1, most_iterations);
     checks.within("Multilevel::passes", method.passes, 1, most_iterations);
+    checks.between("Multilevel::effort", method.effort, 1, 1000);
+    checks.between("Multilevel::tolerance", method.tolerance, 0, 1e9f);
 }
 void check(Checks& checks, const Xpbd& method) {
     checks.within("Xpbd::iterations", method.iterations, 1, most_iterations);

@@ -95,6 +95,7 @@ void Simulation::begin(float dt) {
     present_.clear();
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         present_.push_back(cloth.get());
+        cloth->unsolved = false;
         move_pins(*cloth, dt);
     });
     each_.plan(present_, parallel.width());
@@ -214,6 +215,7 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
                                                     .wants_residual = wants_residual});
     if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
+    cloth.unsolved |= result.unsolved;
     if (wants_residual) cloth.residual = result.residual;
 }
 
@@ -313,6 +315,7 @@ void Simulation::add_to_report(const Cloth& cloth) {
     }
     if (report.peak_speed > 0.999f * settings.max_speed)
         report.flags = report.flags | StepFlags::speed_limited;
+    if (cloth.unsolved) report.flags = report.flags | StepFlags::unsolved;
     if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
 }
 

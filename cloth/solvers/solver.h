@@ -29,8 +29,9 @@ struct SolverStep {
 };
 
 struct SolveResult {
-    float residual = 0;  ///< see StepResidual, which measures every method alike
-    bool ok = true;      ///< false: no solution was found, and the velocities may hold anything
+    float residual = 0;     ///< see StepResidual, which measures every method alike
+    bool ok = true;         ///< false: no solution was found, and the velocities may hold anything
+    bool unsolved = false;  ///< more of the equation is left than the method tolerates
 };
 
 /// Owns all memory that its method needs. Only its constructor and reserve_pins() take any.

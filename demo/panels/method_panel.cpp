@@ -55,9 +55,12 @@ bool own_controls(ConjugateGradient& method) {
 }
 
 bool own_controls(Multilevel& method) {
-    const bool changed =
+    bool changed =
         iterations_slider(method.iterations, 1, "Conjugate gradient steps, a multigrid cycle each.");
-    return slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.") || changed;
+    changed |= slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.");
+    return slider("effort", method.effort, 1, 8, "%.2f",
+                  "Most work where the equation is hard, over the usual; 1: never more.", logarithmic) ||
+           changed;
 }
 
 bool own_controls(Xpbd& method) {

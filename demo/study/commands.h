@@ -11,6 +11,8 @@ int run_accuracy(const StudyOptions& options);
 int run_stability(const StudyOptions& options);
 /// Measured beside known: strips, drapes, pendulums, friction and flags, by every force model.
 int run_physics(const StudyOptions& options);
+/// Time schemes: energy, nearness to the truth, rest, dependence on the step, and time.
+int run_motion(const StudyOptions& options);
 /// Charts from what the others wrote.
 int run_plot(const PlotOptions& options);
 

@@ -67,17 +67,20 @@ void describe_plot(CLI::App& command, PlotOptions& options) {
 int main(int argc, char** argv) {
     CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
     app.require_subcommand(1);
-    StudyOptions accuracy, stability, physics;
+    StudyOptions accuracy, stability, physics, motion;
     PlotOptions plot;
     CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
     CLI::App* const stability_command =
         app.add_subcommand("stability", "Stiffness against step from hard starts, as CSV");
     CLI::App* const physics_command =
         app.add_subcommand("physics", "Measured beside known, as CSV and as a table");
+    CLI::App* const motion_command =
+        app.add_subcommand("motion", "Time schemes: energy, truth, rest, steps and time, as a table and CSV");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
     describe_physics(*physics_command, physics);
+    describe_measuring(*motion_command, motion);
     describe_plot(*plot_command, plot);
     try {
         app.parse(argc, argv);
@@ -92,6 +95,7 @@ int main(int argc, char** argv) {
         if (accuracy_command->parsed()) return run_accuracy(accuracy);
         if (stability_command->parsed()) return run_stability(stability);
         if (physics_command->parsed()) return run_physics(physics);
+        if (motion_command->parsed()) return run_motion(motion);
         return run_plot(plot);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft_study: %s\n", error.what());

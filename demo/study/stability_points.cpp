@@ -120,6 +120,7 @@ std::vector<StabilityPoint> stability_points() {
         multilevel("1", "1 pass", one_linearisation, {.passes = 1}),
         multilevel("2", "2 passes", newton, {.passes = 2}),
         multilevel("bdf2", "3 passes; BDF2", newton, {.passes = 3}, TimeScheme::bdf2),
+        multilevel("bdf2-2", "2 passes; BDF2", newton, {.passes = 2}, TimeScheme::bdf2),
         multilevel("6", "6 passes", newton, {.passes = 6}),
         jacobi("Jacobi: first guess alone", {.iterations = 0, .exact_mean_motion = false}),
         jacobi("Jacobi: 1 iteration", {.iterations = 1, .exact_mean_motion = false}),

@@ -1,6 +1,7 @@
 #include "tests/fuzz/random_settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -60,7 +61,10 @@ Method random_method(Random& random, int most_iterations) {
             return SymplecticEuler{};
         default: {
             const int passes = random.whole(1, std::clamp(iterations, 1, 8));
-            return Multilevel{.passes = passes, .iterations = std::max(1, iterations / passes)};
+            return Multilevel{.passes = passes,
+                              .iterations = std::max(1, iterations / passes),
+                              .effort = random.chance(0.3) ? 1.0f : random.between(1, 4),
+                              .tolerance = random.chance(0.2) ? 0.0f : random.of_any_size(1e-3f, 1e3f)};
         }
     }
 }
@@ -106,7 +110,10 @@ void spoil(Random& random, ClothSettings& s) {
             s.substeps = random.one_of({0, -1, 1025, std::numeric_limits<int>::min()});
             break;
         case 1:
-            s.method = Multilevel{.passes = random.one_of({0, -3, 100001})};
+            if (random.chance(0.5))
+                s.method = Multilevel{.passes = random.one_of({0, -3, 100001})};
+            else
+                s.method = Multilevel{.effort = random.one_of({0.0f, 0.99f, -2.0f, 1001.0f})};
             break;
         case 2:
             s.method = Chebyshev{.iterations = 0};
@@ -176,7 +183,9 @@ std::uint64_t passes_of(const ClothSettings& settings) {
             if constexpr (std::is_same_v<M, SymplecticEuler>) {
                 return 1;
             } else if constexpr (std::is_same_v<M, Multilevel>) {
-                return 8 * std::int64_t{method.passes} * method.iterations;
+                const auto times =
+                    static_cast<std::int64_t>(std::ceil(std::clamp(method.effort, 1.0f, 1e3f)));
+                return 8 * times * method.passes * method.iterations;
             } else {
                 return method.iterations;
             }

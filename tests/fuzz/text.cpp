@@ -51,7 +51,8 @@ static std::string text_of(const ConjugateGradient& m) {
     return braced("ConjugateGradient", {text_of(m.iterations)});
 }
 static std::string text_of(const Multilevel& m) {
-    return braced("Multilevel", {text_of(m.passes), text_of(m.iterations)});
+    return braced("Multilevel",
+                  {text_of(m.passes), text_of(m.iterations), text_of(m.effort), text_of(m.tolerance)});
 }
 static std::string text_of(const Xpbd& m) {
     return braced("Xpbd", {text_of(m.iterations)});

@@ -1,6 +1,7 @@
 #pragma once
 // Preconditioned conjugate gradients on W dv = b.
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -37,6 +38,11 @@ void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> resi
 struct CgResult {
     float left = 0;  ///< |P (b - W dv)| / |P b| of the last iterate that was preconditioned; 0 for b = 0
     bool ok = true;  ///< false: something was not finite
+    /// b . P b: twice the energy that W says is left to lose, as far as P is W's inverse [J].
+    double decrement = 0;
+    double slope = 0;    ///< of the energy down the last direction, where the last step along it began
+    float length = 0;    ///< of that step: dv grew by length * vectors.direction; 0: there was none
+    int iterations = 0;  ///< that were begun
 };
 
 /// Conjugate gradients (Hestenes and Stiefel 1952) from 0: the solution is added to dv. precondition(r, z)
@@ -45,40 +51,64 @@ struct CgResult {
 /// filter of Baraff and Witkin 1998). Each iteration multiplies once and preconditions once. It ends early
 /// where single precision has nothing left to find; at what is not finite it gives up.
 /// Unless it ended early, the last iterate that was preconditioned is the last but one.
-template <class Precondition>
-CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
-                             const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
+///
+/// iterations_for(decrement) says how many are wanted, up to `most`, once the first direction is known and
+/// before anything is done: the direction of the call before still stands in vectors.preconditioned. If it
+/// says 0, that goes back to vectors.direction, and no iteration is begun.
+template <class Precondition, class IterationsFor>
+CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int most,
+                             const Precondition& precondition, const IterationsFor& iterations_for,
+                             CgVectors& vectors, std::span<Vec4> dv) {
     constexpr CgResult failed{.ok = false};
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
     std::span<const Vec4> residual = system.right_side().span();
     Products first, now;
-    for (int k = 0; k < iterations; ++k) {
-        const bool is_last = k + 1 == iterations;
+    float length = 0;
+    int begun = 0;
+    for (int k = 0, iterations = most; k < iterations; ++k) {
         const auto multiply_direction = [&] {
             return system.multiply(parallel, residual, std::as_const(vectors.direction).span(),
-                                   is_last ? std::span<Vec4>() : vectors.product.span());
+                                   k + 1 == iterations ? std::span<Vec4>() : vectors.product.span());
         };
         precondition(residual, vectors.preconditioned.span());
         if (k == 0) {  // z is the direction
             std::swap(vectors.direction, vectors.preconditioned);
             first = now = multiply_direction();
+            if (std::isfinite(now.b_x)) iterations = std::min(iterations_for(now.b_x), most);
+            if (iterations <= 0) {
+                std::swap(vectors.direction, vectors.preconditioned);
+                return {};
+            }
         } else {
             const double before = now.b_x;
             now = products(parallel, residual, vectors);
             turn_direction(parallel, static_cast<float>(now.b_x / before), vectors);
+            length = 0;
             now.x_wx = multiply_direction().x_wx;
         }
+        begun = k + 1;
         if (!std::isfinite(now.b_x)) return failed;
         if (!(now.b_x > rounding * first.b_x)) break;
         const double alpha = now.b_x / now.x_wx;
         if (std::isnan(now.x_wx)) return failed;
         if (!(now.x_wx > 0) || !std::isfinite(alpha)) break;
-        advance_along(parallel, static_cast<float>(alpha), vectors, dv);
-        if (is_last) break;
-        update_residual(parallel, static_cast<float>(alpha), residual, vectors);
+        length = static_cast<float>(alpha);
+        advance_along(parallel, length, vectors, dv);
+        if (k + 1 == iterations) break;
+        update_residual(parallel, length, residual, vectors);
         residual = vectors.residual.span();
     }
-    return {.left = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f};
+    return {.left = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f,
+            .decrement = first.b_x,
+            .slope = now.b_x,
+            .length = length,
+            .iterations = begun};
+}
+template <class Precondition>
+CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
+                             const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
+    const auto all = [=](double /*decrement*/) { return iterations; };
+    return conjugate_gradients(parallel, system, iterations, precondition, all, vectors, dv);
 }
 
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).

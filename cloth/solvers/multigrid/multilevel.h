@@ -1,10 +1,12 @@
 #pragma once
-// The multilevel method: passes of conjugate gradients that a multigrid cycle preconditions.
+// The multilevel method: passes of conjugate gradients that a multigrid cycle preconditions, with a line
+// search and more passes where the equation is hard.
 
 #include <memory>
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
 #include "cloth/solvers/make_system.h"
+#include "cloth/solvers/multigrid/effort.h"
 #include "cloth/solvers/multigrid/levels.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/solvers/solver.h"
@@ -26,7 +28,13 @@ class MultilevelSolver final : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    bool solve_in_passes(const SolverStep& step, const Multilevel& method);
+    SolveResult solve_in_passes(const SolverStep& step, const Multilevel& method);
+    CgResult take_pass(const SolverStep& step, const Multilevel& method, Effort& effort);
+    /// If the last step went too far along `direction`, takes part of it back. `residual` is the equation's
+    /// where the step ended.
+    bool shorten_last_step(const SolverStep& step, Effort& effort, std::span<const Vec4> residual,
+                           std::span<const Vec4> direction, bool a_pass_follows);
+    void check_last_step(const SolverStep& step, Effort& effort);
     void linearise(const SolverStep& step);
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
@@ -36,6 +44,8 @@ class MultilevelSolver final : public Solver {
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;
     CgVectors vectors_;
+    AlignedBuffer<double> sums_;  // of blocks
+    double rest_area_;            // [m^2]
     StepResidual residual_;
 };
 

@@ -222,10 +222,19 @@ int FineTime::safe_substeps(const StudyScene& scene) {
     return std::max(64, static_cast<int>(std::ceil(static_cast<double>(scene.frame) / h)));
 }
 
-std::vector<Vector> FineTime::positions() const {
+std::vector<Vector> FineTime::vectors(const Components& components) const {
     std::vector<Vector> result;
-    for (std::uint32_t i = 0; i < particles_; ++i) result.emplace_back(x_[0][i], x_[1][i], x_[2][i]);
+    for (std::uint32_t i = 0; i < particles_; ++i)
+        result.emplace_back(components[0][i], components[1][i], components[2][i]);
     return result;
+}
+
+std::vector<Vector> FineTime::positions() const {
+    return vectors(x_);
+}
+
+std::vector<Vector> FineTime::velocities() const {
+    return vectors(v_);
 }
 
 }  // namespace weft::study

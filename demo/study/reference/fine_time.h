@@ -28,12 +28,14 @@ class FineTime {
     [[nodiscard]] static int safe_substeps(const StudyScene& scene);
 
     [[nodiscard]] std::vector<Eigen::Vector3d> positions() const;
+    [[nodiscard]] std::vector<Eigen::Vector3d> velocities() const;
 
   private:
     using Component = std::vector<double>;  // of all particles, padded to whole groups
     using Components = std::array<Component, 3>;
 
     void make_springs(const CookedCloth& model, const Fabric& fabric);
+    [[nodiscard]] std::vector<Eigen::Vector3d> vectors(const Components& components) const;
     void predict(double h);
     void compute_air();
     void finish(double h);
