@@ -293,21 +293,22 @@ TEST_P(EachMethod, ServesWhatItWasMadeForAlone) {
 TEST_P(EachMethod, OfElementsServesTheKindOfElementsThatItWasMadeFor) {
     ClothSettings settings = settings_of(GetParam());
     settings.finite_elements.enabled = true;
-    settings.finite_elements.bending = 1e-5f;
+    settings.fabric.bending = 1e-5f;
     const bool positional =
         std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
     const Cloth cloth(cook(sheet(6, 6)).value(), settings);
     ASSERT_TRUE(cloth.solver->serves(settings));
-    void (*const changes[])(FiniteElements&) = {
-        [](FiniteElements& e) { e.enabled = false; }, [](FiniteElements& e) { e.bending = 0; },
-        [](FiniteElements& e) { e.dihedral = !e.dihedral; },
-        [](FiniteElements& e) { e.consistent_mass = !e.consistent_mass; }};
+    void (*const changes[])(ClothSettings&) = {
+        [](ClothSettings& s) { s.finite_elements.enabled = false; },
+        [](ClothSettings& s) { s.fabric.bending = 0; },
+        [](ClothSettings& s) { s.finite_elements.dihedral = !s.finite_elements.dihedral; },
+        [](ClothSettings& s) { s.finite_elements.consistent_mass = !s.finite_elements.consistent_mass; }};
     for (std::size_t k = 0; k < std::size(changes); ++k) {
         ClothSettings changed = settings;
-        changes[k](changed.finite_elements);
+        changes[k](changed);
         EXPECT_EQ(cloth.solver->serves(changed), positional) << "change " << k;
     }
-    settings.finite_elements.bending = 2e-5f;
+    settings.fabric.bending = 2e-5f;
     EXPECT_TRUE(cloth.solver->serves(settings)) << "another rigidity is read at each step";
 }
 

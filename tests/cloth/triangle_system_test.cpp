@@ -2,7 +2,7 @@
 
 #include "cloth/system/triangles/triangle_system.h"
 #include "cloth/solvers/make_system.h"
-#include "cloth/system/triangles/bending.h"
+#include "cloth/mesh/bending.h"
 #include "cloth/system/triangles/hinge_elements.h"
 
 #include <gtest/gtest.h>
