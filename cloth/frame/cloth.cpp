@@ -55,7 +55,7 @@ Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
 }
 
 bool Cloth::is_second_order(const ClothSettings& of, const Solver& with) const {
-    return of.time_scheme == TimeScheme::bdf2 && with.is_implicit();
+    return resolved(of.time_scheme, of.method) == TimeScheme::bdf2 && with.is_implicit();
 }
 
 /// Null if the present one serves.

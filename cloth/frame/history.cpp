@@ -57,15 +57,16 @@ HWY_EXPORT(make_bases);
 
 namespace {
 
-/// What a collider holds was stopped or turned by it: an impulse that the next step must not go on with. It
-/// came in a straight line at its present velocity.
+/// What a collider holds was stopped by it along the normal: a change that the next step must not go on with.
+/// Along the surface it slides on as it did.
 void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange& range) {
     if (state.held.touching.size() == 0) return;
     for (std::uint32_t i = range.begin; i < range.end && i < state.size(); ++i) {
         if (state.held.touching[i / Stencil::lanes] == 0 || xyz(state.held.normals[i]).isZero(0)) continue;
-        const Vector3 v = xyz(state.velocities[i]);
+        const Vector3 v = xyz(state.velocities[i]), n = xyz(state.held.normals[i]);
+        const Vector3 change = xyz(state.record.velocity_changes[i]);
         set_xyz(rows.base_positions[i], xyz(state.positions[i]) + state.record.h / 3 * v);
-        set_xyz(rows.base_velocities[i], v);
+        set_xyz(rows.base_velocities[i], v + (change - n.dot(change) * n) / 3);
     }
 }
 

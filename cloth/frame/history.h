@@ -17,8 +17,8 @@ class History {
 
     /// Computes the bases of the next step, which is as long as the recorded one, from the present state. A
     /// particle that is not where the last step left it has met something: it is taken to have come in a
-    /// straight line at its present velocity, and so is one that a collider holds: no impulse of contact is
-    /// extrapolated, or cloth that lands would bounce.
+    /// straight line at its present velocity. So is one that a collider holds, and what its velocity changed
+    /// by along the normal is not gone on with, or cloth that lands would bounce.
     void begin(Parallel& parallel, const ClothState& state);
     [[nodiscard]] std::span<const Vec4> base_positions() const { return base_positions_.span(); }
     [[nodiscard]] std::span<const Vec4> base_velocities() const { return base_velocities_.span(); }

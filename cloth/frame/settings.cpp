@@ -173,7 +173,7 @@ Result<void> validate(const ClothSettings& settings) {
     check(checks, settings.method);
     check_together(checks, settings);
     checks.one_of("ClothSettings::time_scheme", settings.time_scheme,
-                  {"TimeScheme::backward_euler", "TimeScheme::bdf2"});
+                  {"TimeScheme::of_method", "TimeScheme::backward_euler", "TimeScheme::bdf2"});
     checks.within("ClothSettings::substeps", settings.substeps, 1, 1024);
     checks.between("Tethers::slack", settings.tethers.slack, 1, 1e3f);
     check(checks, settings.self_collision);

@@ -91,11 +91,12 @@ bool time_controls(ClothSettings& settings) {
     bool changed = slider("cloth substeps", settings.substeps, 1, 1024, "%d",
                           "Steps of the method within each substep of the world.", logarithmic);
     if (!has_time_scheme(settings.method)) return changed;
-    bool second_order = settings.time_scheme == TimeScheme::bdf2;
-    changed |= ImGui::Checkbox("second order in time", &second_order);
-    tooltip("BDF2 in place of backward Euler: half the motion's error at the same cost.");
+    bool second_order = resolved(settings.time_scheme, settings.method) == TimeScheme::bdf2;
+    const bool clicked = ImGui::Checkbox("second order in time", &second_order);
+    tooltip("BDF2 in place of backward Euler: swings live longer, and less depends on the step.");
+    if (!clicked) return changed;
     settings.time_scheme = second_order ? TimeScheme::bdf2 : TimeScheme::backward_euler;
-    return changed;
+    return true;
 }
 
 bool tether_controls(Tethers& tethers) {

@@ -72,7 +72,7 @@ void put_stretch(CsvRow& row, const Stretch& stretch) {
 /// solver's error from time's; none for substeps and for methods that solve no equation.
 const States* own_reference(const Cloth& cloth, const std::map<Reference, States>& references) {
     if (!cloth.solver->is_implicit() || cloth.settings.substeps > 1) return nullptr;
-    const bool is_bdf2 = cloth.settings.time_scheme == TimeScheme::bdf2;
+    const bool is_bdf2 = resolved(cloth.settings.time_scheme, cloth.settings.method) == TimeScheme::bdf2;
     const auto at = references.find(cloth.settings.finite_elements.enabled ? Reference::elements
                                     : is_bdf2                              ? Reference::converged_bdf2
                                                                            : Reference::converged);

@@ -42,7 +42,8 @@ std::vector<MethodPoint> candidates() {
         const ClothSettings usual;
         const auto* method = std::get_if<Multilevel>(&usual.method);
         const bool is_default = method != nullptr && method->passes == passes &&
-                                method->iterations == iterations && usual.time_scheme == scheme &&
+                                method->iterations == iterations &&
+                                resolved(usual.time_scheme, usual.method) == scheme &&
                                 usual.substeps == substeps;
         points.push_back({name, name, "", configure, {}, is_default});
     };

@@ -214,7 +214,7 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.finite_elements = random_elements(random, fields, s.method);
     if (s.finite_elements.enabled && !fields.odd_choice())
         for (float* k : {&s.fabric.warp, &s.fabric.weft, &s.fabric.shear}) *k = std::max(*k, 1e-3f);
-    s.time_scheme = random.chance(0.3) ? TimeScheme::bdf2 : TimeScheme::backward_euler;
+    s.time_scheme = random.one_of({TimeScheme::of_method, TimeScheme::backward_euler, TimeScheme::bdf2});
     s.tethers.enabled = random.chance(0.3);
     s.tethers.slack = random.chance(0.5) ? 1 : 1 + fields.zero_or_more(1e-3f, 1);
     s.self_collision.enabled = random.chance(0.3);

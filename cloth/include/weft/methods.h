@@ -82,6 +82,9 @@ using Method = std::variant<Multilevel, Jacobi, Chebyshev, ConjugateGradient, Xp
 
 /// Order of accuracy in time of the implicit methods; the others have their own.
 enum class TimeScheme {
+    /// bdf2 with Multilevel, backward_euler with the other implicit methods: one linearisation of BDF2 sets
+    /// stiff cloth buzzing.
+    of_method,
     /// First order: a swing loses two thirds of its energy in 2 s at 60 steps a second, and is a fifth
     /// slower there than at 240. For cloth that shall come to rest soon, and for steps of 1/15 s; take
     /// Multilevel::passes = 3 with it.
@@ -90,5 +93,11 @@ enum class TimeScheme {
     /// First order where contacts or pins have just changed a particle's path.
     bdf2,
 };
+
+/// The one that a method is stepped by.
+[[nodiscard]] constexpr TimeScheme resolved(TimeScheme scheme, const Method& method) {
+    if (scheme != TimeScheme::of_method) return scheme;
+    return std::holds_alternative<Multilevel>(method) ? TimeScheme::bdf2 : TimeScheme::backward_euler;
+}
 
 }  // namespace weft

@@ -61,7 +61,7 @@ struct ClothSettings {
     Fabric fabric{};
     FiniteElements finite_elements{};
     Method method{};  ///< Multilevel unless another is set
-    TimeScheme time_scheme = TimeScheme::bdf2;
+    TimeScheme time_scheme = TimeScheme::of_method;
     /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for the default;
     /// methods that are not implicit meet colliders after their step, and want 4 and more where cloth lies
     /// on them.

@@ -110,6 +110,9 @@ GalerkinLists in_groups(GrowingLists&& grown) {
     lists.links = std::move(grown.links);
     lists.links.shrink_to_fit();
     lists.constants = std::move(grown.constants);
+    lists.constants.offsets.shrink_to_fit();
+    lists.constants.fine_links.shrink_to_fit();
+    lists.constants.factors.shrink_to_fit();
     lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
     lists.places.resize(order.size());
     lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);

@@ -68,6 +68,8 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
     links_.shrink_to_fit();
     slots_.shrink_to_fit();
+    constants_.links.shrink_to_fit();
+    constants_.weights.shrink_to_fit();
     make_levels(std::move(graph));
     if (coarse_.empty()) return;
     list_constants();
