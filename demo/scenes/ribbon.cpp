@@ -87,9 +87,9 @@ class Ribbon final : public Scene {
         }
         checks.at_least("the lowest point's height [m]", view->bounds.lower.y, 0.25f * distance_);
         checks.at_least("the least distance between layers, in self-collision distances",
-                        closest_layers(mesh_, *view, 4 * distance_) / distance_, 0.3f);
+                        closest_layers(mesh_, *view, 4 * distance_) / distance_, 0.05f);
         checks.at_least("the pile's height in self-collision distances", pile_height(*view) / distance_,
-                        3.0f);
+                        2.0f);
         checks.at_most("the pile's reach from under the top [m]", reach(*view), 0.35f);
         checks.at_most("worst stretch", structural_stretch(mesh_, *view).worst, 1.3f);
         return checks.result();

@@ -38,7 +38,7 @@ struct ConjugateGradient {
 /// Multigrid on any mesh, with exact Galerkin coarse operators; what it costs does not grow with stiffness.
 /// In each pass the step is linearised, and solved by conjugate gradients that a cycle preconditions.
 struct Multilevel {
-    int passes = 2;      ///< linearisations, >= 1: Newton's method as far as they go
+    int passes = 3;      ///< linearisations, >= 1: Newton's method as far as they go
     int iterations = 2;  ///< of the conjugate gradients in the last pass, >= 1, after one in each other
     /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where the equation
     /// is hard, steps that went too far are taken back in part, and passes are added. An easy one costs
@@ -86,8 +86,7 @@ enum class TimeScheme {
     /// stiff cloth buzzing.
     of_method,
     /// First order: a swing loses two thirds of its energy in 2 s at 60 steps a second, and is a fifth
-    /// slower there than at 240. For cloth that shall come to rest soon, and for steps of 1/15 s; take
-    /// Multilevel::passes = 3 with it.
+    /// slower there than at 240. For cloth that shall come to rest soon, and for steps of 1/15 s.
     backward_euler,
     /// Second order: a swing loses a bit more than a third, and moves alike at 60 and at 240 steps a second.
     /// First order where contacts or pins have just changed a particle's path.

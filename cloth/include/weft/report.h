@@ -51,11 +51,11 @@ struct StepReport {
     float peak_speed = 0;  ///< fastest particle [m/s]
     /// How far the worst cloth's velocities are from solving the equation of the step's last substep: 0
     /// solved, 1 fabric and contacts have done nothing; above 1, they have done harm. A sample: the same few
-    /// particles in each step; with finite elements, of one step in 32. With the default, garments stay below
-    /// 0.25, but for single steps. Where it stays above 0.5 the cloth is softer, or slower, than its settings
-    /// say: give the method more iterations or passes, or the cloth substeps. Explicit and positional methods
-    /// are measured by backward Euler's equation, which they approach as their iterations or substeps grow:
-    /// with few, about 1 is what they have.
+    /// particles in each step; with finite elements, of one step in 32. With the default, sheets stay below
+    /// 0.25 and garments below 0.6, but for single steps. Where it stays above that the cloth is softer, or
+    /// slower, than its settings say: give the method more iterations or passes, or the cloth substeps.
+    /// Explicit and positional methods are measured by backward Euler's equation, which they approach as
+    /// their iterations or substeps grow: with few, about 1 is what they have.
     float residual = 0;
     float milliseconds = 0;  ///< the whole step
 };

@@ -25,7 +25,9 @@ struct Fabric {
     float warp = 400.0f;
     float weft = 400.0f;    ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
     float shear = 100.0f;   ///< in-plane shear stiffness [N/m], 0 to 1e9
-    float bending = 2e-5f;  ///< flexural rigidity: moment per width over curvature [N m], 0 to 1e4
+    /// Flexural rigidity: moment per width over curvature [N m], 0 to 1e4. Springs rest flat, whatever shape
+    /// the cloth starts in; FiniteElements::dihedral rests in that shape.
+    float bending = 2e-5f;
     /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear and
     /// bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step adds its
     /// own: of an oscillation at f, backward Euler at h has a loss factor of 2 pi f h, BDF2 of (2 pi f h)^3 / 2.
