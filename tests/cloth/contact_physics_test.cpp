@@ -68,8 +68,10 @@ double strip_sinks(double part, const ClothSettings& given) {
 }
 
 TEST(ContactPhysics, ARopeOverACylinderHoldsAndSlipsByEulersLaw) {
-    EXPECT_NEAR(strip_sinks(1.15, {}), 0, 0.015);  // the ends swing yet
-    EXPECT_GT(strip_sinks(0.8, {}), 0.1);
+    ClothSettings settings;
+    settings.air_damping = 2;  // at rest before the friction falls: ends that swing pull more than they weigh
+    EXPECT_NEAR(strip_sinks(1.15, settings), 0, 0.001);
+    EXPECT_GT(strip_sinks(0.8, settings), 0.1);
 }
 
 /// How far a sheet slides down a slope in a second [m].

@@ -114,7 +114,7 @@ TEST(MultilevelSolver, FollowsPinsThatComeAndGo) {
     const double before = fall_speed(), seconds = 30 * static_cast<double>(h);
     for (int k = 0; k < 30; ++k) world.step(h);
     const double rate = static_cast<double>(settings.air_damping), kept = std::exp(-rate * seconds);
-    EXPECT_NEAR(fall_speed(), before * kept + 9.81 / rate * (1 - kept), 0.1) << "falls freely";
+    EXPECT_NEAR(fall_speed(), before * kept + 9.81 / rate * (1 - kept), 0.2) << "falls freely";
     EXPECT_EQ(world.report().flags, StepFlags::none);
 }
 
