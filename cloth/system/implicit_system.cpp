@@ -13,7 +13,9 @@ Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, s
         partial_sums_[range.block] = multiply_rows(range, b.data(), x.data(), product.data(), window);
     });
     const std::span<const Products> partials = std::as_const(partial_sums_).span().first(block_count(nodes));
-    return std::accumulate(partials.begin(), partials.end(), Products{});
+    Products sum = std::accumulate(partials.begin(), partials.end(), Products{});
+    sum.x_wx += add_coupling(parallel, x, product);
+    return sum;
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,

@@ -60,7 +60,7 @@ class ImplicitSystem {
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
-    /// product = W x, unless it is empty.
+    /// product = W x, unless it is empty. W has here what relaxation leaves out, see add_coupling().
     Products multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                       std::span<Vec4> product);
     /// product = W x. Returns x . W x.
@@ -87,15 +87,17 @@ class ImplicitSystem {
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
-    /// Of each off-diagonal block of some slots, which are 16 entries each, the nearest block a I + d d^T; the
-    /// block itself, for springs. Bending makes a negative where it pulls particles apart. From these the coarse levels are made. blocks[16 k + lane] is of
-    /// slots[k]: d [sqrt(kg)], w a [kg]. They are there as well in the rows of pinned particles.
+    /// Of each off-diagonal block of some slots, which are 16 entries each, the nearest block a I + d d^T;
+    /// the block itself, for springs. Bending makes a negative where it pulls particles apart. From these the
+    /// coarse levels are made. blocks[16 k + lane] is of slots[k]: d [sqrt(kg)], w a [kg]. They are there as
+    /// well in the rows of pinned particles.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
     /// spring_blocks() of all slots. Allocates, so no step may call it.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
-    /// Where the block between two neighbours is a I whatever the cloth does: a over constant_scale(), else 0.
+    /// Where the block between two neighbours is a I whatever the cloth does: a over constant_scale(), else
+    /// 0.
     [[nodiscard]] virtual float constant_block(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return 0; }
     /// Of the last linearisation.
     [[nodiscard]] virtual float constant_scale() const noexcept { return 0; }
@@ -111,6 +113,12 @@ class ImplicitSystem {
     }
 
   protected:
+    /// Adds to the product, unless it is empty, what the matrix has that its rows do not; returns x . that.
+    virtual double add_coupling(Parallel& /*parallel*/, std::span<const Vec4> /*x*/,
+                                std::span<Vec4> /*product*/) {
+        return 0;
+    }
+
     // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
     // are empty.
     /// Returns their shares.

@@ -1,6 +1,10 @@
 #include "cloth/system/springs/coupling.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "cloth/system/springs/membrane.h"
 
@@ -37,6 +41,49 @@ HWY_INLINE void shift_group(const std::uint32_t* corners, const float* rest_leng
     }
 }
 
+/// Along n_k what the changes of all three sides' lengths do to side k.
+HWY_INLINE Lanes stiffen_group(const std::uint32_t* corners, const float* stiffness, const float* factors,
+                               const Vec4* positions, const Vec4* x, std::uint32_t lane, Vec4* forces) {
+    Lanes3 at[3], moved[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        at[k] = gather_rows(positions, corners + k * group_lanes + lane);
+        moved[k] = gather_rows(x, corners + k * group_lanes + lane);
+    }
+    Lanes3 direction[3];
+    Lanes change[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const Lanes3 side = at[(k + 1) % 3] - at[k];
+        const Lanes length = hn::Sqrt(dot(side, side));
+        direction[k] = hn::Div(set(1), hn::Max(length, set(1e-12f))) * side;
+        change[k] = dot(direction[k], moved[(k + 1) % 3] - moved[k]);
+    }
+    Lanes energy = set(0);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const float* const factor = factors + 3 * k * group_lanes + lane;
+        Lanes tension = hn::Mul(load_lanes(factor), change[0]);
+        tension = hn::MulAdd(load_lanes(factor + group_lanes), change[1], tension);
+        tension = hn::MulAdd(load_lanes(factor + 2 * group_lanes), change[2], tension);
+        tension = hn::Neg(hn::Mul(load_lanes(stiffness + k * group_lanes + lane), tension));
+        store_rows(tension * direction[k], set(0), forces + k * group_lanes + lane);
+        energy = hn::MulAdd(tension, change[k], energy);
+    }
+    return energy;
+}
+
+double stiffen(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners, const float* stiffness,
+               const float* factors, const Vec4* positions, const Vec4* x, Vec4* forces) {
+    alignas(64) float sums[group_lanes] = {};
+    for (std::uint32_t group = begin; group < end; ++group) {
+        const std::size_t at = std::size_t{3} * group * group_lanes;
+        for (std::uint32_t lane = 0; lane < group_lanes; lane += part_lanes) {
+            const Lanes energy = stiffen_group(corners + at, stiffness + at, factors + 3 * at, positions, x,
+                                               lane, forces + at);
+            hn::Store(hn::Add(load_lanes(sums + lane), energy), Tag(), sums + lane);
+        }
+    }
+    return std::accumulate(std::begin(sums), std::end(sums), 0.0);
+}
+
 void shift(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners, const float* rest_lengths,
            const float* factors, const Vec4* positions, float* shifts) {
     for (std::uint32_t group = begin; group < end; ++group) {
@@ -53,6 +100,7 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(shift);
+HWY_EXPORT(stiffen);
 
 MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix)
     : groups_((static_cast<std::uint32_t>(model.triangles.size()) + lanes - 1) / lanes),
@@ -60,7 +108,22 @@ MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix&
       rest_lengths_(corners_.size()),
       factors_(3 * corners_.size()),
       sources_(2 * matrix.entries()),
-      shifts_(corners_.size() + 1) {
+      shifts_(corners_.size() + 1),
+      stiffness_(corners_.size()),
+      forces_(corners_.size()),
+      partials_(block_count(groups_ * lanes)),
+      corner_offsets_(model.particle_count + 1),
+      ahead_(3 * model.triangles.size()),
+      behind_(ahead_.size()) {
+    std::ranges::copy(model.corner_offsets.span(), corner_offsets_.data());
+    std::vector<std::uint32_t> next(corner_offsets_.data(), corner_offsets_.data() + model.particle_count);
+    for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t at = next[model.triangles[t][k]]++;
+            ahead_[at] = place(t, k);
+            behind_[at] = place(t, (k + 2) % 3);
+        }
+    }
     std::ranges::fill(sources_.span(), static_cast<std::uint32_t>(corners_.size()));
     const auto shifted_by = [&](std::uint32_t i, std::uint32_t j, std::uint32_t side) {
         const std::uint32_t entry = matrix.entry(i, half_edge_between(model, i, j), j);
@@ -92,6 +155,7 @@ void MembraneCoupling::set(const CookedCloth& model, const SpringMatrix& matrix,
             const auto [i, j] = std::minmax(model.triangles[t][k], model.triangles[t][(k + 1) % 3]);
             const std::uint32_t entry = matrix.entry(i, half_edge_between(model, i, j), j);
             const double stiffness = static_cast<double>(table.stiffness()[entry]);
+            stiffness_[place(t, k)] = table.stiffness()[entry];
             for (std::uint32_t m = 0; m < 3; ++m) {
                 const std::size_t at =
                     (std::size_t{t / lanes} * 9 + 3 * std::size_t{k} + m) * lanes + t % lanes;
@@ -107,6 +171,18 @@ void MembraneCoupling::compute(Parallel& parallel, std::span<const Vec4> positio
         (range.begin / lanes, (range.end + lanes - 1) / lanes, corners_.data(), rest_lengths_.data(),
          factors_.data(), positions.data(), shifts_.data());
     });
+}
+
+double MembraneCoupling::stiffen(Parallel& parallel, std::span<const Vec4> positions,
+                                 std::span<const Vec4> x) {
+    return parallel.reduce(
+        groups_ * lanes, partials_.span(), 0.0,
+        [&](const BlockRange& range) {
+            return HWY_DYNAMIC_DISPATCH(stiffen)(range.begin / lanes, (range.end + lanes - 1) / lanes,
+                                                 corners_.data(), stiffness_.data(), factors_.data(),
+                                                 positions.data(), x.data(), forces_.data());
+        },
+        std::plus<>{});
 }
 
 }  // namespace weft

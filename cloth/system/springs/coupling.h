@@ -9,6 +9,7 @@
 #include "cloth/system/springs/spring_table.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/vector.h"
 
 namespace weft {
 
@@ -24,6 +25,17 @@ class MembraneCoupling {
     void set(const CookedCloth& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
 
     [[nodiscard]] bool empty() const noexcept { return shifts_.size() == 0; }
+    /// Works out what force each side has more where particles at `positions` move by x: n_k sum_m S_km n_m .
+    /// (difference of x over side m), S being TriangleMembrane::shared. Returns x . (S x) [N m].
+    double stiffen(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> x);
+    /// row += scale times (S x)_i of the last stiffen().
+    void add_forces(std::uint32_t particle, float scale, Vec4& row) const noexcept {
+        Vector3 sum = Vector3::Zero();
+        for (std::uint32_t c = corner_offsets_[particle]; c < corner_offsets_[particle + 1]; ++c)
+            sum += xyz(forces_[behind_[c]]) - xyz(forces_[ahead_[c]]);
+        row = to_vec4(xyz(row) + scale * sum, 0);
+    }
+
     /// By how much springs' rest lengths are shifted where particles are at `positions`.
     void compute(Parallel& parallel, std::span<const Vec4> positions);
     /// [m] of each side of each triangle, and last a 0.
@@ -33,7 +45,8 @@ class MembraneCoupling {
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
-               shifts_.bytes();
+               shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() +
+               corner_offsets_.bytes() + ahead_.bytes() + behind_.bytes();
     }
 
   private:
@@ -47,6 +60,11 @@ class MembraneCoupling {
     AlignedBuffer<float> factors_;          // [(group * 9 + 3 * side + by) * 16 + lane]: shift per extension
     AlignedBuffer<std::uint32_t> sources_;
     AlignedBuffer<float> shifts_;
+    AlignedBuffer<float> stiffness_;  // of each side's spring [N/m]
+    AlignedBuffer<Vec4> forces_;      // of each side, along it from its first corner
+    AlignedBuffer<double> partials_;
+    AlignedBuffer<std::uint32_t> corner_offsets_, ahead_,
+        behind_;  // of particles: the sides of their corners
 };
 
 }  // namespace weft

@@ -61,6 +61,8 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(parallel, equation, velocities, about);
+    linearised_at_ = state.positions;
+    elastic_ = equation.gamma * equation.gamma;
     blocks_in_tiles(parallel, model_.particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
                         linearise_contacts(equation, velocities, range);
@@ -112,6 +114,19 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
         parallel, model_.particle_count, windows_, [&](const BlockRange& range, GridWindow* window) {
             relax_corrected_block(matrix_, range, b.data(), step, correction, next.data(), *window);
         });
+}
+
+// What triangles' sides do to one another: without it a pass would leave as much of that as it found.
+double SpringSystem::add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
+    if (coupling_.empty()) return 0;
+    const double sum = coupling_.stiffen(parallel, linearised_at_, x);
+    if (!product.empty()) {
+        parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                if (matrix_.row_sums[i] != 0) coupling_.add_forces(i, elastic_, product[i]);
+        });
+    }
+    return static_cast<double>(elastic_) * sum;
 }
 
 float SpringSystem::constant_block(std::uint32_t i, std::uint32_t j) const {

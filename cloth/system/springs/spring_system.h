@@ -35,6 +35,7 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
+    double add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
     Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
                            GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
@@ -52,7 +53,9 @@ class SpringSystem final : public ImplicitSystem {
     SpringTable table_;
     MembraneCoupling coupling_;
     float constant_scale_ = 0;
-    AlignedBuffer<Vec4> positions_;  // x_base + gamma v; in a sheet added up on the way
+    std::span<const Vec4> linearised_at_;  // the particles' places in the last linearisation
+    float elastic_ = 0;                    // gamma^2 of that
+    AlignedBuffer<Vec4> positions_;        // x_base + gamma v; in a sheet added up on the way
 };
 
 }  // namespace weft
