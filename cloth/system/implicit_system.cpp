@@ -13,7 +13,12 @@ Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, s
         partial_sums_[range.block] = multiply_rows(range, b.data(), x.data(), product.data(), window);
     });
     const std::span<const Products> partials = std::as_const(partial_sums_).span().first(block_count(nodes));
-    Products sum = std::accumulate(partials.begin(), partials.end(), Products{});
+    return std::accumulate(partials.begin(), partials.end(), Products{});
+}
+
+Products ImplicitSystem::multiply_coupled(Parallel& parallel, std::span<const Vec4> b,
+                                          std::span<const Vec4> x, std::span<Vec4> product) {
+    Products sum = multiply(parallel, b, x, product);
     sum.x_wx += add_coupling(parallel, x, product);
     return sum;
 }

@@ -60,13 +60,17 @@ class ImplicitSystem {
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
-    /// product = W x, unless it is empty. W has here what relaxation leaves out, see add_coupling().
+    /// product = W x, unless it is empty.
     Products multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                       std::span<Vec4> product);
     /// product = W x. Returns x . W x.
     double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
         return multiply(parallel, x, x, product).x_wx;
     }
+    /// The same with what W leaves out of the slope about an iterate, so that relaxation need not know it: a
+    /// preconditioner made of W serves both.
+    Products multiply_coupled(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+                              std::span<Vec4> product);
     /// One step of relaxation on W x = b.
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
                std::span<Vec4> next);
@@ -113,7 +117,7 @@ class ImplicitSystem {
     }
 
   protected:
-    /// Adds to the product, unless it is empty, what the matrix has that its rows do not; returns x . that.
+    /// Adds what W leaves out to the product, unless it is empty; returns x . that.
     virtual double add_coupling(Parallel& /*parallel*/, std::span<const Vec4> /*x*/,
                                 std::span<Vec4> /*product*/) {
         return 0;

@@ -128,6 +128,13 @@ inline DenseSystem dense(ImplicitSystem& system) {
     return {matrix_of(system, [&](auto unit, auto column) { system.multiply(serial, unit, column); }),
             flat(system.right_side().span())};
 }
+/// As conjugate gradients see it: with what relaxation leaves out.
+inline DenseSystem dense_coupled(ImplicitSystem& system) {
+    Parallel serial(1);
+    return {matrix_of(system,
+                      [&](auto unit, auto column) { system.multiply_coupled(serial, unit, unit, column); }),
+            flat(system.right_side().span())};
+}
 /// D^-1, which relaxation multiplies by.
 inline Eigen::MatrixXd dense_preconditioner(const ImplicitSystem& system) {
     Parallel serial(1);

@@ -208,7 +208,7 @@ TEST(PinPatterns, CycleIsSymmetricPositiveDefiniteOnTheFreeAndZeroOnThePinned) {
 
 TEST(PinPatterns, StepConvergesToTheDenseSolution) {
     for_each_pinned(8, [](Pinned& pinned) {
-        const DenseSystem system = dense(*pinned.system);
+        const DenseSystem system = dense_coupled(*pinned.system);
         const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
         CgVectors vectors(pinned.cloth.model.particle_count);
         const auto error_after = [&](int iterations) {
@@ -219,7 +219,7 @@ TEST(PinPatterns, StepConvergesToTheDenseSolution) {
                 found.span());
             return (flat(found.span()) - exact).norm();
         };
-        EXPECT_LE(error_after(3), 0.1 * exact.norm());
+        EXPECT_LE(error_after(3), 0.2 * exact.norm());
         EXPECT_LE(error_after(30), 1e-4 * exact.norm());
     });
 }

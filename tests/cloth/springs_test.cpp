@@ -10,6 +10,7 @@
 #include <random>
 
 #include "fixtures.h"
+#include "meshes.h"
 
 namespace weft::test {
 namespace {
@@ -180,6 +181,39 @@ TEST(Assembly, ResidualIsTheRightSideAboutTheIterate) {
     const Eigen::VectorXd b = flat(system->right_side().span()), r = flat(residual.span());
     EXPECT_GT(r.norm(), 1e-3);
     EXPECT_LT((b - r).norm() / r.norm(), 1e-5);
+}
+
+// In tension and without damping nothing is left out of the matrix but what triangles' sides do to one
+// another.
+TEST(Assembly, CoupledProductIsTheSlopeOfTheResidualOnMeshes) {
+    Cloth cloth = crumpled(loose_sheet(5, 6), 0.002f, 40.0f);
+    cloth.settings.fabric.shear = 5;  // far from what springs by themselves could be
+    cloth.settings.fabric.damping = 0;
+    stretch(cloth);
+    cloth.pin(2);
+    const std::uint32_t n = cloth.model.particle_count;
+    Parallel serial(1);
+    const auto system = make_system(cloth.model, cloth.settings);
+    const StepEquation equation = equation_of(cloth, 1.0f / 60);
+    AlignedBuffer<Vec4> v = random_rows(n, 0.1f, 3), x = random_rows(n, 1, 4), product(n), w_x(n);
+    v[2] = x[2] = {};
+    system->linearise(serial, equation, v.span(), LinearisedAbout::iterate);
+    const Products found = system->multiply_coupled(serial, x.span(), x.span(), product.span());
+    EXPECT_NEAR(found.x_wx / flat(x.span()).dot(flat(product.span())), 1, 1e-4);
+    system->multiply(serial, x.span(), w_x.span());
+
+    constexpr float e = 2e-2f;
+    AlignedBuffer<Vec4> ahead(n), behind(n), after(n), before(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        ahead[i] = to_vec4(xyz(v[i]) + e * xyz(x[i]), 0);
+        behind[i] = to_vec4(xyz(v[i]) - e * xyz(x[i]), 0);
+    }
+    system->residual(serial, equation, ahead.span(), after.span());
+    system->residual(serial, equation, behind.span(), before.span());
+    const Eigen::VectorXd slope = (flat(before.span()) - flat(after.span())) / (2 * static_cast<double>(e));
+    const double left_out = (flat(w_x.span()) - slope).norm();
+    EXPECT_LT((flat(product.span()) - slope).norm(), 0.2 * left_out);
+    EXPECT_GT(left_out, 0.02 * slope.norm());
 }
 
 TEST(Assembly, DampingOpposesStretchingAndNothingElse) {

@@ -67,8 +67,8 @@ CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int mos
     int begun = 0;
     for (int k = 0, iterations = most; k < iterations; ++k) {
         const auto multiply_direction = [&] {
-            return system.multiply(parallel, residual, std::as_const(vectors.direction).span(),
-                                   k + 1 == iterations ? std::span<Vec4>() : vectors.product.span());
+            return system.multiply_coupled(parallel, residual, std::as_const(vectors.direction).span(),
+                                           k + 1 == iterations ? std::span<Vec4>() : vectors.product.span());
         };
         precondition(residual, vectors.preconditioned.span());
         if (k == 0) {  // z is the direction

@@ -61,7 +61,8 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const SpringState state = state_at(parallel, equation, velocities, about);
-    linearised_at_ = state.positions;
+    // About the base the right side has W's slope, and the matrix must, too.
+    linearised_at_ = about == LinearisedAbout::iterate ? state.positions : std::span<const Vec4>();
     elastic_ = equation.gamma * equation.gamma;
     blocks_in_tiles(parallel, model_.particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
@@ -118,7 +119,7 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
 
 // What triangles' sides do to one another: without it a pass would leave as much of that as it found.
 double SpringSystem::add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-    if (coupling_.empty()) return 0;
+    if (coupling_.empty() || linearised_at_.empty()) return 0;
     const double sum = coupling_.stiffen(parallel, linearised_at_, x);
     if (!product.empty()) {
         parallel.ranges(model_.particle_count, [&](const BlockRange& range) {

@@ -53,7 +53,7 @@ class SpringSystem final : public ImplicitSystem {
     SpringTable table_;
     MembraneCoupling coupling_;
     float constant_scale_ = 0;
-    std::span<const Vec4> linearised_at_;  // the particles' places in the last linearisation
+    std::span<const Vec4> linearised_at_;  // the particles' places in the last linearisation about an iterate
     float elastic_ = 0;                    // gamma^2 of that
     AlignedBuffer<Vec4> positions_;        // x_base + gamma v; in a sheet added up on the way
 };
