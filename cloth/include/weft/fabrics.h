@@ -22,22 +22,23 @@ struct NamedFabric {
     const char* source;  ///< of the figures, and which of them are none but guesses
 };
 
+// clang-format off
 /// All of them, the limpest first:
 ///
-/// | name         | kg/m^2 | warp, weft N/m | shear N/m | bending uN m | figures from |
-/// |--------------|--------|----------------|-----------|--------------|-------------------------------------|
-/// | cotton       | .092   | 1675, 338      | 40 *      | 2.2          | a voile, measured; unpublished | |
-/// light-jacket | .113   | 296, 115       | 31        | 4.7          | Wang et al., tango-red-jet-set      |
-/// | t-shirt      | .187   | 281, 84        | 34        | 5.4          | Wang et al., gray-interlock | |
-/// tablecloth   | .128   | 2126, 2090     | 40        | 7.8          | Wang et al., white-dots-on-blk      |
-/// | silk         | .106   | 588, 1035      | 30 *      | 13           | a cupro lining, measured, in silk's
-/// | |              |        |                |           |              | place; unpublished | | flag | .079
-/// | 6571, 3560     | 150 *     | 17           | a polyester dobby; unpublished      | | denim        | .324
-/// | 1048, 223      | 69        | 18           | Wang et al., 11oz-black-denim       | | trousers     | .220
-/// | 2129, 2094     | 59        | 43           | Wang et al., royal-target           | | leather      | .560
-/// | 7000, 7000     | 2800 *    | 290 *        | no source: 0.7 mm of 10 MPa         |
+/// | name         | kg/m^2 | warp, weft N/m | shear N/m | bending uN m | figures from                   |
+/// |--------------|--------|----------------|-----------|--------------|--------------------------------|
+/// | cotton       | .092   | 1675, 338      | 40 *      | 2.2          | a voile; unpublished           |
+/// | light-jacket | .113   | 296, 115       | 31        | 4.7          | Wang et al., tango-red-jet-set |
+/// | t-shirt      | .187   | 281, 84        | 34        | 5.4          | Wang et al., gray-interlock    |
+/// | tablecloth   | .128   | 2126, 2090     | 40        | 7.8          | Wang et al., white-dots-on-blk |
+/// | silk         | .106   | 588, 1035      | 30 *      | 13           | a cupro lining; unpublished    |
+/// | flag         | .079   | 6571, 3560     | 150 *     | 17           | a polyester dobby; unpublished |
+/// | denim        | .324   | 1048, 223      | 69        | 18           | Wang et al., 11oz-black-denim  |
+/// | trousers     | .220   | 2129, 2094     | 59        | 43           | Wang et al., royal-target      |
+/// | leather      | .560   | 7000, 7000     | 2800 *    | 290 *        | no source: 0.7 mm of 10 MPa    |
 ///
 /// Figures marked * are guesses.
+// clang-format on
 [[nodiscard]] std::span<const NamedFabric> fabrics() noexcept;
 
 }  // namespace weft

@@ -27,8 +27,8 @@ enum class StepFlags : std::uint32_t {
     /// a pin or a collider that jumps.
     speed_limited = 1u << 3,
     /// The method left more of a cloth's equation unsolved than Multilevel::tolerance: the cloth may stretch or
-    /// lag. Raise Multilevel::effort, or its passes, or ClothSettings::substeps; or lower Fabric::stretch over
-    /// Fabric::shear, or Fabric::damping.
+    /// lag. Raise Multilevel::effort, or its passes, or ClothSettings::substeps; or lower Fabric::warp and
+    /// weft over shear, or Fabric::damping.
     unsolved = 1u << 4,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
