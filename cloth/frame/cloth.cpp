@@ -13,9 +13,8 @@ namespace {
 std::size_t bytes_of(const CookedCloth& model) {
     return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
-           model.bending.bytes() + model.bending_excess.bytes() +
-           model.corner_offsets.bytes() + model.corner_triangles.bytes() +
-           model.triangles.size() * sizeof(Triangle) +
+           model.bending.bytes() + model.bending_excess.bytes() + model.corner_offsets.bytes() +
+           model.corner_triangles.bytes() + model.triangles.size() * sizeof(Triangle) +
            model.panel_sides.size() * sizeof(model.panel_sides[0]) +
            (model.component_offsets.size() + model.component_particles.size() +
             model.vertex_to_particle.size()) *

@@ -53,6 +53,10 @@ struct CookedCloth {
 
 /// Precondition: i and j have a half-edge.
 [[nodiscard]] std::uint32_t half_edge_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j);
+/// Of that half-edge [m].
+[[nodiscard]] inline double rest_length_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
+    return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
+}
 
 /// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. Faces of no
 /// area are dropped and counted.

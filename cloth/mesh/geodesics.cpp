@@ -11,11 +11,6 @@ namespace {
 
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
-/// Precondition: the model has a spring between the two, as along every side of a triangle.
-double rest_length(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
-    return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
-}
-
 double square(double x) {
     return x * x;
 }
@@ -47,9 +42,9 @@ Geodesics::Geodesics(const CookedCloth& model)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t corner = particles[k], begin = particles[(k + 1) % 3],
                                 end = particles[(k + 2) % 3];
-            const double side = rest_length(model, begin, end);
-            const double to_begin = rest_length(model, corner, begin),
-                         to_end = rest_length(model, corner, end);
+            const double side = rest_length_between(model, begin, end);
+            const double to_begin = rest_length_between(model, corner, begin),
+                         to_end = rest_length_between(model, corner, end);
             const double along = 0.5 * ((square(to_begin) - square(to_end)) / side + side);
             triangles_[t][k] = {.along = along,
                                 .height = std::sqrt(std::max(0.0, square(to_begin) - square(along))),

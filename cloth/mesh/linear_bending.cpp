@@ -32,7 +32,7 @@ class SheetBending {
 
   private:
     [[nodiscard]] double rest(std::uint32_t i, std::uint32_t j) const {
-        return static_cast<double>(model_.rest_lengths[half_edge_between(model_, i, j)]);
+        return rest_length_between(model_, i, j);
     }
     /// Of the strip that a thread stands for at particle i: half of the way to the threads beside it.
     [[nodiscard]] double width(std::uint32_t i, std::uint32_t place, bool along_column) const {

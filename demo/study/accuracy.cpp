@@ -64,7 +64,8 @@ std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScen
     if (is_garment)
         std::erase_if(points, [](const MethodPoint& p) {
             const ClothSettings settings = p.applied_to({});
-            return resolved(settings.time_scheme, settings.method) == TimeScheme::bdf2 || settings.finite_elements.enabled;
+            return resolved(settings.time_scheme, settings.method) == TimeScheme::bdf2 ||
+                   settings.finite_elements.enabled;
         });
     return only_named(std::move(points), options.only);
 }

@@ -59,7 +59,8 @@ void mark_default(std::vector<MethodPoint>& points) {
     const auto is_shipped = [&](const MethodPoint& point) {
         const ClothSettings settings = point.applied_to({});
         return !point.make_solver && settings.method == shipped.method &&
-               settings.substeps == shipped.substeps && resolved(settings.time_scheme, settings.method) ==
+               settings.substeps == shipped.substeps &&
+               resolved(settings.time_scheme, settings.method) ==
                    resolved(shipped.time_scheme, shipped.method) &&
                !settings.tethers.enabled && !settings.finite_elements.enabled;
     };

@@ -41,10 +41,9 @@ std::vector<MethodPoint> candidates() {
         };
         const ClothSettings usual;
         const auto* method = std::get_if<Multilevel>(&usual.method);
-        const bool is_default = method != nullptr && method->passes == passes &&
-                                method->iterations == iterations &&
-                                resolved(usual.time_scheme, usual.method) == scheme &&
-                                usual.substeps == substeps;
+        const bool is_default =
+            method != nullptr && method->passes == passes && method->iterations == iterations &&
+            resolved(usual.time_scheme, usual.method) == scheme && usual.substeps == substeps;
         points.push_back({name, name, "", configure, {}, is_default});
     };
     constexpr TimeScheme euler = TimeScheme::backward_euler, bdf2 = TimeScheme::bdf2;

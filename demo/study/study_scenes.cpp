@@ -2,20 +2,14 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "demo/scenes/garment_mesh.h"
+#include "demo/study/must.h"
 
 namespace weft::study {
 
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 /// Computed in double precision from the mesh's own floats: the same on every machine to the last bit or so.
 float bump(const Vec3& p) {

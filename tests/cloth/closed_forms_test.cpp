@@ -126,7 +126,8 @@ TEST(HangingChain, HangsAsACatenary) {
     const Mesh mesh = strip(nodes, {1, 0, 0}, [&](Vec3 x, float along) {
         return Vec3{static_cast<float>(span) * (along - 0.5f), -0.8f * (0.5f - std::abs(along - 0.5f)), x.z};
     });
-    const ClothId id = world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::backward_euler, 1, 4)).value();
+    const ClothId id =
+        world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::backward_euler, 1, 4)).value();
     for (const std::uint32_t end : {0u, 1u, 2 * nodes - 2, 2 * nodes - 1}) (void)world.pin(id, end);
     for (int k = 0; k < 400; ++k) world.step(frame);
 

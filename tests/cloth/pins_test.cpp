@@ -111,7 +111,8 @@ void hold(const NamedMethod& method, std::uint32_t side, bool grid) {
                 ASSERT_TRUE(world.move_pin(cloths[k], pin, targets[pin]));
             }
         }
-        const StepFlags flags = world.step(method.h).flags;  // pins that jump may leave more unsolved than usual
+        const StepFlags flags =
+            world.step(method.h).flags;  // pins that jump may leave more unsolved than usual
         EXPECT_TRUE(flags == StepFlags::none || flags == StepFlags::unsolved) << "step " << step;
     }
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -146,7 +147,7 @@ struct Pinned {
         : cloth(crumpled(square(side, grid), 0.1f / static_cast<float>(side), 400)) {
         cloth.settings.finite_elements.enabled = elements;
         system = make_system(cloth.model, cloth.settings);
-        levels = make_levels(cloth.model, levels_key(cloth.settings), *system);
+        levels = make_levels(cloth.model, *system);
         for (const std::uint32_t pin : pattern.pins) {
             cloth.pin(pin);
             levels->pin(pin);
@@ -250,11 +251,9 @@ TEST(PinPatterns, LevelsDoNotRememberTheOrderInWhichTheyCameAndWent) {
             Pinned straight(17, grid, elements, half);
             const std::vector<Vec4> expected = cycled(*straight.levels, *straight.system);
 
-            const auto at_once =
-                make_levels(straight.cloth.model, levels_key(straight.cloth.settings), *straight.system);
+            const auto at_once = make_levels(straight.cloth.model, *straight.system);
             at_once->set_pins(straight.cloth.state.positions.span());
-            const auto wandering =
-                make_levels(straight.cloth.model, levels_key(straight.cloth.settings), *straight.system);
+            const auto wandering = make_levels(straight.cloth.model, *straight.system);
             std::mt19937 random(3);
             for (int k = 0; k < 2000; ++k) {
                 const auto particle = static_cast<std::uint32_t>(random() % (17 * 17));

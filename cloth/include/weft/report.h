@@ -26,8 +26,8 @@ enum class StepFlags : std::uint32_t {
     /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
     /// a pin or a collider that jumps.
     speed_limited = 1u << 3,
-    /// The method left more of a cloth's equation unsolved than Multilevel::tolerance: the cloth may stretch or
-    /// lag. Raise Multilevel::effort, or its passes, or ClothSettings::substeps; or lower Fabric::warp and
+    /// The method left more of a cloth's equation unsolved than Multilevel::tolerance: the cloth may stretch
+    /// or lag. Raise Multilevel::effort, or its passes, or ClothSettings::substeps; or lower Fabric::warp and
     /// weft over shear, or Fabric::damping.
     unsolved = 1u << 4,
 };

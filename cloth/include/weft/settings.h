@@ -15,23 +15,24 @@ namespace weft {
 /// The material, by measures that do not depend on the mesh or its resolution. A cloth of springs has them
 /// within 3 %.
 ///
-/// Poisson's ratio is 0 on general meshes; on a sheet the springs make it about shear / warp. Along one axis a
-/// sheet's springs can be no softer than its diagonals leave room for: with cells of 1 : 2 and more, keep
+/// Poisson's ratio is 0 on general meshes; on a sheet the springs make it about shear / warp. Along one axis
+/// a sheet's springs can be no softer than its diagonals leave room for: with cells of 1 : 2 and more, keep
 /// shear below a fifth of warp and weft.
 struct Fabric {
     float areal_density = 0.2f;  ///< [kg/m^2], 1e-4 to 1e4
-    /// Membrane stiffness along the pattern's first axis, a sheet's rows: tension per width over strain [N/m],
-    /// 0 to 1e9. A general mesh without a pattern has its warp upwards.
+    /// Membrane stiffness along the pattern's first axis, a sheet's rows: tension per width over strain
+    /// [N/m], 0 to 1e9. A general mesh without a pattern has its warp upwards.
     float warp = 400.0f;
-    float weft = 400.0f;    ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
-    float shear = 100.0f;   ///< in-plane shear stiffness [N/m], 0 to 1e9
+    float weft = 400.0f;   ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
+    float shear = 100.0f;  ///< in-plane shear stiffness [N/m], 0 to 1e9
     /// Flexural rigidity: moment per width over curvature [N m], 0 to 1e4. Springs rest flat, whatever shape
     /// the cloth starts in; FiniteElements::dihedral rests in that shape.
     float bending = 2e-5f;
-    /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear and
-    /// bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step adds its
-    /// own: of an oscillation at f, backward Euler at h has a loss factor of 2 pi f h, BDF2 of (2 pi f h)^3 / 2.
-    /// From about 0.1 s on, cloth takes more Multilevel::passes to hang right while it moves: six at 1 s.
+    /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear
+    /// and bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step
+    /// adds its own: of an oscillation at f, backward Euler at h has a loss factor of 2 pi f h, BDF2 of (2 pi
+    /// f h)^3 / 2. From about 0.1 s on, cloth takes more Multilevel::passes to hang right while it moves: six
+    /// at 1 s.
     float damping = 2e-4f;
 
     /// One of fabrics.h, such as "denim". Error: no fabric of that name, with the names there are.

@@ -2,25 +2,9 @@
 
 namespace weft {
 
-namespace {
-
-/// The defaults.
-ClothSettings representative(const LevelsKey& key) {
-    ClothSettings settings;
-    settings.finite_elements.enabled = key.elements;
-    return settings;
-}
-
-}  // namespace
-
-LevelsKey levels_key(const ClothSettings& settings) {
-    return {.elements = settings.finite_elements.enabled};
-}
-
-std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, const LevelsKey& key,
-                                       ImplicitSystem& system) {
+std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, ImplicitSystem& system) {
     Parallel serial(1);
-    const ClothSettings settings = representative(key);
+    const ClothSettings settings;
     const AlignedBuffer<Vec4> at_rest(model.particle_count);
     AlignedBuffer<Vec4> free(model.particle_count);
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {

@@ -17,9 +17,8 @@ double rest_area(const CookedCloth& model) {
 MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
                                    std::span<const Vec4> positions)
     : kind_(settings),
-      levels_key_(levels_key(settings)),
       system_(make_system(model, settings)),
-      multigrid_(make_levels(model, levels_key_, *system_)),
+      multigrid_(make_levels(model, *system_)),
       vectors_(model.particle_count),
       sums_(block_count(model.particle_count)),
       rest_area_(rest_area(model)),
@@ -28,8 +27,7 @@ MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings
 }
 
 bool MultilevelSolver::serves(const ClothSettings& settings) const {
-    return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == kind_ &&
-           levels_key(settings) == levels_key_;
+    return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == kind_;
 }
 
 void MultilevelSolver::reserve_pins(std::size_t count) {

@@ -39,8 +39,7 @@ class MultilevelSolver final : public Solver {
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
-    SystemKind kind_;       // by which the system was made
-    LevelsKey levels_key_;  // and the levels
+    SystemKind kind_;  // by which the system was made
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;
     CgVectors vectors_;

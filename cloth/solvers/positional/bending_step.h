@@ -3,8 +3,10 @@
 // stable at any rigidity, keeps momentum and what is straight, and is the closer the shorter the step.
 
 #include <span>
+#include <vector>
 
 #include "cloth/mesh/linear_bending.h"
+#include "cloth/solvers/positional/occurrences.h"
 #include "cloth/solvers/solver.h"
 #include "engine/aligned_buffer.h"
 
@@ -12,17 +14,20 @@ namespace weft {
 
 class BendingStep {
   public:
-    explicit BendingStep(const CookedCloth& model);
+    explicit BendingStep(const CookedCloth& model) : BendingStep(model, linear_bending(model)) {}
     /// Moves particles, which are at start + moved.
     void apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved);
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return elements_.bytes() + impulses_.bytes() + offsets_.bytes() + corners_.bytes();
+        return elements_.bytes() + impulses_.bytes() + bounds_.bytes() + occurrences_.bytes();
     }
 
   private:
+    BendingStep(const CookedCloth& model, const std::vector<BendingElement>& elements);
+
     AlignedBuffer<BendingElement> elements_;
     AlignedBuffer<Vec4> impulses_;  // of each element: to be multiplied by c, over B h^2 [1/m]
-    AlignedBuffer<std::uint32_t> offsets_, corners_;  // of particles: 4 element + corner, ascending
+    AlignedBuffer<float> bounds_;   // D_i of each particle [1/m^2]
+    Occurrences occurrences_;       // of particles: 4 element + corner
 };
 
 }  // namespace weft

@@ -49,7 +49,7 @@ struct FibreSets {
     AlignedBuffer<float> rest_lengths;       ///< [m], likewise
     /// Where the model has each spring, likewise; any, where there is none.
     AlignedBuffer<std::uint32_t> half_edges;
-    std::uint32_t stand_ins = 0;             ///< groups of the set that has most
+    std::uint32_t stand_ins = 0;  ///< groups of the set that has most
 
     [[nodiscard]] std::uint32_t particle_row(std::uint32_t group) const { return rows[group] + group; }
     [[nodiscard]] std::uint32_t rows_of(std::uint32_t group) const { return rows[group + 1] - rows[group]; }

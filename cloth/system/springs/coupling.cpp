@@ -112,10 +112,9 @@ MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix&
       stiffness_(corners_.size()),
       forces_(corners_.size()),
       partials_(block_count(groups_ * lanes)),
-      corner_offsets_(model.particle_count + 1),
+      corner_offsets_(model.corner_offsets.span()),
       ahead_(3 * model.triangles.size()),
       behind_(ahead_.size()) {
-    std::ranges::copy(model.corner_offsets.span(), corner_offsets_.data());
     std::vector<std::uint32_t> next(corner_offsets_.data(), corner_offsets_.data() + model.particle_count);
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
         for (std::uint32_t k = 0; k < 3; ++k) {

@@ -45,8 +45,8 @@ class MembraneCoupling {
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
-               shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() +
-               corner_offsets_.bytes() + ahead_.bytes() + behind_.bytes();
+               shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() + ahead_.bytes() +
+               behind_.bytes();
     }
 
   private:
@@ -63,8 +63,8 @@ class MembraneCoupling {
     AlignedBuffer<float> stiffness_;  // of each side's spring [N/m]
     AlignedBuffer<Vec4> forces_;      // of each side, along it from its first corner
     AlignedBuffer<double> partials_;
-    AlignedBuffer<std::uint32_t> corner_offsets_, ahead_,
-        behind_;  // of particles: the sides of their corners
+    std::span<const std::uint32_t> corner_offsets_;  // the model's
+    AlignedBuffer<std::uint32_t> ahead_, behind_;    // of particles: the sides of their corners
 };
 
 }  // namespace weft

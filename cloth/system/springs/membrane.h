@@ -48,9 +48,7 @@ template <class Add>
 void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, std::uint32_t near,
                            const Add& add) {
     const std::uint32_t far = near + model.columns;
-    const auto rest = [&](std::uint32_t i, std::uint32_t j) {
-        return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
-    };
+    const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
     const double near_side = rest(near, near + 1), far_side = rest(far, far + 1), left = rest(near, far),
                  right = rest(near + 1, far + 1);
     const double a = (near_side + far_side) / 2, b = (left + right) / 2;

@@ -16,14 +16,12 @@ SpringSystem::SpringSystem(const CookedCloth& model)
     windows_ = GridWindows(matrix_.diagonals, 7);
     if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_);
     if (windows_.empty() || !coupling_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
-    matrix_.isotropic.fill(!matrix_.diagonals.empty());
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            const std::uint32_t entry = matrix_.entry(i, e, model.neighbours[e]);
-            if (matrix_.diagonals.empty() || entry == SpringMatrix::no_entry) continue;
+    if (const std::uint32_t count = matrix_.diagonals.count; count > 0) {
+        matrix_.isotropic.fill(true);
+        for_each_entry(model, matrix_, [&](std::uint32_t e, std::uint32_t entry) {
             if (model.kinds[e] != SpringKind::bending)
-                matrix_.isotropic[entry / Stencil::lanes % matrix_.diagonals.count] = false;
-        }
+                matrix_.isotropic[entry / Stencil::lanes % count] = false;
+        });
     }
     prepare(Fabric());
 }
@@ -55,12 +53,11 @@ SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equat
 void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
     const Fabric& fabric = equation.settings.fabric;
-    prepare(fabric);
+    const SpringState state = state_at(parallel, equation, velocities, about);
     const float stiffest = table_.stiffest() + fabric.bending * table_.stiffest_bending();
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
     matrix_.contacts = begin_contacts(equation);
-    const SpringState state = state_at(parallel, equation, velocities, about);
     // About the base the right side has W's slope, and the matrix must, too.
     linearised_at_ = about == LinearisedAbout::iterate ? state.positions : std::span<const Vec4>();
     elastic_ = equation.gamma * equation.gamma;

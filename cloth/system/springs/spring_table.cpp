@@ -8,21 +8,6 @@
 
 namespace weft {
 
-namespace {
-
-/// body(half-edge, entry) for all that have one.
-template <class Body>
-void for_each_entry(const CookedCloth& model, const SpringMatrix& matrix, const Body& body) {
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            const std::uint32_t entry = matrix.entry(i, e, model.neighbours[e]);
-            if (entry != SpringMatrix::no_entry) body(e, entry);
-        }
-    }
-}
-
-}  // namespace
-
 SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix)
     : rest_lengths_(matrix.entries()),
       stiffness_(matrix.entries()),

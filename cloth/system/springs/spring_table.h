@@ -9,6 +9,17 @@
 
 namespace weft {
 
+/// body(half-edge, entry) for all that have one.
+template <class Body>
+void for_each_entry(const CookedCloth& model, const SpringMatrix& matrix, const Body& body) {
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            const std::uint32_t entry = matrix.entry(i, e, model.neighbours[e]);
+            if (entry != SpringMatrix::no_entry) body(e, entry);
+        }
+    }
+}
+
 /// Of one spring, and of the bending between its ends. Bending is of rigidity 1.
 struct SpringEntry {
     float rest_length;  ///< [m]

@@ -50,8 +50,7 @@ void clear_rows(const BlockRange& range, TriangleMatrix& matrix) {
 }  // namespace
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings)
-    : TriangleSystem(model, settings,
-                     settings.fabric.bending > 0 ? bending_elements(model) : Bending()) {}
+    : TriangleSystem(model, settings, settings.fabric.bending > 0 ? bending_elements(model) : Bending()) {}
 
 TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
                                const Bending& bending)
@@ -187,8 +186,7 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     place(parallel, equation, velocities, about);
     compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
     make_additions(parallel, equation, velocities, true, about);
-    if (quadratic_.size() > 0)
-        matrix_.scale = bending_factor(equation) * equation.settings.fabric.bending;
+    if (quadratic_.size() > 0) matrix_.scale = bending_factor(equation) * equation.settings.fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_.particle_count, [&](const BlockRange& range) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "demo/study/must.h"
 #include "demo/study/physics/experiment.h"
 #include "demo/study/physics/known_answers.h"
 #include "demo/study/physics/physics_test.h"
@@ -14,8 +15,7 @@ namespace weft::study {
 namespace {
 
 void add(Experiment& cloth, const Collider& collider) {
-    if (auto added = cloth.world().add_collider(collider); !added)
-        throw std::runtime_error(added.error().message);
+    must(cloth.world().add_collider(collider));
 }
 
 /// How fast it goes down, 1 s after it was let lie there [m/s].

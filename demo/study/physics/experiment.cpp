@@ -1,21 +1,13 @@
 #include "demo/study/physics/experiment.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "demo/study/must.h"
 
 namespace weft::study {
 
 namespace {
-
-template <class T>
-T sound(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
-void sound(const Result<void>& result) {
-    if (!result) throw std::runtime_error(result.error().message);
-}
 
 double squared(const Vec3& v) {
     const double x = v.x, y = v.y, z = v.z;
@@ -26,8 +18,8 @@ double squared(const Vec3& v) {
 
 Experiment::Experiment(Mesh mesh, const ClothSettings& cloth, const WorldSettings& settings)
     : mesh_(std::move(mesh)),
-      world_(sound(World::create(settings))),
-      cloth_(sound(world_.add_cloth(mesh_, cloth))) {}
+      world_(must(World::create(settings))),
+      cloth_(must(world_.add_cloth(mesh_, cloth))) {}
 
 WorldSettings in_vacuum(const Vec3& gravity) {
     WorldSettings settings;
@@ -38,7 +30,7 @@ WorldSettings in_vacuum(const Vec3& gravity) {
 }
 
 void Experiment::pin(const std::function<bool(Vec2)>& of_the_pattern) {
-    sound(world_.pin(cloth_, vertices(of_the_pattern)));
+    must(world_.pin(cloth_, vertices(of_the_pattern)));
 }
 
 void Experiment::run(double seconds, float step, const std::function<void()>& each) {
@@ -50,7 +42,7 @@ void Experiment::run(double seconds, float step, const std::function<void()>& ea
 }
 
 bool Experiment::come_to_rest(double damping, double most_seconds, float still) {
-    const float before = sound(world_.cloth_settings(cloth_)).air_damping;
+    const float before = must(world_.cloth_settings(cloth_)).air_damping;
     change([&](ClothSettings& settings) { settings.air_damping = static_cast<float>(damping); });
     int still_steps = 0;
     const double steps = most_seconds / static_cast<double>(usual_step);
@@ -63,15 +55,15 @@ bool Experiment::come_to_rest(double damping, double most_seconds, float still) 
 }
 
 void Experiment::change(const std::function<void(ClothSettings&)>& how) {
-    ClothSettings settings = sound(world_.cloth_settings(cloth_));
+    ClothSettings settings = must(world_.cloth_settings(cloth_));
     how(settings);
-    sound(world_.set_cloth_settings(cloth_, settings));
+    must(world_.set_cloth_settings(cloth_, settings));
 }
 
 void Experiment::change_world(const std::function<void(WorldSettings&)>& how) {
     WorldSettings settings = world_.settings();
     how(settings);
-    sound(world_.set_settings(settings));
+    must(world_.set_settings(settings));
 }
 
 Vec3 Experiment::at(std::uint32_t vertex) const {

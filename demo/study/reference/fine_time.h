@@ -46,7 +46,7 @@ class FineTime {
     Wind wind_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> corner_offsets_, corner_triangles_;
-    std::vector<std::uint32_t> group_slots_, neighbours_;  // [slot * lanes + lane]
+    std::vector<std::uint32_t> group_slots_, neighbours_;     // [slot * lanes + lane]
     std::vector<double> stiffness_, rest_lengths_, bending_;  // 0, 1 and 0 where a slot is not used
     std::uint32_t particles_;
     Component inverse_masses_;  // 0: pinned
