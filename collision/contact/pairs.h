@@ -1,0 +1,48 @@
+#pragma once
+// Pairs of features that are near: a vertex and a triangle, or two edges. All that follows detection is the
+// same for both kinds: sides A and B, and a gap that is a weighted sum of four corners.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/aligned_buffer.h"
+#include "engine/vector.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// A vertex (corner 0) and a triangle (corners 1 to 3), or two edges (corners 0, 1 and 2, 3).
+struct FeaturePair {
+    std::array<std::uint32_t, 4> corners;  ///< particles, numbered through all bodies
+};
+
+/// How a pair lies. The gap vector, from the closest point of B to that of A, is the sum of weights times
+/// corners: (1, -w1, -w2, -w3) or (1 - s, s, -(1 - t), -t).
+struct PairShape {
+    Vec4 weights;
+    /// Unit normal from B to A; w [m]: min over A of n . x - max over B of n . x. Where it is positive the
+    /// two are apart, and a plane across n is between them.
+    Vec4 normal;
+};
+
+/// In an order that no thread decides: first all pairs of vertex and triangle, then all of edges.
+struct PairList {
+    AlignedBuffer<FeaturePair> pairs;
+    AlignedBuffer<PairShape> shapes;
+    std::uint32_t size = 0;
+    std::uint32_t vertex_triangle = 0;  ///< of these
+    /// There were more pairs than there is room for: what is listed is not all.
+    bool overflowed = false;
+
+    PairList() = default;
+    explicit PairList(std::size_t capacity) : pairs(capacity), shapes(capacity) {}
+    [[nodiscard]] std::size_t capacity() const noexcept { return pairs.size(); }
+    /// How many of a pair's corners are side A: the first so many.
+    [[nodiscard]] std::uint32_t corners_of_a(std::uint32_t pair) const noexcept {
+        return pair < vertex_triangle ? 1 : 2;
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return pairs.bytes() + shapes.bytes(); }
+};
+
+}  // namespace weft
