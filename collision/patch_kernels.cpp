@@ -11,6 +11,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "collision/boxes-inl.h"
 #include "collision/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,42 +20,9 @@ namespace {
 
 constexpr std::uint32_t parts = patch_size / part_lanes;
 
-/// A box in every lane, or one of many.
-struct BoxLanes {
-    Lanes3 lower, upper;
-};
-
-HWY_INLINE Lanes3 minimum(const Lanes3& a, const Lanes3& b) {
-    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
-}
-HWY_INLINE Lanes3 maximum(const Lanes3& a, const Lanes3& b) {
-    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
-}
-HWY_INLINE BoxLanes join(const BoxLanes& a, const BoxLanes& b) {
-    return {minimum(a.lower, b.lower), maximum(a.upper, b.upper)};
-}
-
-HWY_INLINE Bounds hull_of_lanes(const BoxLanes& box) {
-    const Tag d;
-    const auto least = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
-    const auto most = [&](Lanes v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-    return {{least(box.lower.x), least(box.lower.y), least(box.lower.z)},
-            {most(box.upper.x), most(box.upper.y), most(box.upper.z)}};
-}
-
 HWY_INLINE Lanes3 load_part(const Patch& patch, std::uint32_t first) {
     return {load_lanes(patch.x + first), load_lanes(patch.y + first), load_lanes(patch.z + first)};
 }
-HWY_INLINE BoxLanes load_boxes(const Boxes& boxes, std::uint32_t first) {
-    return {{load_lanes(boxes.lower_x + first), load_lanes(boxes.lower_y + first),
-             load_lanes(boxes.lower_z + first)},
-            {load_lanes(boxes.upper_x + first), load_lanes(boxes.upper_y + first),
-             load_lanes(boxes.upper_z + first)}};
-}
-HWY_INLINE Lanes3 set_point(const Vec3& p) {
-    return {set(p.x), set(p.y), set(p.z)};
-}
-
 /// What is not finite, and what is not the cloth's, goes to infinity: far from all and, as the difference of
 /// two such is not a number, from one another.
 HWY_INLINE BoxLanes place_part(const Vec4* positions, const std::uint32_t* particles, std::uint32_t count,
@@ -82,10 +50,7 @@ HWY_INLINE Bounds place_patch(const Vec4* positions, const std::uint32_t* partic
 }
 
 Bounds around(const Boxes& boxes) {
-    BoxLanes all = load_boxes(boxes, 0);
-    for (std::uint32_t first = part_lanes; first < 16; first += part_lanes)
-        all = join(all, load_boxes(boxes, first));
-    return hull_of_lanes(all);
+    return hull_of(boxes);
 }
 
 Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t count,
@@ -96,13 +61,6 @@ Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, st
         set_box(boxes, p, place_patch(positions.data(), particles + first, here, patches[p]));
     }
     return around(boxes);
-}
-
-/// How far two boxes are apart, along the axis where they are farthest apart. As rounding keeps order, no two
-/// points in them are closer than that along that axis, as computed.
-HWY_INLINE Lanes gap(const BoxLanes& a, const BoxLanes& b) {
-    const Lanes3 apart = maximum(a.lower - b.upper, b.lower - a.upper);
-    return hn::Max(apart.x, hn::Max(apart.y, apart.z));
 }
 
 /// Indices that passed a test, as far as there is room.
@@ -129,11 +87,6 @@ HWY_INLINE void append_near(const BoxLanes& box, const Boxes& boxes, std::uint32
                             float distance, List& list) {
     for (std::uint32_t first = 0; first < 16; first += part_lanes)
         append(hn::Le(gap(box, load_boxes(boxes, first)), set(distance)), first_index + first, list);
-}
-
-HWY_INLINE BoxLanes box_of(const Boxes& boxes, std::uint32_t k) {
-    return {set_point({boxes.lower_x[k], boxes.lower_y[k], boxes.lower_z[k]}),
-            set_point({boxes.upper_x[k], boxes.upper_y[k], boxes.upper_z[k]})};
 }
 
 using NearBlocks = Passed<1024>;

@@ -82,6 +82,11 @@ void follow_memory(std::span<std::uint32_t> particles) {
 
 }  // namespace
 
+void order_in_patches(std::span<std::uint32_t> particles, std::span<const Vec4> rest_positions) {
+    cut(particles, rest_positions);
+    follow_memory(particles);
+}
+
 Patches::Patches(std::span<const Vec4> rest_positions)
     : particle_count_(static_cast<std::uint32_t>(rest_positions.size())),
       particles_(block_count(particle_count_) * block_size),
@@ -91,8 +96,7 @@ Patches::Patches(std::span<const Vec4> rest_positions)
       region_boxes_((block_boxes_.size() + 15) / 16, no_boxes()) {
     const std::span<std::uint32_t> particles = particles_.span().first(particle_count_);
     std::iota(particles.begin(), particles.end(), 0u);
-    cut(particles, rest_positions);
-    follow_memory(particles);
+    order_in_patches(particles, rest_positions);
 }
 
 void Patches::place(Parallel& parallel, std::span<const Vec4> positions) {

@@ -13,6 +13,10 @@
 
 namespace weft {
 
+/// Puts particles in order of patches: each sixteen lie together at rest, and so does each block of them.
+/// Precondition: positions at rest are finite.
+void order_in_patches(std::span<std::uint32_t> particles, std::span<const Vec4> rest_positions);
+
 /// A cloth cut into patches, and sixteen patches, which again lie together, to each block of particles. Patch
 /// p is the slots [16 p, 16 p + 16). How well the cut fits the cloth as it lies now decides how long a search
 /// takes, and nothing else.

@@ -2,12 +2,14 @@
 // Detection: which features of bodies of triangles are near, or are brought together by a motion.
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "collision/contact/contact_mesh.h"
+#include "collision/contact/crossings.h"
+#include "collision/contact/pair_kernels.h"
 #include "collision/contact/pairs.h"
+#include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
@@ -24,18 +26,51 @@ struct ContactBody {
 
 class PairFinder {
   public:
-    /// Takes the memory that searches of these bodies need, whatever their reach and positions.
+    /// Takes the memory that searches of these bodies need, or of a part of them, whatever their reach and
+    /// positions.
     void reserve(std::span<const ContactBody> bodies);
 
     /// Lists every pair of features that share no vertex, of bodies that may meet, with
     ///     min over A of min(n . x, n . (x + m)) - max over B of max(n . x, n . (x + m)) < reach,
     /// n being the normal of the pair's closest points at x: those that can come nearer than reach, if each
     /// particle goes any part of its own motion m. positions[i].w is ignored. Both spans are of all bodies'
-    /// particles. Pairs whose boxes over the motion are farther apart than reach are not looked at.
+    /// particles. Pairs whose boxes over the motion are farther apart than reach are not looked at. Features
+    /// with a coordinate that is not finite, at x or at x + m, are in no pair.
+    ///
+    /// Precondition: the bodies' meshes are among those of the last reserve().
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found);
 
+    /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
+    /// edge's ends are on different sides of the triangle's plane, and the line through them meets the
+    /// triangle. An edge in the plane crosses nothing. Otherwise as find().
+    void find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
+                        std::span<const Vec4> positions, CrossingList& found);
+
     [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// How many pairs a block has, and where its first ones go in the list.
+    struct BlockPairs {
+        std::uint32_t vertex_triangle, edge_edge;
+        std::uint32_t first_vertex_triangle, first_edge_edge;
+    };
+
+    void choose(std::span<const ContactBody> bodies);
+    [[nodiscard]] PairSearch search_of(std::span<const ContactBody> bodies);
+    void place(Parallel& parallel, const PairSearch& search);
+    [[nodiscard]] FoundPairs room_of(std::uint32_t block);
+    void number(PairList& found);
+    void write(const PairSearch& search, std::uint32_t block, PairList& found);
+
+    std::vector<SearchedBody> bodies_;
+    std::vector<PatchBlock> blocks_;
+    std::vector<std::uint8_t> is_calm_;  // by block: nothing to look at
+    FeatureBoxes boxes_;
+    AlignedBuffer<FeaturePair> room_;  // for the pairs of each block, until all are counted
+    std::vector<BlockPairs> block_pairs_;
+    AlignedBuffer<Crossing> crossing_room_;
+    std::vector<std::uint32_t> block_crossings_;
 };
 
 }  // namespace weft

@@ -35,6 +35,10 @@ struct Symmetric3 {
     }
 };
 
+[[nodiscard]] inline Symmetric3 operator*(float factor, const Symmetric3& m) {
+    return {factor * m.xx, factor * m.yy, factor * m.zz, factor * m.xy, factor * m.xz, factor * m.yz};
+}
+
 /// What a sum of a dozen springs is rounded by, relative to its trace.
 inline constexpr float inverse_rounding = 3e-7f;
 

@@ -1,0 +1,172 @@
+// The features of a patch that are near another patch, side by side. Included as engine/simd/lanes-inl.h is.
+
+#if defined(WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
+#undef WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
+#else
+#define WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
+#endif
+
+#include <bit>
+#include <cstring>
+
+#include "collision/boxes-inl.h"
+#include "collision/compress-inl.h"
+#include "collision/contact/pair_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+
+/// Which of two boxes in each lane have a point in common.
+HWY_INLINE hn::Mask<Tag> overlap(const BoxLanes& a, const BoxLanes& b) {
+    const auto x = hn::And(hn::Le(a.lower.x, b.upper.x), hn::Le(b.lower.x, a.upper.x));
+    const auto y = hn::And(hn::Le(a.lower.y, b.upper.y), hn::Le(b.lower.y, a.upper.y));
+    const auto z = hn::And(hn::Le(a.lower.z, b.upper.z), hn::Le(b.lower.z, a.upper.z));
+    return hn::And(x, hn::And(y, z));
+}
+
+HWY_INLINE std::uint32_t bits_of(hn::Mask<Tag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), mask, bytes);
+    std::uint16_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+/// One bit for each of sixteen boxes that overlaps `box`.
+HWY_INLINE std::uint32_t overlapping(const BoxLanes& box, const Boxes& boxes) {
+    std::uint32_t all = 0;
+    for (std::uint32_t first = 0; first < 16; first += part_lanes)
+        all |= bits_of(overlap(box, load_boxes(boxes, first))) << first;
+    return all;
+}
+
+/// Features with their boxes, and their corners numbered through all bodies.
+template <std::uint32_t corner_count, std::uint32_t most>
+struct NearSlots {
+    static constexpr std::uint32_t capacity = most + group_lanes;
+
+    std::uint32_t count = 0;
+    alignas(64) float lower[3][capacity], upper[3][capacity];
+    alignas(64) std::uint32_t corners[corner_count][capacity];
+
+    HWY_INLINE BoxLanes boxes(std::uint32_t first) const {
+        return {{load_lanes(lower[0] + first), load_lanes(lower[1] + first), load_lanes(lower[2] + first)},
+                {load_lanes(upper[0] + first), load_lanes(upper[1] + first), load_lanes(upper[2] + first)}};
+    }
+    HWY_INLINE BoxLanes box(std::uint32_t k) const {
+        return {set_point({lower[0][k], lower[1][k], lower[2][k]}),
+                set_point({upper[0][k], upper[1][k], upper[2][k]})};
+    }
+
+    /// Takes those of a patch's slots whose boxes overlap `other`.
+    HWY_INLINE void select(const FeatureSlots<corner_count>& slots, const SlotSpan& span, const Boxes* groups,
+                           std::uint32_t first_particle, const BoxLanes& other) {
+        count = 0;
+        for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
+            const BoxLanes here = load_boxes(groups[(span.first + k) / 16], k % 16);
+            const auto near = overlap(here, other);
+            if (hn::AllFalse(Tag(), near)) continue;
+            const IndexTag d;
+            const Kept kept(hn::RebindMask(d, near));
+            const auto keep = [&](Lanes values, float* to) HWY_ATTR {
+                hn::StoreU(kept.of(hn::BitCast(d, values)), d, reinterpret_cast<std::uint32_t*>(to));
+            };
+            keep(here.lower.x, lower[0] + count);
+            keep(here.lower.y, lower[1] + count);
+            keep(here.lower.z, lower[2] + count);
+            keep(here.upper.x, upper[0] + count);
+            keep(here.upper.y, upper[1] + count);
+            keep(here.upper.z, upper[2] + count);
+            for (std::uint32_t c = 0; c < corner_count; ++c) {
+                const Indices corner = hn::Load(d, &slots.corners[c][span.first + k]);
+                hn::StoreU(kept.of(hn::Add(corner, set_index(first_particle))), d, corners[c] + count);
+            }
+            count += kept.count();
+        }
+    }
+};
+
+using NearVertices = NearSlots<1, ContactPatch::most_vertices>;
+using NearTriangles = NearSlots<3, ContactPatch::most_triangles>;
+using NearEdges = NearSlots<2, ContactPatch::most_edges>;
+
+/// A patch within the boxes of all bodies.
+struct SearchedPatch {
+    const SearchedBody& body;
+    std::uint32_t number;  // within the body
+    const ContactPatch& patch;
+    BoxLanes box;
+
+    HWY_INLINE SearchedPatch(const PairSearch& search, std::uint32_t block, std::uint32_t k)
+        : body(search.bodies[search.blocks[block].body]),
+          number(search.blocks[block].first_patch + k),
+          patch(body.mesh->patches()[number]),
+          box(box_of(search.boxes->patches[block], k)) {}
+
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearVertices& near) const {
+        near.select(body.mesh->vertex_slots(), patch.vertices, &boxes.vertices[body.first_vertex_group],
+                    body.first, other);
+    }
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearTriangles& near) const {
+        near.select(body.mesh->triangle_slots(), patch.triangles, &boxes.triangles[body.first_triangle_group],
+                    body.first, other);
+    }
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearEdges& near) const {
+        near.select(body.mesh->edge_slots(), patch.edges, &boxes.edges[body.first_edge_group], body.first,
+                    other);
+    }
+};
+
+inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
+    return &a == &b ? a.meets_itself : (a.mask & b.layer) != 0 && (b.mask & a.layer) != 0;
+}
+
+/// Whether two patches lie side by side and so smoothly that no features of theirs come within reach.
+inline bool is_calm(const PairSearch& search, const SearchedPatch& a, const SearchedPatch& b) {
+    if (&a.body != &b.body) return false;
+    const FlatRest& rest = a.body.mesh->flat_rest();
+    const PatchNeighbours* const pair = rest.find(a.number, b.number);
+    return pair != nullptr &&
+           rest.keeps_apart(*pair, a.number, a.body.reach,
+                            &search.boxes->strains[std::size_t{a.body.first_block} * PatchBlock::most]);
+}
+
+/// visit(patch, other, is_same) for every pair of patches of a block and of those after it whose boxes
+/// overlap and whose bodies meet, a patch with itself among
+/// them, unless they are calm.
+template <class Visit>
+HWY_INLINE void for_each_near_patch(const PairSearch& search, std::uint32_t block, const Visit& visit) {
+    const FeatureBoxes& boxes = *search.boxes;
+    const SearchedBody& body = search.bodies[search.blocks[block].body];
+    const BoxLanes block_box = box_of(boxes.blocks[block / 16], block % 16);
+    const auto visit_block = [&](std::uint32_t other) HWY_ATTR {
+        if (!may_meet(body, search.bodies[search.blocks[other].body])) return;
+        for (std::uint32_t p = 0; p < search.blocks[block].patch_count; ++p) {
+            const SearchedPatch patch(search, block, p);
+            std::uint32_t near = overlapping(patch.box, boxes.patches[other]);
+            if (other == block) near &= ~0u << p;
+            for (; near != 0; near &= near - 1) {
+                const auto q = static_cast<std::uint32_t>(std::countr_zero(near));
+                const SearchedPatch near_patch(search, other, q);
+                if (!is_calm(search, patch, near_patch)) visit(patch, near_patch, other == block && p == q);
+            }
+        }
+    };
+    for (std::uint32_t region = block / 256; region < boxes.groups.size(); ++region) {
+        std::uint32_t groups = overlapping(block_box, boxes.groups[region]);
+        for (; groups != 0; groups &= groups - 1) {
+            const std::uint32_t group = 16 * region + static_cast<std::uint32_t>(std::countr_zero(groups));
+            if (group < block / 16) continue;
+            std::uint32_t blocks = overlapping(block_box, boxes.blocks[group]);
+            if (group == block / 16) blocks &= ~0u << (block % 16);
+            for (; blocks != 0; blocks &= blocks - 1)
+                visit_block(16 * group + static_cast<std::uint32_t>(std::countr_zero(blocks)));
+        }
+    }
+}
+
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

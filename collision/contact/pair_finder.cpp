@@ -1,0 +1,192 @@
+#include "collision/contact/pair_finder.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace weft {
+
+namespace {
+
+/// What a block keeps of its pairs until all are counted: for layers that lie on one another, enough. A block
+/// with more is searched once more.
+constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
+constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
+constexpr std::uint32_t kept_crossings = 64;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr Bounds no_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+AlignedBuffer<Boxes> no_boxes(std::size_t count) {
+    AlignedBuffer<Boxes> boxes(count);
+    for (Boxes& group : boxes.span())
+        for (std::uint32_t k = 0; k < 16; ++k) set_box(group, k, no_box);
+    return boxes;
+}
+
+/// `count` items from `first` on, as far as the list goes.
+template <class Item>
+std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t count) {
+    const std::size_t begin = std::min(first, list.size());
+    return list.subspan(begin, std::min(count, list.size() - begin));
+}
+
+}  // namespace
+
+// Vectors keep what they have grown to, so that later choices take no memory.
+void PairFinder::choose(std::span<const ContactBody> bodies) {
+    bodies_.clear();
+    blocks_.clear();
+    std::uint32_t vertices = 0, triangles = 0, edges = 0;
+    for (const ContactBody& body : bodies) {
+        const ContactMesh& mesh = *body.mesh;
+        const auto index = static_cast<std::uint32_t>(bodies_.size());
+        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself, vertices,
+                           triangles, edges, static_cast<std::uint32_t>(blocks_.size())});
+        vertices += mesh.vertex_slots().groups();
+        triangles += mesh.triangle_slots().groups();
+        edges += mesh.edge_slots().groups();
+        const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
+        for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
+            blocks_.push_back({index, first, std::min(patches - first, PatchBlock::most)});
+    }
+}
+
+void PairFinder::reserve(std::span<const ContactBody> bodies) {
+    choose(bodies);
+    std::size_t vertices = 0, triangles = 0, edges = 0;
+    for (const ContactBody& body : bodies) {
+        vertices += body.mesh->vertex_slots().groups();
+        triangles += body.mesh->triangle_slots().groups();
+        edges += body.mesh->edge_slots().groups();
+    }
+    const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
+    boxes_ = {no_boxes(vertices),
+              no_boxes(triangles),
+              no_boxes(edges),
+              no_boxes(blocks),
+              no_boxes(groups),
+              no_boxes((groups + 15) / 16),
+              AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
+              AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
+    is_calm_.resize(blocks);
+    room_ = AlignedBuffer<FeaturePair>(blocks * kept);
+    block_pairs_.resize(blocks);
+    crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
+    block_crossings_.resize(blocks);
+}
+
+PairSearch PairFinder::search_of(std::span<const ContactBody> bodies) {
+    choose(bodies);
+    block_pairs_.resize(blocks_.size());
+    block_crossings_.resize(blocks_.size());
+    is_calm_.resize(blocks_.size());
+    return {bodies_, blocks_, &boxes_, nullptr, nullptr};
+}
+
+void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
+                      std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found) {
+    PairSearch search = search_of(bodies);
+    search.positions = positions.data();
+    search.motions = motions.data();
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    place(parallel, search);
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        FoundPairs pairs = room_of(block);
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+        block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
+    });
+    number(found);
+    parallel.blocks(blocks, [&](std::uint32_t block) { write(search, block, found); });
+}
+
+void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
+                                std::span<const Vec4> positions, CrossingList& found) {
+    PairSearch search = search_of(bodies);
+    for (SearchedBody& body : bodies_) body.reach = 0;
+    search.positions = positions.data();
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    const auto room_of_block = [&](std::uint32_t block) {
+        return crossing_room_.span().subspan(std::size_t{block} * kept_crossings, kept_crossings);
+    };
+    place(parallel, search);
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        Found<Crossing> crossings{room_of_block(block)};
+        if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
+        block_crossings_[block] = crossings.count;
+    });
+
+    std::uint64_t count = 0;
+    for (std::uint32_t block = 0; block < blocks; ++block) {  // few: most blocks have none
+        const std::span<Crossing> to = part_of(found.crossings.span(), count, block_crossings_[block]);
+        count += block_crossings_[block];
+        Found<Crossing> again{to};
+        if (block_crossings_[block] > kept_crossings)
+            weft::find_crossings(search, block, again);
+        else
+            std::copy_n(room_of_block(block).begin(), to.size(), to.begin());
+    }
+    found.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(count, found.capacity()));
+    found.overflowed = count > found.capacity();
+}
+
+void PairFinder::place(Parallel& parallel, const PairSearch& search) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        set_box(boxes_.blocks[block / 16], block % 16, place_patches(search, block, boxes_));
+    });
+    // Behind the last box of the last group nothing is.
+    const std::uint32_t groups = (blocks + 15) / 16;
+    for (std::uint32_t k = blocks; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
+    for (std::uint32_t k = 0; k < groups; ++k) set_box(boxes_.groups[k / 16], k % 16, hull(boxes_.blocks[k]));
+    for (std::uint32_t k = groups; k < (groups + 15) / 16 * 16; ++k)
+        set_box(boxes_.groups[k / 16], k % 16, no_box);
+    parallel.blocks(
+        blocks, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
+    if (std::ranges::all_of(is_calm_, [](std::uint8_t calm) { return calm == 1; })) return;
+    parallel.blocks(blocks, [&](std::uint32_t block) { place_features(search, block, boxes_); });
+}
+
+FoundPairs PairFinder::room_of(std::uint32_t block) {
+    const std::span<FeaturePair> room = room_.span().subspan(std::size_t{block} * kept, kept);
+    return {{room.first(kept_vertex_triangle)}, {room.subspan(kept_vertex_triangle)}};
+}
+
+void PairFinder::number(PairList& found) {
+    std::uint64_t count = 0;
+    const auto take = [&](std::uint32_t pairs) {
+        const std::uint64_t first = std::min<std::uint64_t>(count, found.capacity());
+        count += pairs;
+        return static_cast<std::uint32_t>(first);
+    };
+    for (BlockPairs& block : block_pairs_) block.first_vertex_triangle = take(block.vertex_triangle);
+    found.vertex_triangle = take(0);
+    for (BlockPairs& block : block_pairs_) block.first_edge_edge = take(block.edge_edge);
+    found.size = take(0);
+    found.overflowed = count > found.capacity();
+}
+
+void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {
+    const BlockPairs& here = block_pairs_[block];
+    const std::span<FeaturePair> vertex_triangle =
+        part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
+    const std::span<FeaturePair> edge_edge =
+        part_of(found.pairs.span(), here.first_edge_edge, here.edge_edge);
+    if (here.vertex_triangle > kept_vertex_triangle || here.edge_edge > kept_edge_edge) {
+        FoundPairs pairs{{vertex_triangle}, {edge_edge}};
+        find_pairs(search, block, pairs);
+    } else {
+        const FoundPairs pairs = room_of(block);
+        std::copy_n(pairs.vertex_triangle.room.begin(), vertex_triangle.size(), vertex_triangle.begin());
+        std::copy_n(pairs.edge_edge.room.begin(), edge_edge.size(), edge_edge.begin());
+    }
+    shape_pairs(search.positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
+    shape_pairs(search.positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
+}
+
+std::size_t PairFinder::bytes() const noexcept {
+    return bodies_.size() * sizeof(SearchedBody) + blocks_.size() * sizeof(PatchBlock) + boxes_.bytes() +
+           room_.bytes() + block_pairs_.size() * sizeof(BlockPairs) + crossing_room_.bytes() +
+           block_crossings_.size() * sizeof(std::uint32_t) + is_calm_.size();
+}
+
+}  // namespace weft

@@ -1,0 +1,97 @@
+#pragma once
+// Boxes of features, and the pairs of near ones, many at a time; compiled once for each kind of machine. See
+// pair_finder.h.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/contact_mesh.h"
+#include "collision/contact/crossings.h"
+#include "collision/contact/pairs.h"
+#include "collision/patch_kernels.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// A body as searches see it.
+struct SearchedBody {
+    const ContactMesh* mesh;
+    std::uint32_t first;  ///< its first particle
+    float reach;          ///< [m]
+    std::uint32_t layer, mask;
+    bool meets_itself;
+    /// Where the boxes of its vertices, triangles and edges begin.
+    std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
+    std::uint32_t first_block;
+};
+
+/// Up to sixteen patches of a body: what a thread searches at a time.
+struct PatchBlock {
+    static constexpr std::uint32_t most = 16;
+
+    std::uint32_t body, first_patch, patch_count;
+};
+
+/// Boxes over the motion, grown by half the body's reach: two that overlap are within the mean of both.
+struct FeatureBoxes {
+    AlignedBuffer<Boxes> vertices, triangles, edges;  ///< as the meshes' slots
+    /// Of patches, sixteen to each block, of blocks, and of groups of sixteen blocks.
+    AlignedBuffer<Boxes> patches, blocks, groups;
+    AlignedBuffer<PatchStrain> strains;  ///< of patches, sixteen to each block
+    /// Of patches: 1 where the boxes of the features are filled, as others come near them.
+    AlignedBuffer<std::uint8_t> wanted;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return vertices.bytes() + triangles.bytes() + edges.bytes() + patches.bytes() + blocks.bytes() +
+               groups.bytes() + strains.bytes() + wanted.bytes();
+    }
+};
+
+/// What a search reads. `motions` is null where nothing moves.
+struct PairSearch {
+    std::span<const SearchedBody> bodies;
+    std::span<const PatchBlock> blocks;
+    const FeatureBoxes* boxes;
+    const Vec4* positions;
+    const Vec4* motions;
+};
+
+/// Items found, as far as there is room; `count` goes on.
+template <class Item>
+struct Found {
+    std::span<Item> room;
+    std::uint32_t count = 0;
+
+    void add(const Item& item) {
+        if (count < room.size()) room[count] = item;
+        ++count;
+    }
+    [[nodiscard]] bool is_cut() const noexcept { return count > room.size(); }
+};
+
+struct FoundPairs {
+    Found<FeaturePair> vertex_triangle, edge_edge;
+};
+
+/// Fills the boxes and strains of a block's patches, wants none of their features, and returns its own box.
+/// Features that are not finite, now or after their motion, are in no box.
+Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Wants the features of the patches that are to be looked at, of a block and of those after it; false if
+/// there are none.
+bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Fills the boxes of a block's wanted features.
+void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// The pairs of a block with itself and with the blocks after it.
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found);
+
+/// The edges and triangles that cross, of a block with itself and with the blocks after it.
+void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found);
+
+/// Shapes of pairs of one kind; `vertex_triangle`: of which.
+void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
+                 PairShape* shapes);
+
+}  // namespace weft
