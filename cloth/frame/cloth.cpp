@@ -28,9 +28,51 @@ std::vector<std::uint32_t> particles_of(const std::vector<Pin>& pins) {
     return particles;
 }
 
-RestNeighbours find_rest_neighbours(const CookedCloth& model, float distance) {
-    auto found = RestNeighbours::find(
-        {model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()}, distance);
+// Features are never let nearer than this part of the radius. Smaller gaps would go on shrinking until
+// rounding crosses them.
+constexpr float floor_per_radius = 2e-3f / 0.3f;
+
+bool has_avoidance(const SelfCollision& settings) {
+    return settings.enabled && settings.method == SelfCollisionMethod::avoidance;
+}
+
+/// Where a search takes features to lie at rest: a grid's flat pattern, by its first row and column, whose
+/// calm parts it passes over; else where the cloth started.
+std::unique_ptr<const ContactMesh> make_features(const CookedCloth& model) {
+    if (model.rows < 2 || model.columns < 2)
+        return std::make_unique<const ContactMesh>(model.positions.span(), model.triangles);
+    AlignedBuffer<Vec4> flat(model.particle_count);
+    const auto length = [&](std::uint32_t i, std::uint32_t j) {
+        return static_cast<float>(rest_length_between(model, i, j));
+    };
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        const std::uint32_t row = i / model.columns, column = i % model.columns;
+        flat[i].x = column == 0 ? 0 : flat[column - 1].x + length(column - 1, column);
+        flat[i].z =
+            row == 0 ? 0 : flat[i - model.columns].z + length((row - 1) * model.columns, row * model.columns);
+    }
+    return std::make_unique<const ContactMesh>(flat.span(), model.triangles);
+}
+
+/// Springs, or their part that are edges of triangles or cross a grid's cells: contact bends cloth round as
+/// far as these let it.
+RestNeighbours find_rest_neighbours(const CookedCloth& model, const SelfCollision& settings, float distance) {
+    std::vector<std::uint32_t> offsets, neighbours;
+    std::vector<float> lengths;
+    RestGraph graph{model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()};
+    if (has_features(settings)) {
+        offsets.push_back(0);
+        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+            for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+                if (model.kinds[e] == SpringKind::bending) continue;
+                neighbours.push_back(model.neighbours[e]);
+                lengths.push_back(model.rest_lengths[e]);
+            }
+            offsets.push_back(static_cast<std::uint32_t>(neighbours.size()));
+        }
+        graph = {offsets, neighbours, lengths};
+    }
+    auto found = RestNeighbours::find(graph, distance);
     if (!found) throw Refusal{found.error()};
     return std::move(found).value();
 }
@@ -70,7 +112,6 @@ void Cloth::apply(const ClothSettings& changed) {
     const Solver& with = other_solver ? *other_solver : *solver;
     const bool second_order = is_second_order(changed, with);
     const bool has_limits = have_same_limits(settings, changed);
-    const bool needs_contacts = has_colliders_ && with.is_implicit() && !contacts;
     Limits other_limits = has_limits ? Limits() : make_limits(model, changed, particles_of(state.pins));
     std::optional<History> new_history;
     StepRecord new_record;
@@ -78,14 +119,31 @@ void Cloth::apply(const ClothSettings& changed) {
         new_history.emplace(model.particle_count);
         new_record = StepRecord(model.particle_count);
     }
+    const SelfCollision& self_collision = changed.self_collision;
     std::optional<SelfContacts> new_self_contacts;
-    if (changed.self_collision.enabled && !self_contacts) new_self_contacts.emplace(model.positions.span());
+    if (has_avoidance(self_collision) && !self_contacts) new_self_contacts.emplace(model.positions.span());
+    std::unique_ptr<const ContactMesh> new_mesh;
+    std::optional<FeatureContact> new_features;
+    AlignedBuffer<Vec4> new_start;
+    AlignedBuffer<TangleMemory> new_tangles;
+    if (has_features(self_collision) && !features) {
+        if (!contact_mesh) new_mesh = make_features(model);
+        const ContactCloth body{.mesh = contact_mesh ? contact_mesh.get() : new_mesh.get()};
+        new_features.emplace(std::span(&body, 1));
+        new_start = AlignedBuffer<Vec4>(model.particle_count);
+        new_tangles = AlignedBuffer<TangleMemory>(model.particle_count);
+    }
     std::optional<RestNeighbours> new_rest_neighbours;
-    const float distance = distance_of(changed.self_collision);
-    if (changed.self_collision.enabled && (!rest_neighbours || rest_neighbours->distance() != distance))
-        new_rest_neighbours = find_rest_neighbours(model, distance);
-    std::optional<ContactBuffers> new_contacts;
-    if (needs_contacts) new_contacts.emplace(model.particle_count);
+    const float distance = distance_of(self_collision);
+    const bool same_method = self_collision.method == settings.self_collision.method;
+    if (self_collision.enabled &&
+        (!rest_neighbours || rest_neighbours->distance() != distance || !same_method))
+        new_rest_neighbours = find_rest_neighbours(model, self_collision, distance);
+    std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
+    if (has_features(self_collision)) reserve_pairs(other_solver ? *other_solver : *solver);
+
+    const bool meets_others = self_collision.layers != settings.self_collision.layers ||
+                              self_collision.mask != settings.self_collision.mask;
 
     // From here on nothing can fail.
     const bool is_other_density = changed.fabric.areal_density != settings.fabric.areal_density;
@@ -105,28 +163,80 @@ void Cloth::apply(const ClothSettings& changed) {
     }
     if (new_self_contacts) self_contacts = std::move(new_self_contacts);
     if (new_rest_neighbours) rest_neighbours = std::move(new_rest_neighbours);
-    if (!changed.self_collision.enabled) {
+    if (new_mesh) contact_mesh = std::move(new_mesh);
+    if (new_features) {
+        features = std::move(new_features);
+        substep_start = std::move(new_start);
+        state.tangles = std::move(new_tangles);
+        state.may_cross = 1;
+    }
+    if (features && meets_others) state.may_cross = 1;
+    if (!has_avoidance(self_collision)) {
         self_contacts.reset();
-        rest_neighbours.reset();
         self_counts = {};
     }
+    if (!has_features(self_collision)) {
+        features.reset();
+        contact_mesh.reset();
+        solver->reserve_pairs(0);
+        substep_start = {};
+        state.tangles = {};
+        state.may_cross = 0;
+        feature_counts = {};
+    }
+    if (!self_collision.enabled) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
 }
 
-std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders) const {
-    if (!any_colliders || !solver->is_implicit() || contacts) return std::nullopt;
-    return std::optional<ContactBuffers>(std::in_place, model.particle_count);
+/// All or none.
+void Cloth::reserve_pairs(Solver& with) const {
+    try {
+        with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
+    } catch (...) {
+        if (!features) with.reserve_pairs(0);
+        throw;
+    }
+}
+
+std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
+                                                   const Solver& with) const {
+    const bool with_pairs = has_features(of.self_collision) && with.joins();
+    const bool needed = with.is_implicit() && (any_colliders || with_pairs);
+    if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
+    return std::optional<ContactBuffers>(std::in_place, model.particle_count, with_pairs);
 }
 
 void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept {
     has_colliders_ = any_colliders;
     if (made) {
+        const bool goes_on = contacts.has_value();  // of another make
         contacts = std::move(made->contacts);
-        state.held = std::move(made->held);
+        if (!goes_on) state.held = std::move(made->held);
     }
-    if (any_colliders && solver->is_implicit()) return;
+    const bool has_pairs = features && solver->joins();
+    if (solver->is_implicit() && (any_colliders || has_pairs)) return;
     contacts.reset();
     state.held = {};
+}
+
+ContactCloth Cloth::as_body() const {
+    const float radius = distance_of(settings.self_collision);
+    return {.mesh = contact_mesh.get(),
+            .near_at_rest = rest_neighbours->filter(),
+            .radius = radius,
+            .floor = floor_per_radius * radius,
+            .friction = settings.self_collision.friction,
+            .layer = settings.self_collision.layers,
+            .mask = settings.self_collision.mask};
+}
+
+void Cloth::make_contact_mesh() {
+    if (contact_mesh) return;
+    contact_mesh = make_features(model);
+}
+
+void Cloth::drop_contact_mesh() noexcept {
+    if (!features) contact_mesh.reset();
 }
 
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
@@ -220,10 +330,12 @@ void Cloth::restore_start_of_step() {
     std::ranges::fill(state.held.rubbed.span(), 0.0f);
     std::ranges::fill(state.held.touching.span(), 0u);
     state.record.h = 0;
+    state.may_cross = features ? 1 : 0;
 }
 
 float Cloth::distance_of(const SelfCollision& self_collision) const {
-    return self_collision.distance > 0 ? self_collision.distance : 0.75f * model.info.mean_edge;
+    const float part = self_collision.method == SelfCollisionMethod::contact ? 0.3f : 0.75f;
+    return self_collision.distance > 0 ? self_collision.distance : part * model.info.mean_edge;
 }
 
 ClothInfo Cloth::info() const {
@@ -238,6 +350,7 @@ ClothInfo Cloth::info() const {
     info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
+                 (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + partial_counts.bytes() +
                  partial_surveys.bytes();
     return info;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "cloth/frame/feature_contact.h"
 #include "cloth/frame/history.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/survey.h"
@@ -29,13 +30,19 @@ struct AirBuffers {
     AlignedBuffer<Vec4> velocities;  ///< of the gusty air [m/s]; empty without gusts
 };
 
-/// Memory for colliders in the equation of an implicit solver.
+/// Memory for colliders and features in the equation of an implicit solver.
 struct ContactBuffers {
-    explicit ContactBuffers(std::uint32_t particles) : contacts(particles), held(particles) {}
+    ContactBuffers(std::uint32_t particles, bool with_pairs)
+        : contacts(particles, with_pairs), held(particles) {}
 
     Contacts contacts;
     HeldContacts held;
 };
+
+/// Whether a cloth with these settings has features in contact.
+[[nodiscard]] inline bool has_features(const SelfCollision& settings) {
+    return settings.enabled && settings.method == SelfCollisionMethod::contact;
+}
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
@@ -50,13 +57,19 @@ struct Cloth {
     /// Lets particles go; free ones stay free.
     void unpin(std::span<const std::uint32_t> particles);
     void unpin(std::uint32_t particle) { unpin(std::span(&particle, 1)); }
+    /// Puts pinned particles where they are to be when the step ends.
+    void place_pins() noexcept {
+        for (const Pin& pin : state.pins) set_xyz(state.positions[pin.particle], pin.target);
+    }
     /// Null if the particle is not pinned.
     [[nodiscard]] Pin* find_pin(std::uint32_t particle);
 
     [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
     void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
     /// None if the cloth needs no such buffers, or has them.
-    [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const;
+    [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const {
+        return make_contacts(any_colliders, settings, *solver);
+    }
     void take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept;
 
     /// Takes over a state of this cloth that was saved, and recomputes its normals. May run out of memory;
@@ -73,6 +86,12 @@ struct Cloth {
     [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
+    /// As it is met by features. Precondition: it has features.
+    [[nodiscard]] ContactCloth as_body() const;
+    /// Makes the mesh of its features, if it has none.
+    void make_contact_mesh();
+    /// Frees it, unless it is in use.
+    void drop_contact_mesh() noexcept;
 
     CookedCloth model;
     mutable ClothView view;  ///< what World::cloth last gave out
@@ -84,7 +103,10 @@ struct Cloth {
     Limits limits;                                  ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
-    std::optional<Contacts> contacts;               ///< only with colliders, and if the solver is implicit
+    std::optional<Contacts> contacts;  ///< only with colliders or features, and if the solver is implicit
+    std::unique_ptr<const ContactMesh> contact_mesh;
+    std::optional<FeatureContact> features;  ///< only with contact: for the cloth alone
+    AlignedBuffer<Vec4> substep_start;       ///< likewise: where the substep began
 
     Surface surface;
     AirBuffers air;
@@ -98,13 +120,17 @@ struct Cloth {
     float residual = 0;                   ///< as last measured
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of its last substep
+    FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
 
   private:
     bool has_colliders_ = false;
 
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
+    [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,
+                                                              const Solver& with) const;
     [[nodiscard]] std::unique_ptr<Solver> solver_for(const ClothSettings& changed) const;
+    void reserve_pairs(Solver& with) const;
     void change_pins(std::vector<Pin>&& pins);
     void set_inverse_masses();
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;

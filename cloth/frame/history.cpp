@@ -1,5 +1,7 @@
 #include "cloth/frame/history.h"
 
+#include <cmath>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/frame/history.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
@@ -71,6 +73,38 @@ void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange
 }
 
 }  // namespace
+
+void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state) {
+    if (state.record.velocity_changes.size() == 0 || rows.empty()) return;
+    const auto for_each_pushed = [&](const auto& visit) {
+        rows.for_each_particle(first, first + state.size(), [&](const PairRows::AtParticle& at) {
+            const float squared = at.impulse.squaredNorm();
+            if (squared > 0) visit(at.particle - first, at.impulse / std::sqrt(squared));
+        });
+    };
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double mass = 0;
+    for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) {
+        const double m = 1 / static_cast<double>(state.positions[i].w);
+        sum += m * xyz(state.record.velocity_changes[i]).cast<double>();
+        mass += m;
+    });
+    if (!(mass > 0)) return;
+    const Vector3 common = (sum / mass).cast<float>();
+    Eigen::Vector3d forgotten = Eigen::Vector3d::Zero();
+    for_each_pushed([&](std::uint32_t i, const Vector3& n) {
+        Vec4& change = state.record.velocity_changes[i];
+        const Vector3 own = n.dot(xyz(change) - common) * n;
+        change = to_vec4(xyz(change) - own, 0);
+        forgotten += own.cast<double>() / static_cast<double>(state.positions[i].w);
+    });
+    // What they have together is as before.
+    const Vector3 kept = (forgotten / mass).cast<float>();
+    for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) {
+        Vec4& change = state.record.velocity_changes[i];
+        change = to_vec4(xyz(change) + kept, 0);
+    });
+}
 
 void History::begin(Parallel& parallel, const ClothState& state) {
     const BaseRows rows{.positions = state.positions.data(),

@@ -4,11 +4,17 @@
 #include <span>
 
 #include "cloth/frame/state.h"
+#include "cloth/system/pair_rows.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "engine/vector.h"
 
 namespace weft {
+
+/// Of the last step's velocity changes, forgets what stopped features that touch: the part along the impulse
+/// of contact on a particle, but for what those that touch changed by together. Going on with it would make
+/// layers bounce off each other. The rows number the cloth's particles from `first` on.
+void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state);
 
 /// Memory for the bases of one step, which are made from the record of the last one.
 class History {

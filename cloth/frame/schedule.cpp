@@ -75,8 +75,10 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 void Schedule::share_out(int threads) {
     std::uint64_t total = 0;
     for (const Group& group : groups_) total += group.work;
+    // Cloths that are taken together share memory that there is once.
     for (Group& group : groups_)
-        group.is_whole = suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
+        group.is_whole =
+            group.cloths.size() == 1 && suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
     std::ranges::sort(groups_, std::ranges::greater(),
                       [](const Group& group) { return std::tuple(group.is_whole, group.work); });
     whole_ = static_cast<std::size_t>(std::ranges::count(groups_, true, &Group::is_whole));

@@ -70,6 +70,26 @@ void Simulation::apply(const WorldSettings& changed) {
     settings = changed;
 }
 
+void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
+    if (has_features(changed.self_collision) == cloth.features.has_value()) return cloth.apply(changed);
+    std::unique_ptr<FeatureContact> together;
+    try {
+        if (!cloth.features) cloth.make_contact_mesh();
+        together = make_together(&cloth, cloth.features ? nullptr : cloth.contact_mesh.get());
+        cloth.apply(changed);
+    } catch (...) {
+        cloth.drop_contact_mesh();
+        throw;
+    }
+    together_ = std::move(together);
+}
+
+void Simulation::cloth_has_gone() noexcept {
+    std::size_t count = 0;
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { count += cloth->features ? 1 : 0; });
+    if (count < 2) together_.reset();
+}
+
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
     ForCloths<std::optional<ContactBuffers>> contacts;
@@ -94,6 +114,12 @@ void Simulation::reserve_cloth() {
     each_.reserve(count);
     islands_.reserve(count);
     finder_.reserve(count);
+    solved_with_.reserve(count);
+    bodies_.reserve(count);
+    equations_.reserve(count);
+    steps_.reserve(count);
+    members_.reserve(count);
+    residuals_.reserve(count);
 }
 
 void Simulation::prepare(Cloth& cloth) {

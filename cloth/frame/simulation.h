@@ -6,8 +6,8 @@
 
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/islands.h"
-#include "cloth/frame/meeting.h"
 #include "cloth/frame/schedule.h"
+#include "cloth/solvers/multigrid/multilevel.h"
 #include "cloth/solvers/stages.h"
 #include "collision/collider_contacts.h"
 #include "engine/parallel_blocks.h"
@@ -60,8 +60,17 @@ struct Simulation {
     Profiler profiler;
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
-    std::unique_ptr<Meeting> meeting;  ///< null: cloths do not meet
     StepReport report;
+
+    /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
+    /// unless that is null. Null: no two have any.
+    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed,
+                                                                const ContactMesh* mesh);
+    /// Takes validated settings of a cloth over.
+    void apply(Cloth& cloth, const ClothSettings& changed);
+    /// Frees what the rest does not need.
+    void cloth_has_gone() noexcept;
+    void take_together(std::unique_ptr<FeatureContact>&& made) noexcept { together_ = std::move(made); }
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
@@ -80,6 +89,18 @@ struct Simulation {
     void predict(Worker& worker, Cloth& cloth, const Substep& substep);
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void settle(Worker& worker, Cloth& cloth, float h);
+    [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
+    void find_features(Worker& worker, Cloth& cloth, float h);
+    void find_island_features(Worker& worker, std::span<Cloth* const> island, float h);
+    void join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
+                       StepEquation& equation);
+    void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
+    void solve_members(Worker& worker, std::span<Cloth* const> island, const Substep& substep);
+    void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                         const Substep& substep);
+    void part_strays(const Substep& substep);
+    void join_solved(bool all);
+    void cut_strays(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
@@ -89,11 +110,11 @@ struct Simulation {
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
+    static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
     void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
-    [[nodiscard]] Bounds predicted_box(const Cloth& cloth, float h) const;
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);
     void end(float dt);
@@ -107,6 +128,15 @@ struct Simulation {
     std::vector<Bounds> boxes_;
     Islands finder_;
     Motions motions_;  // one list for each thread
+
+    // Of islands, which are solved one after the other.
+    std::unique_ptr<FeatureContact> together_;  // null: no two cloths have features
+    std::vector<std::uint32_t> solved_with_;    // of each cloth the first of its island
+    std::vector<ContactCloth> bodies_;
+    std::vector<StepEquation> equations_;
+    std::vector<SolverStep> steps_;
+    std::vector<MultilevelSolver::Member> members_;
+    std::vector<float> residuals_;
 };
 
 }  // namespace weft

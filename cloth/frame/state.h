@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cloth/system/contacts.h"
+#include "collision/contact/tangles.h"
 #include "engine/aligned_buffer.h"
 #include "engine/slot_map.h"
 #include "engine/vector.h"
@@ -48,6 +49,9 @@ struct ClothState {
     std::vector<Pin> pins;                   ///< in ascending order of particles
     StepRecord record;                       ///< only with BDF2
     HeldContacts held;                       ///< only with colliders, and if the solver is implicit
+    AlignedBuffer<TangleMemory> tangles;     ///< only with contact
+    /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
+    std::uint32_t may_cross = 0;
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)
@@ -56,7 +60,7 @@ struct ClothState {
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
-               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes();
+               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + tangles.bytes();
     }
 };
 
@@ -96,6 +100,9 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
+    if (state.tangles.size() == 0) return;
+    visit(state.tangles.span());
+    visit(std::span(&state.may_cross, 1));
 }
 
 template <class State, class Visit>

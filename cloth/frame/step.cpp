@@ -23,7 +23,7 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 
 void Simulation::step(float dt) {
     begin(dt);
-    if (meeting)
+    if (together_)
         step_together(dt);
     else
         step_each(dt);
@@ -37,11 +37,12 @@ void Simulation::step_together(float dt) {
         for_each_cloth([&](Worker& worker, Cloth& cloth) { predict(worker, cloth, substep); });
         meet(substep);
         for_each_group(islands_, [&](Worker& worker, std::span<Cloth* const> island) {
-            const bool touch = island.size() > 1;
-            if (touch) meeting->meet(worker.parallel, island, substep.h);
-            for (Cloth* cloth : island) solve(worker, *cloth, dt, substep);
-            if (touch) meeting->settle(worker.parallel, island, substep.h);
+            if (island.size() == 1)
+                solve(worker, *island.front(), dt, substep);
+            else
+                solve_island(worker, island, dt, substep);
         });
+        part_strays(substep);
     }
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
         guard(worker, cloth);
@@ -117,16 +118,6 @@ void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
     air_forces(worker, cloth, !substep.is_first());
 }
 
-// Which cloths may touch: those whose boxes over the substep, grown by how far they feel each other, overlap.
-void Simulation::meet(const Substep& substep) {
-    boxes_.clear();
-    for (const Cloth* cloth : present_) boxes_.push_back(predicted_box(*cloth, substep.h));
-    finder_.find(boxes_, [&](std::uint32_t i, std::uint32_t j) {
-        return meeting->may_touch(*present_[i], *present_[j]);
-    });
-    islands_.plan(present_, finder_.first_of(), parallel.width());
-}
-
 // A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
 // meet its colliders each.
 void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
@@ -135,10 +126,16 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         const Substep part = substep.part(k, parts, dt);
         move_colliders(worker, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
-        const StepEquation equation = equation_of(worker, cloth, part.h);
+        if (cloth.features) find_features(worker, cloth, part.h);
+        StepEquation equation = equation_of(worker, cloth, part.h);
+        if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
+        if (cloth.features && cloth.solver->joins())
+            join_features(worker, *cloth.features, 0, cloth, equation);
         solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
         advance(worker, cloth, equation, part.is_first());
         settle(worker, cloth, part.h);
+        Cloth* const alone = &cloth;
+        if (cloth.features) settle_features(worker, *cloth.features, std::span(&alone, 1), part);
     }
 }
 
@@ -205,7 +202,6 @@ bool Simulation::is_residual_due(const Cloth& cloth) const {
 
 void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation,
                                 bool wants_residual) {
-    if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
     const SolveResult result = cloth.solver->solve({.parallel = worker.parallel,
                                                     .profiler = profiler,
                                                     .model = cloth.model,
@@ -213,10 +209,14 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
                                                     .equation = equation,
                                                     .velocities = cloth.next_velocities.span(),
                                                     .wants_residual = wants_residual});
+    take_result(worker, cloth, result, wants_residual);
+}
+
+void Simulation::take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual) {
     if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
     cloth.unsolved |= result.unsolved;
-    if (wants_residual) cloth.residual = result.residual;
+    if (has_residual) cloth.residual = result.residual;
 }
 
 // The step's first substep writes the new positions over the previous ones and swaps the two, so that the
@@ -230,6 +230,7 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .velocities = now.velocities.span(),
                    .positions = (is_first ? now.previous_positions : now.positions).span(),
                    .record = cloth.history ? &now.record : nullptr});
+    if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
 }
 
@@ -266,11 +267,11 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
                 cloth.state.velocities.span(), cloth.partial_counts.span());
 }
 
-// Neither rounding nor the speed limit may make a pin miss its target.
+// Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may.
 void Simulation::guard(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::guard);
     const auto look = [&] {
-        for (const Pin& pin : cloth.state.pins) set_xyz(cloth.state.positions[pin.particle], pin.target);
+        if (!cloth.features) cloth.place_pins();
         return survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
     };
     cloth.extent = look();
@@ -285,28 +286,16 @@ void Simulation::finish(Worker& worker, Cloth& cloth) {
     update_normals(worker.parallel, cloth);
 }
 
-/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends, grown by how far
-/// it feels others.
-Bounds Simulation::predicted_box(const Cloth& cloth, float h) const {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Vector3 lower = Vector3::Constant(infinity), upper = -lower;
-    const Vector3 fall = h * h * to_vector(settings.gravity);
-    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        const Vector3 here = xyz(cloth.state.positions[i]);
-        const Vector3 there = here + h * xyz(cloth.state.velocities[i]);
-        lower = lower.cwiseMin(here).cwiseMin(there).cwiseMin(there + fall);
-        upper = upper.cwiseMax(here).cwiseMax(there).cwiseMax(there + fall);
-    }
-    const Vector3 reach = Vector3::Constant(meeting->reach(cloth));
-    return {to_vec3(lower - reach), to_vec3(upper + reach)};
-}
-
 void Simulation::add_to_report(const Cloth& cloth) {
     ++report.cloths;
     report.particles += cloth.model.particle_count;
     report.collider_contacts += cloth.collider_contacts;
     report.self_contacts += cloth.self_counts.pairs;
     report.peak_self_contacts = std::max(report.peak_self_contacts, cloth.self_counts.peak);
+    report.self_contacts += cloth.feature_counts.pairs;
+    report.crossings += cloth.feature_counts.tangles.crossings;
+    report.truncated_particles += cloth.feature_counts.truncated;
+    report.pin_lag = std::max(report.pin_lag, cloth.feature_counts.pin_lag);
     report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
     report.residual = std::max(report.residual, cloth.residual);
     if (cloth.restored) {
@@ -316,7 +305,9 @@ void Simulation::add_to_report(const Cloth& cloth) {
     if (report.peak_speed > 0.999f * settings.max_speed)
         report.flags = report.flags | StepFlags::speed_limited;
     if (cloth.unsolved) report.flags = report.flags | StepFlags::unsolved;
-    if (cloth.self_counts.dropped > 0) report.flags = report.flags | StepFlags::contacts_dropped;
+    if (cloth.feature_counts.pin_lag > 0) report.flags = report.flags | StepFlags::pins_stopped;
+    if (cloth.self_counts.dropped > 0 || cloth.feature_counts.overflowed)
+        report.flags = report.flags | StepFlags::contacts_dropped;
 }
 
 void Simulation::end(float dt) {

@@ -133,8 +133,13 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
     return without_exceptions([&]() -> Result<ClothId> {
         auto cloth = make_cloth(impl_->simulation, mesh, settings);
         if (!cloth) return cloth.error();
-        impl_->simulation.reserve_cloth();
-        return impl_->simulation.cloths.insert(std::move(cloth).value());
+        Simulation& simulation = impl_->simulation;
+        simulation.reserve_cloth();
+        if (!(*cloth)->features) return simulation.cloths.insert(std::move(cloth).value());
+        auto together = simulation.make_together(nullptr, (*cloth)->contact_mesh.get());
+        const ClothId id = simulation.cloths.insert(std::move(cloth).value());
+        simulation.take_together(std::move(together));
+        return id;
     });
 }
 
@@ -148,7 +153,9 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 
 Result<void> World::remove_cloth(ClothId id) {
     return without_exceptions([&]() -> Result<void> {
-        if (!impl_->simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        Simulation& simulation = impl_->simulation;
+        if (!simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        simulation.cloth_has_gone();
         return {};
     });
 }
@@ -161,7 +168,7 @@ Result<ClothSettings> World::cloth_settings(ClothId id) const {
 Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
         if (auto valid = validate(settings); !valid) return valid;
-        cloth.apply(settings);
+        impl_->simulation.apply(cloth, settings);
         return {};
     });
 }

@@ -55,6 +55,10 @@ class Solver {
     /// Whether it solves the whole equation, in any time scheme. Other methods take only h, positions and
     /// velocities from it.
     [[nodiscard]] virtual bool is_implicit() const noexcept { return true; }
+    /// Whether features that touch are in the equation that it solves: see MultilevelSolver::solve().
+    [[nodiscard]] virtual bool joins() const noexcept { return false; }
+    /// Makes room for contact of the cloth with itself, with so many pairs. May throw. Of none: frees it.
+    virtual void reserve_pairs(std::size_t /*count*/) {}
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };
 

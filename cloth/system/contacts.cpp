@@ -142,9 +142,14 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
-Contacts::Contacts(std::uint32_t particles) {
-    rows_.blocks = AlignedBuffer<float>(std::size_t{6} * Stencil::whole_groups(particles));
+Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
+    const std::size_t entries = std::size_t{6} * Stencil::whole_groups(particles);
+    rows_.blocks = AlignedBuffer<float>(entries);
     rows_.impulses = AlignedBuffer<Vec4>(particles);
+    if (!with_pairs) return;
+    rows_.in_relaxation = AlignedBuffer<float>(entries);
+    of_colliders_ = AlignedBuffer<Vec4>(particles);
+    touching_ = AlignedBuffer<std::uint32_t>(Stencil::whole_groups(particles) / Stencil::lanes);
 }
 
 void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> velocities,
@@ -168,7 +173,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .per_mass = spring_per_mass,
                              .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
-                             .impulses = rows_.impulses.data() + range.begin,
+                             .impulses = of_colliders().data() + range.begin,
                              .normals = held_->normals.data() + range.begin,
                              .rubbed = held_->rubbed.data() + range.begin};
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
@@ -180,6 +185,39 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         }
         touching = touches ? 1 : 0;
     }
+    if (has_pairs()) add_pairs(range);
+}
+
+// Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.
+void Contacts::add_pairs(const BlockRange& range) {
+    for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
+        const std::uint32_t group = i / Stencil::lanes;
+        touching_[group] = held_->touching[group];
+        if (touching_[group] == 0) continue;
+        std::copy_n(of_colliders_.data() + i, Stencil::lanes, rows_.impulses.data() + i);
+        std::fill_n(rows_.in_relaxation.data() + std::size_t{6} * i, 6 * Stencil::lanes, 0.0f);
+    }
+    if (pairs_ == nullptr || pairs_->empty()) return;
+    const auto add = [&](const PairRows::AtParticle& at) {
+        const std::uint32_t i = at.particle - first_, group = i / Stencil::lanes;
+        const std::uint32_t start = group * Stencil::lanes;
+        if (touching_[group] == 0) {
+            touching_[group] = 1;
+            std::fill_n(rows_.blocks.data() + std::size_t{6} * start, 6 * Stencil::lanes, 0.0f);
+            std::fill_n(rows_.in_relaxation.data() + std::size_t{6} * start, 6 * Stencil::lanes, 0.0f);
+            std::fill_n(rows_.impulses.data() + start, Stencil::lanes, Vec4{});
+        }
+        const Symmetric3& d = at.diagonal;
+        const std::array<float, 6> entries{d.xx, d.yy, d.zz, d.xy, d.xz, d.yz};
+        for (std::uint32_t k = 0; k < 6; ++k) rows_.in_relaxation[lane_index(i, k, 6)] += entries[k];
+        rows_.impulses[i] = to_vec4(xyz(rows_.impulses[i]) + at.impulse, 0);
+    };
+    pairs_->for_each_particle(first_ + range.begin, first_ + range.end, add);
+}
+
+void Contacts::renew_pairs(Parallel& parallel) {
+    parallel.ranges(static_cast<std::uint32_t>(rows_.impulses.size()),
+                    [&](const BlockRange& range) { add_pairs(range); });
 }
 
 void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
@@ -189,11 +227,11 @@ void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
 
 void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
-        if (!rows_.touches(i)) continue;
+        if (held_->touching[i / Stencil::lanes] == 0) continue;
         HWY_DYNAMIC_DISPATCH(press_group)
         ({.blocks = rows_.blocks.data() + std::size_t{6} * i,
           .velocities = velocities.data() + i,
-          .impulses = rows_.impulses.data() + i,
+          .impulses = of_colliders().data() + i,
           .normals = held_->normals.data() + i,
           .rubbed = held_->rubbed.data() + i});
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/stencil.h"
 #include "cloth/system/step_equation.h"
 #include "collision/collider_contacts.h"
@@ -37,6 +38,9 @@ struct ContactRows {
     AlignedBuffer<Vec4> impulses;             ///< c, w 0
     std::span<const std::uint32_t> touching;  ///< see HeldContacts; of a group that does not touch, blocks
                                               ///< and impulses may hold anything
+    /// What relaxation is to have on its diagonal besides, for what particles do to one another [kg]: laid
+    /// out as blocks. Empty: nothing.
+    AlignedBuffer<float> in_relaxation;
 
     [[nodiscard]] bool touches(std::uint32_t i) const { return touching[i / Stencil::lanes] != 0; }
     /// Of a particle in a group that touches.
@@ -58,14 +62,23 @@ struct ContactRows {
 /// takes back afterwards.
 class Contacts {
   public:
-    explicit Contacts(std::uint32_t particles);
+    /// with_pairs: of a cloth whose features meet others.
+    explicit Contacts(std::uint32_t particles, bool with_pairs = false);
 
     /// A substep begins, in which colliders move so, with what the last one left. Both must outlive it.
     void begin(std::span<const ColliderMotion> colliders, HeldContacts& held) {
         colliders_ = colliders;
         held_ = &held;
+        pairs_ = nullptr;
         rows_.touching = held.touching.span();
         passes_ = 0;
+    }
+    /// Then: its rows are to hold these pairs, too, in which the cloth's particles are numbered from `first`
+    /// on, a multiple of 16. Whoever has another linearisation begin linearises the pairs before.
+    void join(const PairRows& pairs, std::uint32_t first) {
+        pairs_ = &pairs;
+        first_ = first;
+        rows_.touching = touching_.span();
     }
     /// Another linearisation begins, in which every block is to be linearised before its rows are read.
     const ContactRows* begin_pass() {
@@ -77,14 +90,33 @@ class Contacts {
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
     void finish(Parallel& parallel, std::span<const Vec4> velocities);
+    /// The pairs have been linearised again, the colliders not.
+    void renew_pairs(Parallel& parallel);
 
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return rows_.blocks.bytes() + rows_.impulses.bytes(); }
+    /// In the last linearisation.
+    [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
+        return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
+    }
+    [[nodiscard]] bool has_pairs() const noexcept { return touching_.size() > 0; }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.in_relaxation.bytes() +
+               of_colliders_.bytes() + touching_.bytes();
+    }
 
   private:
     void press(const BlockRange& range, std::span<const Vec4> velocities);
+    void add_pairs(const BlockRange& range);
+    /// Impulses of colliders alone.
+    [[nodiscard]] AlignedBuffer<Vec4>& of_colliders() noexcept {
+        return has_pairs() ? of_colliders_ : rows_.impulses;
+    }
 
-    ContactRows rows_;
+    ContactRows rows_;                       // in the equation
+    AlignedBuffer<Vec4> of_colliders_;       // their impulses, where these are not all; else empty
+    AlignedBuffer<std::uint32_t> touching_;  // likewise: of rows_
+    const PairRows* pairs_ = nullptr;
+    std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
     int passes_ = 0;  // of this substep

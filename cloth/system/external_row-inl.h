@@ -26,7 +26,9 @@ HWY_INLINE SymmetricLanes contact_blocks(const ContactRows& contacts, std::uint3
 /// The part of G that relaxation divides by. A multigrid cycle damps by 5/6, so with 5/6 of G it solves a row
 /// at once where contact outweighs the rest. 2 D - W needs half of G to be positive definite.
 HWY_INLINE SymmetricLanes contact_diagonal(const ContactRows& contacts, std::uint32_t i) {
-    return set(5.0f / 6) * contact_blocks(contacts, i);
+    const SymmetricLanes of_colliders = set(5.0f / 6) * contact_blocks(contacts, i);
+    if (contacts.in_relaxation.size() == 0) return of_colliders;
+    return of_colliders + load_symmetric(&contacts.in_relaxation[lane_index(i, 0, 6)]);
 }
 
 /// Inertia, gravity, air and colliders.

@@ -11,6 +11,7 @@
 namespace weft {
 
 class Contacts;
+class PairRows;
 
 /// What acts on the particles besides the fabric.
 struct ExternalForces {
@@ -34,7 +35,9 @@ struct StepEquation {
     std::span<const Vec4> base_positions;  ///< w inverse mass
     std::span<const Vec4> base_velocities;
     ExternalForces external;
-    Contacts* contacts = nullptr;  ///< of the cloth with colliders, or null: there are none
+    Contacts* contacts = nullptr;  ///< of the cloth with colliders and features, or null: there are none
+    PairRows* pairs = nullptr;     ///< of features of all bodies that are solved together, or null
+    std::uint32_t first = 0;       ///< the cloth's first particle among these bodies'
 };
 
 /// Velocities once external forces alone have acted for h, drag taken implicitly: where explicit and

@@ -43,6 +43,9 @@ std::vector<Case> cases() {
     add("MultilevelMesh", Multilevel{}, mesh);
     add("MultilevelAll", Multilevel{}, all);
     add("MultilevelElements", Multilevel{}, elements);
+    add("MultilevelContact", Multilevel{}, [](Case& c) {
+        c.settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    });
     add("Jacobi", Jacobi{}, plain);
     add("Chebyshev", Chebyshev{}, bdf2);
     add("ConjugateGradient", ConjugateGradient{}, bdf2);

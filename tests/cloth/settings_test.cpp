@@ -182,6 +182,8 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.method = Fibres{.horizontal = static_cast<Fibres::SetSolver>(9)}; }},
         {"Fibres::shear is 9", "SetSolver::ldlt",
          [](ClothSettings& s) { s.method = Fibres{.shear = static_cast<Fibres::SetSolver>(9)}; }},
+        {"SelfCollision::method is 7", "SelfCollisionMethod::contact",
+         [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
         {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
          [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };

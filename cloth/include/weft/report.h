@@ -20,8 +20,10 @@ enum class StepFlags : std::uint32_t {
     /// A cloth's state stopped being finite, or left the 100 km around the origin. It is back at the start of
     /// the step, at rest. Lower the step, raise WorldSettings::substeps, or soften ClothSettings::fabric.
     state_restored = 1u << 1,
-    /// Particles had more close neighbours than a contact list holds (16); the rest wait for the next step.
-    /// Lower SelfCollision::distance.
+    /// More is close than there is memory for. By avoidance, particles have more neighbours than a list holds
+    /// (16), and the rest wait for the next step. By contact, there are more than 16 pairs of features a
+    /// particle: what touches moves together for this step, and nothing crosses. Lower
+    /// SelfCollision::distance.
     contacts_dropped = 1u << 2,
     /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
     /// a pin or a collider that jumps.
@@ -30,6 +32,9 @@ enum class StepFlags : std::uint32_t {
     /// or lag. Raise Multilevel::effort, or its passes, or ClothSettings::substeps; or lower Fabric::warp and
     /// weft over shear, or Fabric::damping.
     unsolved = 1u << 4,
+    /// A pin was stopped by cloth that it would have had to pass through, see StepReport::pin_lag: no motion
+    /// of the rest makes room. Move pins slower, or another way.
+    pins_stopped = 1u << 5,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
     return static_cast<StepFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -45,8 +50,15 @@ struct StepReport {
     std::uint32_t cloths = 0;
     std::uint32_t particles = 0;
     std::uint32_t collider_contacts = 0;   ///< particles that met a collider, in the last substep
-    std::uint32_t self_contacts = 0;       ///< pairs pushed apart, in the last substep
-    std::uint32_t peak_self_contacts = 0;  ///< most of one particle, in the last substep
+    std::uint32_t self_contacts = 0;       ///< pairs that are close, in the last substep
+    std::uint32_t peak_self_contacts = 0;  ///< most of one particle, in the last substep; by avoidance
+    /// By contact: particles that went less far than was solved for, in the last substep, since they would
+    /// have passed through cloth.
+    std::uint32_t truncated_particles = 0;
+    float pin_lag = 0;  ///< the farthest that a pin is from its target, stopped by cloth [m]
+    /// By contact: places where an edge goes through a triangle, at the start of the last substep. Only a
+    /// state that was given so has any; they are let apart, and no new ones are made.
+    std::uint32_t crossings = 0;
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]
     /// How far the worst cloth's velocities are from solving the equation of the step's last substep: 0

@@ -45,46 +45,78 @@ struct CgResult {
     int iterations = 0;  ///< that were begun
 };
 
-/// Conjugate gradients (Hestenes and Stiefel 1952) from 0: the solution is added to dv. precondition(r, z)
-/// writes z = P r from r, of which w may be anything, P symmetric and positive definite on the free particles
-/// and 0 on the pinned ones, of which nothing more is needed: a direction that is 0 there stays so (the
-/// filter of Baraff and Witkin 1998). Each iteration multiplies once and preconditions once. It ends early
-/// where single precision has nothing left to find; at what is not finite it gives up.
-/// Unless it ended early, the last iterate that was preconditioned is the last but one.
+/// One cloth's share of a solve.
+struct CgPart {
+    ImplicitSystem& system;
+    CgVectors& vectors;
+    std::span<Vec4> dv;
+};
+
+/// No part does anything to another.
+struct Uncoupled {
+    double operator()(bool /*wants_products*/) const { return 0; }
+};
+
+/// Conjugate gradients (Hestenes and Stiefel 1952) from 0 on one equation of one or more parts: the solution
+/// is added to each part's dv. precondition(k, r, z) writes z = P r from r, of which w may be anything, P
+/// symmetric and positive definite on the free particles and 0 on the pinned ones, of which nothing more is
+/// needed: a direction that is 0 there stays so (the filter of Baraff and Witkin 1998).
+/// couple(wants_products) adds what the parts do to one another and themselves beyond their systems, C p for
+/// the directions p, to the products if they are wanted, and returns p . C p. Each iteration multiplies once
+/// and preconditions once. It ends early where single precision has nothing left to find; at what is not
+/// finite it gives up. Unless it ended early, the last iterate that was preconditioned is the last but one.
 ///
 /// iterations_for(decrement) says how many are wanted, up to `most`, once the first direction is known and
 /// before anything is done: the direction of the call before still stands in vectors.preconditioned. If it
 /// says 0, that goes back to vectors.direction, and no iteration is begun.
-template <class Precondition, class IterationsFor>
-CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int most,
-                             const Precondition& precondition, const IterationsFor& iterations_for,
-                             CgVectors& vectors, std::span<Vec4> dv) {
+///
+/// Parts is a range of CgPart, whose begin() and end() may be called often.
+template <class Parts, class Precondition, class Couple, class IterationsFor>
+CgResult conjugate_gradients(Parallel& parallel, const Parts& parts, int most,
+                             const Precondition& precondition, const Couple& couple,
+                             const IterationsFor& iterations_for) {
     constexpr CgResult failed{.ok = false};
     constexpr double rounding = 1e-14;  // of r . z, relative to its first value: 1e-7 in dv
-    std::span<const Vec4> residual = system.right_side().span();
     Products first, now;
     float length = 0;
     int begun = 0;
     for (int k = 0, iterations = most; k < iterations; ++k) {
-        const auto multiply_direction = [&] {
-            return system.multiply_coupled(parallel, residual, std::as_const(vectors.direction).span(),
-                                           k + 1 == iterations ? std::span<Vec4>() : vectors.product.span());
+        const auto residual_of = [&](const CgPart& part) -> std::span<const Vec4> {
+            return k == 0 ? std::as_const(part.system.right_side()).span()
+                          : std::as_const(part.vectors.residual).span();
         };
-        precondition(residual, vectors.preconditioned.span());
+        const auto swap_directions = [&] {
+            for (const CgPart& part : parts) std::swap(part.vectors.direction, part.vectors.preconditioned);
+        };
+        const auto multiply_directions = [&] {
+            const bool wants_products = k + 1 < iterations;
+            Products sum;
+            for (const CgPart& part : parts)
+                sum = sum + part.system.multiply_coupled(
+                                parallel, residual_of(part), std::as_const(part.vectors.direction).span(),
+                                wants_products ? part.vectors.product.span() : std::span<Vec4>());
+            sum.x_wx += couple(wants_products);
+            return sum;
+        };
+        std::size_t number = 0;
+        for (const CgPart& part : parts)
+            precondition(number++, residual_of(part), part.vectors.preconditioned.span());
         if (k == 0) {  // z is the direction
-            std::swap(vectors.direction, vectors.preconditioned);
-            first = now = multiply_direction();
+            swap_directions();
+            first = now = multiply_directions();
             if (std::isfinite(now.b_x)) iterations = std::min(iterations_for(now.b_x), most);
             if (iterations <= 0) {
-                std::swap(vectors.direction, vectors.preconditioned);
+                swap_directions();
                 return {};
             }
         } else {
             const double before = now.b_x;
-            now = products(parallel, residual, vectors);
-            turn_direction(parallel, static_cast<float>(now.b_x / before), vectors);
+            now = {};
+            for (const CgPart& part : parts) now = now + products(parallel, residual_of(part), part.vectors);
+            for (const CgPart& part : parts)
+                turn_direction(parallel, static_cast<float>(now.b_x / before), part.vectors);
             length = 0;
-            now.x_wx = multiply_direction().x_wx;
+            now.x_wx = multiply_directions().x_wx;
         }
         begun = k + 1;
         if (!std::isfinite(now.b_x)) return failed;
@@ -93,10 +125,9 @@ CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int mos
         if (std::isnan(now.x_wx)) return failed;
         if (!(now.x_wx > 0) || !std::isfinite(alpha)) break;
         length = static_cast<float>(alpha);
-        advance_along(parallel, length, vectors, dv);
+        for (const CgPart& part : parts) advance_along(parallel, length, part.vectors, part.dv);
         if (k + 1 == iterations) break;
-        update_residual(parallel, length, residual, vectors);
-        residual = vectors.residual.span();
+        for (const CgPart& part : parts) update_residual(parallel, length, residual_of(part), part.vectors);
     }
     return {.left = first.x_x > 0 ? static_cast<float>(std::sqrt(now.x_x / first.x_x)) : 0.0f,
             .decrement = first.b_x,
@@ -104,11 +135,15 @@ CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int mos
             .length = length,
             .iterations = begun};
 }
+/// Of one cloth alone.
 template <class Precondition>
 CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
                              const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {
-    const auto all = [=](double /*decrement*/) { return iterations; };
-    return conjugate_gradients(parallel, system, iterations, precondition, all, vectors, dv);
+    const CgPart part{system, vectors, dv};
+    return conjugate_gradients(
+        parallel, std::span(&part, 1), iterations,
+        [&](std::size_t, std::span<const Vec4> r, std::span<Vec4> z) { precondition(r, z); }, Uncoupled(),
+        [=](double /*decrement*/) { return iterations; });
 }
 
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).

@@ -41,9 +41,29 @@ void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
     sum_ground(parallel, ground.diagonal.span(), ground.off_diagonal.span());
 }
 
+void CoarseLevel::reserve_pairs(std::size_t finer_rows) {
+    pairs_.reserve(finer_rows, nodes());
+    corrected_ = AlignedBuffer<Vec4>(finer_rows > 0 ? nodes() : 0);
+}
+
+void CoarseLevel::add_bound_of_pairs() {
+    SymmetricRows& ground = matrix_.ground_rows;
+    pairs_.for_each_bound([&](std::uint32_t node, float factor, const Symmetric3& stiffness) {
+        Symmetric3 sum = ground[node];
+        sum.add(factor * stiffness);
+        ground.set(node, sum);
+    });
+}
+
+std::span<const Vec4> CoarseLevel::corrected_b() const {
+    if (pairs_.rows().empty()) return b_.span();
+    pairs_.correct(b_.span(), x_.span(), corrected_.span());
+    return corrected_.span();
+}
+
 void CoarseLevel::finish(Parallel& parallel) {
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
-    small_components_.factorise(parallel, matrix_);
+    small_components_.factorise(parallel, matrix_, pairs_);
 }
 
 void CoarseLevel::solve_small_components(Parallel& parallel) {
@@ -51,8 +71,9 @@ void CoarseLevel::solve_small_components(Parallel& parallel) {
 }
 
 void CoarseLevel::subtract_product(Parallel& parallel, std::span<Vec4> remainder) const {
+    const std::span<const Vec4> b = corrected_b();
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
-        subtract_product_block(matrix_, range, b_.data(), x_.data(), remainder.data());
+        subtract_product_block(matrix_, range, b.data(), x_.data(), remainder.data());
     });
 }
 
@@ -64,15 +85,16 @@ void CoarseLevel::relax_from_zero(Parallel& parallel, float step) {
 }
 
 void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
+    const std::span<const Vec4> b = corrected_b();
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) {
-        relax_block(matrix_, range, b_.data(), x_.data(), relaxation, before_.data());
+        relax_block(matrix_, range, b.data(), x_.data(), relaxation, before_.data());
     });
     std::swap(x_, before_);
 }
 
 std::size_t CoarseLevel::bytes() const noexcept {
     return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + small_components_.bytes() +
-           b_.bytes() + x_.bytes() + before_.bytes();
+           pairs_.bytes() + b_.bytes() + x_.bytes() + before_.bytes() + corrected_.bytes();
 }
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "cloth/solvers/multigrid/coarse_matrix.h"
+#include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/component_solver.h"
 #include "cloth/solvers/multigrid/galerkin.h"
@@ -27,6 +28,8 @@ class CoarseLevel {
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Sums links and ground from a finer coarse level.
     void sum(Parallel& parallel, const CoarseLevel& finer);
+    /// The bound of the rows of contact joins the ground; finish() and what follows take the rows over.
+    void add_bound_of_pairs();
     /// After links and ground: the matrix, and the factors of its small components.
     void finish(Parallel& parallel);
 
@@ -53,14 +56,23 @@ class CoarseLevel {
     [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }
     [[nodiscard]] std::span<Vec4> x() noexcept { return x_.span(); }
     [[nodiscard]] std::span<Vec4> before() noexcept { return before_.span(); }
+    /// Of contact of the cloth with itself; memory for them only once they are reserved.
+    [[nodiscard]] CoarsePairs& pairs() noexcept { return pairs_; }
+    [[nodiscard]] const CoarsePairs& pairs() const noexcept { return pairs_; }
+    void reserve_pairs(std::size_t finer_rows);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    /// b, less what contact does at x beyond its bound.
+    [[nodiscard]] std::span<const Vec4> corrected_b() const;
+
     GalerkinLists lists_;
     Interpolation interpolation_;
     CoarseMatrix matrix_;
     ComponentSolver small_components_;
+    CoarsePairs pairs_;
     AlignedBuffer<Vec4> b_, x_, before_;
+    mutable AlignedBuffer<Vec4> corrected_;
 };
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #include "cloth/solvers/multigrid/component_solver.h"
 
+#include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -18,7 +19,6 @@ constexpr std::uint32_t components_at_a_time = 16;
 }  // namespace
 
 ComponentSolver::ComponentSolver(const Components& components, const GalerkinLists& lists) {
-    constexpr std::uint32_t none = ~0u;
     std::vector<std::uint32_t> number(components.count(), none), local(components.of_node.size());
     std::uint32_t count = 0, node_count = 0;
     for (std::uint32_t c = 0; c < components.count(); ++c) {
@@ -27,6 +27,7 @@ ComponentSolver::ComponentSolver(const Components& components, const GalerkinLis
         node_count += components.size(c);
     }
     components_.resize(count + std::size_t{1});
+    number_.assign(components.of_node.size(), none);
     nodes_.reserve(node_count);
     for (std::uint32_t c = 0; c < components.count(); ++c) {
         if (number[c] == none) continue;
@@ -35,6 +36,7 @@ ComponentSolver::ComponentSolver(const Components& components, const GalerkinLis
         for (std::uint32_t k = 0; k < components.size(c); ++k) {
             const std::uint32_t node = components.nodes[components.offsets[c] + k];
             local[node] = k;
+            number_[node] = static_cast<std::uint32_t>(nodes_.size());
             nodes_.push_back(node);
         }
         components_[number[c] + std::size_t{1}].node = static_cast<std::uint32_t>(nodes_.size());
@@ -55,14 +57,15 @@ ComponentSolver::ComponentSolver(const Components& components, const GalerkinLis
     }
 }
 
-void ComponentSolver::factorise(Parallel& parallel, const CoarseMatrix& matrix) {
+void ComponentSolver::factorise(Parallel& parallel, const CoarseMatrix& matrix, const CoarsePairs& pairs) {
     const auto body = [&](const BlockRange& range) {
-        for (std::uint32_t c = range.begin; c < range.end; ++c) factorise(c, matrix);
+        for (std::uint32_t c = range.begin; c < range.end; ++c) factorise(c, matrix, pairs);
     };
     parallel.ranges(count(), body, components_at_a_time);
 }
 
-void ComponentSolver::factorise(std::uint32_t component, const CoarseMatrix& matrix) {
+void ComponentSolver::factorise(std::uint32_t component, const CoarseMatrix& matrix,
+                                const CoarsePairs& pairs) {
     const Component &begin = components_[component], &end = components_[component + std::size_t{1}];
     const Eigen::Index rows = 3 * static_cast<Eigen::Index>(end.node - begin.node);
     Factor block(&factors_[begin.factor], rows, rows);
@@ -79,6 +82,22 @@ void ComponentSolver::factorise(std::uint32_t component, const CoarseMatrix& mat
         block.block<3, 3>(j, j) += stiffness;
         block.block<3, 3>(i, j) -= stiffness;
         block.block<3, 3>(j, i) -= stiffness;
+    }
+    for (const CoarsePairs::Row& row : pairs.rows()) {
+        const auto place = [&](std::uint32_t k) { return number_[row.nodes[k]] - begin.node; };
+        bool is_within = true;
+        for (std::uint32_t k = 0; k < row.count; ++k) is_within &= place(k) < end.node - begin.node;
+        if (!is_within) continue;
+        const Eigen::Matrix3d stiffness = row.stiffness.full();
+        for (std::uint32_t k = 0; k < row.count; ++k) {
+            const auto i = 3 * static_cast<Eigen::Index>(place(k));
+            const double bound = static_cast<double>(row.reach * std::abs(row.weights[k]));
+            block.block<3, 3>(i, i) -= bound * stiffness;
+            for (std::uint32_t m = 0; m < row.count; ++m) {
+                const double factor = static_cast<double>(row.weights[k] * row.weights[m]);
+                block.block<3, 3>(i, 3 * static_cast<Eigen::Index>(place(m))) += factor * stiffness;
+            }
+        }
     }
     // A node of pinned particles alone has a row of zeros, and W was summed in single precision.
     const double largest = block.diagonal().maxCoeff();
@@ -109,7 +128,7 @@ void ComponentSolver::solve(std::uint32_t component, std::span<const Vec4> b, st
 }
 
 std::size_t ComponentSolver::bytes() const noexcept {
-    return components_.size() * sizeof(Component) + nodes_.size() * sizeof(std::uint32_t) +
+    return components_.size() * sizeof(Component) + (nodes_.size() + number_.size()) * sizeof(std::uint32_t) +
            links_.size() * sizeof(LocalLink) + factors_.bytes();
 }
 

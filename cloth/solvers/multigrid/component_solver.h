@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/solvers/multigrid/coarse_matrix.h"
+#include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "engine/aligned_buffer.h"
@@ -22,8 +23,9 @@ class ComponentSolver {
     /// Takes all memory that it needs. `lists` name the level's links.
     ComponentSolver(const Components& components, const GalerkinLists& lists);
 
-    /// Cholesky factors of the matrix's blocks, in double precision.
-    void factorise(Parallel& parallel, const CoarseMatrix& matrix);
+    /// Cholesky factors of the matrix's blocks, in double precision. Rows of pairs within a component take
+    /// the place of their bound, which the matrix has.
+    void factorise(Parallel& parallel, const CoarseMatrix& matrix, const CoarsePairs& pairs);
     /// Sets x to the solution at the small components' nodes, and leaves the others alone.
     void solve(Parallel& parallel, std::span<const Vec4> b, std::span<Vec4> x) const;
 
@@ -31,6 +33,7 @@ class ComponentSolver {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    static constexpr std::uint32_t none = ~0u;
     /// Its nodes, links and factor begin here, and end where those of the next one begin.
     struct Component {
         std::uint32_t node, link;
@@ -43,11 +46,12 @@ class ComponentSolver {
     [[nodiscard]] std::uint32_t count() const noexcept {
         return static_cast<std::uint32_t>(components_.size()) - 1;
     }
-    void factorise(std::uint32_t component, const CoarseMatrix& matrix);
+    void factorise(std::uint32_t component, const CoarseMatrix& matrix, const CoarsePairs& pairs);
     void solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const;
 
     std::vector<Component> components_;  // and behind the last of them their ends
     std::vector<std::uint32_t> nodes_;
+    std::vector<std::uint32_t> number_;  // of each of the level's nodes: its place in nodes_, or none
     std::vector<LocalLink> links_;
     AlignedBuffer<double> factors_;  // by columns
 };

@@ -229,18 +229,67 @@ void Multigrid::reserve_pins(std::size_t count) {
     held_.reserve(std::min(count * most, 2 * links_.size()));
 }
 
-void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
+void Multigrid::reserve_pairs(std::size_t count) {
+    for (CoarseLevel& level : coarse_) {
+        level.reserve_pairs(count);
+        count = level.pairs().room();
+    }
+    has_pairs_ = count > 0;
+}
+
+void Multigrid::build(Parallel& parallel, ImplicitSystem& system, const PairRows* pairs,
+                      std::uint32_t first) {
     if (coarse_.empty()) return;
+    if (has_pairs_) gather_pairs(pairs, first);
     system.spring_blocks(parallel, slots_, springs_.span());
     sum_first_ground(parallel, system);
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
     coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
-    coarse_.front().finish(parallel);
-    for (std::size_t k = 1; k < coarse_.size(); ++k) {
-        coarse_[k].sum(parallel, coarse_[k - 1]);
-        coarse_[k].finish(parallel);
+    if (has_pairs_ && pairs != nullptr && !pairs->empty()) hold_other_bodies(*pairs, first);
+    for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
+    // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
+    for (CoarseLevel& level : coarse_) {
+        if (has_pairs_) level.add_bound_of_pairs();
+        level.finish(parallel);
     }
+}
+
+void Multigrid::gather_pairs(const PairRows* pairs, std::uint32_t first) {
+    if (pairs == nullptr || pairs->empty()) {
+        for (CoarseLevel& level : coarse_) level.pairs().clear();
+        return;
+    }
+    coarse_.front().pairs().gather(*pairs, first, static_cast<std::uint32_t>(pinned_.size()),
+                                   coarse_.front().interpolation(), weights_.span());
+    for (std::size_t k = 1; k < coarse_.size(); ++k)
+        coarse_[k].pairs().gather(coarse_[k - 1].pairs(), coarse_[k].interpolation());
+}
+
+// What is between this cloth and others holds it where it is.
+void Multigrid::hold_other_bodies(const PairRows& pairs, std::uint32_t first) {
+    const auto particles = static_cast<std::uint32_t>(pinned_.size());
+    const Interpolation& p = coarse_.front().interpolation();
+    SymmetricRows& ground = coarse_.front().matrix().ground_rows;
+    pairs.for_each_active([&](const PairRows::ActivePair& active) {
+        const auto& corners = active.pair.corners;
+        const bool is_within =
+            std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first < particles; });
+        if (is_within) return;
+        Symmetric3 stiffness;
+        stiffness.add(active.damper, std::sqrt(active.spring - active.damper) * xyz(active.shape.normal));
+        for (std::size_t c = 0; c < 4; ++c) {
+            if (corners[c] - first >= particles) continue;
+            const float bound = 2 * std::abs((&active.shape.weights.x)[c]);
+            const std::uint32_t row = Interpolation::width * (corners[c] - first);
+            for (std::uint32_t e = row; e < row + Interpolation::width; ++e) {
+                if (weights_[e] == 0) continue;
+                Symmetric3 sum = ground[p.nodes[e]];
+                sum.add(weights_[e] * bound * stiffness);
+                ground.set(p.nodes[e], sum);
+            }
+        }
+    });
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {

@@ -29,8 +29,13 @@ class Multigrid {
     /// From then on so many particles can be pinned at a time without taking memory.
     void reserve_pins(std::size_t count);
 
-    /// Sums the coarse operators of the system's present W.
-    void build(Parallel& parallel, ImplicitSystem& system);
+    /// Makes room for contact of the cloth with itself, with so many pairs; of none, frees it.
+    void reserve_pairs(std::size_t count);
+
+    /// Sums the coarse operators of the system's present W, and of the pairs that push, if there are any: the
+    /// particles are numbered from `first` on in these.
+    void build(Parallel& parallel, ImplicitSystem& system, const PairRows* pairs = nullptr,
+               std::uint32_t first = 0);
     /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
     void cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r, std::span<Vec4> z);
 
@@ -68,6 +73,8 @@ class Multigrid {
     /// Writes the particle's springs from `at` on.
     void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
     void mark(std::uint32_t particle, bool pinned) noexcept;
+    void gather_pairs(const PairRows* pairs, std::uint32_t first);
+    void hold_other_bodies(const PairRows& pairs, std::uint32_t first);
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
     void solve_level(Parallel& parallel, std::size_t level);
     void relax_and_correct(Parallel& parallel, std::size_t level);
@@ -82,6 +89,7 @@ class Multigrid {
     AlignedBuffer<float> weights_;        // of the first level's P, rows of pinned particles 0
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, remainder_;
+    bool has_pairs_ = false;
 };
 
 }  // namespace weft

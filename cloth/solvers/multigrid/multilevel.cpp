@@ -1,5 +1,10 @@
 #include "cloth/solvers/multigrid/multilevel.h"
 
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+#include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/vectors.h"
 
 namespace weft {
@@ -16,7 +21,8 @@ double rest_area(const CookedCloth& model) {
 
 MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
                                    std::span<const Vec4> positions)
-    : kind_(settings),
+    : model_(&model),
+      kind_(settings),
       system_(make_system(model, settings)),
       multigrid_(make_levels(model, *system_)),
       vectors_(model.particle_count),
@@ -46,13 +52,6 @@ void MultilevelSolver::inverse_masses_changed(std::span<const Vec4> positions) n
     multigrid_->set_pins(positions);
 }
 
-SolveResult MultilevelSolver::solve(const SolverStep& step) {
-    copy(step.parallel, step.equation.velocities, step.velocities);
-    SolveResult result = solve_in_passes(step, std::get<Multilevel>(step.settings.method));
-    result.residual = residual_(step, system_.get());
-    return result;
-}
-
 // About where inertia leads, x + gamma v: springs have turned there as far as they will in the step, which at
 // the present positions they have not. One linearisation there is three times as accurate as Kang's on a
 // hanging sheet.
@@ -62,12 +61,85 @@ void MultilevelSolver::linearise(const SolverStep& step) {
 
 void MultilevelSolver::build_levels(const SolverStep& step) {
     const auto timer = step.timed(Stage::coarse_operators);
-    multigrid_->build(step.parallel, *system_);
+    multigrid_->build(step.parallel, *system_, step.equation.pairs, step.equation.first);
 }
 
 void MultilevelSolver::cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x) {
     const auto timer = step.timed(Stage::cycles);
     multigrid_->cycle(step.parallel, *system_, right_side, x);
+}
+
+/// One solve of one or more cloths.
+class MultilevelSolve {
+  public:
+    explicit MultilevelSolve(std::span<const MultilevelSolver::Member> members)
+        : members_(members),
+          step_(*members.front().step),
+          method_(std::get<Multilevel>(step_.settings.method)),
+          pairs_(step_.equation.pairs),
+          effort_(method_, mass_of(members), static_cast<double>(step_.equation.gamma)) {}
+
+    SolveResult operator()();
+
+  private:
+    using Member = MultilevelSolver::Member;
+
+    static double mass_of(std::span<const Member> members);
+    /// The members as conjugate gradients see them.
+    [[nodiscard]] auto parts() const {
+        return members_ | std::views::transform([](const Member& member) {
+                   return CgPart{*member.solver->system_, member.solver->vectors_, member.step->velocities};
+               });
+    }
+    /// Takes a vector of each member over for the pairs; vector_of(member).
+    template <class VectorOf>
+    void give_pairs(const VectorOf& vector_of);
+    void linearise_pairs();
+    double couple(bool wants_products);
+    CgResult take_pass();
+    /// If the last step went too far along direction_of(member), takes part of it back. residual_of(member)
+    /// is the equation's where the step ended.
+    template <class ResidualOf, class DirectionOf>
+    bool shorten_last_step(const ResidualOf& residual_of, const DirectionOf& direction_of,
+                           bool a_pass_follows);
+    void check_last_step();
+    void keep_momentum();
+
+    std::span<const Member> members_;
+    const SolverStep& step_;  // of the first: what all share is taken from it
+    const Multilevel& method_;
+    PairRows* pairs_;
+    Effort effort_;
+};
+
+double MultilevelSolve::mass_of(std::span<const Member> members) {
+    double mass = 0;
+    for (const Member& member : members)
+        mass += member.solver->rest_area_ * static_cast<double>(member.step->settings.fabric.areal_density);
+    return mass;
+}
+
+template <class VectorOf>
+void MultilevelSolve::give_pairs(const VectorOf& vector_of) {
+    for (const Member& member : members_)
+        pairs_->take(step_.parallel, member.step->equation.first, vector_of(member));
+}
+
+void MultilevelSolve::linearise_pairs() {
+    if (pairs_ == nullptr || pairs_->empty()) return;
+    give_pairs([](const Member& member) -> std::span<const Vec4> { return member.step->velocities; });
+    pairs_->linearise(step_.parallel);
+}
+
+double MultilevelSolve::couple(bool wants_products) {
+    if (pairs_ == nullptr || pairs_->empty()) return 0;
+    give_pairs([](const Member& member) { return std::as_const(member.solver->vectors_.direction).span(); });
+    const double sum = pairs_->multiply(step_.parallel);
+    for (const Member& member : members_)
+        if (wants_products)
+            pairs_->add_products(step_.parallel, member.step->equation.first,
+                                 member.solver->vectors_.product.span());
+    return sum;
 }
 
 // Newton's method as far as the passes go. The coarse operators are those of the first pass: the springs'
@@ -78,60 +150,168 @@ void MultilevelSolver::cycle(const SolverStep& step, std::span<const Vec4> right
 // for nonlinear problems"): what energy is left, in a metric in which a stiff spring counts no more than a
 // soft one. It is known for nothing. Where it grows from pass to pass, the last step went too far; where it
 // is high after the usual passes, more follow.
-SolveResult MultilevelSolver::solve_in_passes(const SolverStep& step, const Multilevel& method) {
-    const double mass = rest_area_ * static_cast<double>(step.settings.fabric.areal_density);
-    Effort effort(method, mass, static_cast<double>(step.equation.gamma));
+SolveResult MultilevelSolve::operator()() {
     do {
         {
-            const auto timer = step.timed(Stage::assemble);
-            linearise(step);
-            if (effort.is_at_start()) build_levels(step);
+            const auto timer = step_.timed(Stage::assemble);
+            linearise_pairs();
+            for (const Member& member : members_) {
+                member.solver->linearise(*member.step);
+                if (effort_.is_at_start()) member.solver->build_levels(*member.step);
+            }
         }
-        const auto timer = step.timed(Stage::solve);
-        const CgResult pass = take_pass(step, method, effort);
+        const auto timer = step_.timed(Stage::solve);
+        const CgResult pass = take_pass();
         if (!pass.ok) return {.ok = false};
-        effort.add(pass);
-    } while (effort.wants_another_pass());
-    if (effort.is_hard()) check_last_step(step, effort);
-    return {.unsolved = effort.is_unsolved()};
+        effort_.add(pass);
+    } while (effort_.wants_another_pass());
+    if (effort_.is_hard()) check_last_step();
+    keep_momentum();
+    return {.unsolved = effort_.is_unsolved()};
 }
 
-CgResult MultilevelSolver::take_pass(const SolverStep& step, const Multilevel& method, Effort& effort) {
-    const auto precondition = [&](std::span<const Vec4> r, std::span<Vec4> z) { cycle(step, r, z); };
-    const auto iterations_for = [&](double decrement) {
-        const bool went_too_far =
-            effort.has_grown(decrement) && shorten_last_step(step, effort, system_->right_side().span(),
-                                                             vectors_.preconditioned.span(), true);
-        return went_too_far ? 0 : effort.iterations_for(decrement);
+CgResult MultilevelSolve::take_pass() {
+    const auto precondition = [&](std::size_t k, std::span<const Vec4> r, std::span<Vec4> z) {
+        members_[k].solver->cycle(*members_[k].step, r, z);
     };
-    return conjugate_gradients(step.parallel, *system_, method.iterations, precondition, iterations_for,
-                               vectors_, step.velocities);
+    const auto iterations_for = [&](double decrement) {
+        const bool went_too_far = effort_.has_grown(decrement) &&
+                                  shorten_last_step(
+                                      [](const Member& member) {
+                                          return std::as_const(member.solver->system_->right_side()).span();
+                                      },
+                                      [](const Member& member) {
+                                          return std::as_const(member.solver->vectors_.preconditioned).span();
+                                      },
+                                      true);
+        return went_too_far ? 0 : effort_.iterations_for(decrement);
+    };
+    return conjugate_gradients(
+        step_.parallel, parts(), method_.iterations, precondition,
+        [&](bool wants_products) { return couple(wants_products); }, iterations_for);
 }
 
 // A line search along the last direction, by the equation's residual where the last step ended.
-bool MultilevelSolver::shorten_last_step(const SolverStep& step, Effort& effort,
-                                         std::span<const Vec4> residual, std::span<const Vec4> direction,
-                                         bool a_pass_follows) {
-    const double slope = dot(step.parallel, residual, direction, sums_.span());
-    const float back = effort.step_back(slope, a_pass_follows);
+template <class ResidualOf, class DirectionOf>
+bool MultilevelSolve::shorten_last_step(const ResidualOf& residual_of, const DirectionOf& direction_of,
+                                        bool a_pass_follows) {
+    double slope = 0;
+    for (const Member& member : members_)
+        slope += dot(step_.parallel, residual_of(member), direction_of(member), member.solver->sums_.span());
+    const float back = effort_.step_back(slope, a_pass_follows);
     if (back == 0) return false;
-    scale_and_add(step.parallel, -back, direction, 1.0f, step.velocities);
+    for (const Member& member : members_)
+        scale_and_add(step_.parallel, -back, direction_of(member), 1.0f, member.step->velocities);
     return true;
 }
 
 // No pass follows that would see where the last one went.
-void MultilevelSolver::check_last_step(const SolverStep& step, Effort& effort) {
+void MultilevelSolve::check_last_step() {
     constexpr int most = 3;
-    const auto timer = step.timed(Stage::solve);
+    const auto timer = step_.timed(Stage::solve);
     for (int k = 0; k < most; ++k) {
-        system_->residual(step.parallel, step.equation, step.velocities, vectors_.residual.span());
-        if (!shorten_last_step(step, effort, vectors_.residual.span(), vectors_.direction.span(), false))
+        linearise_pairs();
+        for (const Member& member : members_) {
+            const StepEquation& equation = member.step->equation;
+            if (pairs_ != nullptr) equation.contacts->renew_pairs(step_.parallel);
+            member.solver->system_->residual(step_.parallel, equation, member.step->velocities,
+                                             member.solver->vectors_.residual.span());
+        }
+        if (!shorten_last_step(
+                [](const Member& member) { return std::as_const(member.solver->vectors_.residual).span(); },
+                [](const Member& member) { return std::as_const(member.solver->vectors_.direction).span(); },
+                false))
             return;
     }
 }
 
+// What nothing holds keeps its momentum but for gravity and air, whatever its features do to each other; few
+// iterations leave a part of that unsolved. Of all pieces that touch, as one.
+void MultilevelSolve::keep_momentum() {
+    if (pairs_ == nullptr || pairs_->empty()) return;
+    Eigen::Vector3d missing = Eigen::Vector3d::Zero();
+    double inertia = 0;
+    for (const Member& member : members_)
+        if (!member.solver->add_missing_momentum(*member.step, missing, inertia)) return;
+    if (!(inertia > 0)) return;
+    const Vector3 shift = (missing / inertia).cast<float>();
+    for (const Member& member : members_) member.solver->move_touching_pieces(*member.step, shift);
+}
+
+/// Whether nothing holds the pieces that touch others; what momentum they miss, and what inertia they have.
+bool MultilevelSolver::add_missing_momentum(const SolverStep& step, Eigen::Vector3d& missing,
+                                            double& inertia) {
+    const StepEquation& equation = step.equation;
+    std::ranges::fill(touches_, std::uint8_t{0});
+    const auto particles = static_cast<std::uint32_t>(component_of_.size());
+    equation.pairs->for_each_particle(
+        equation.first, equation.first + particles,
+        [&](const PairRows::AtParticle& at) { touches_[component_of_[at.particle - equation.first]] = 1; });
+    const ExternalForces& external = equation.external;
+    for (std::uint32_t i = 0; i < particles; ++i) {
+        if (touches_[component_of_[i]] == 0) continue;
+        const float w = equation.base_positions[i].w;
+        if (w == 0 || equation.contacts->presses_collider(i)) return false;
+        const Vector3 v = xyz(step.velocities[i]);
+        const float mass = 1 / w, gamma = equation.gamma;
+        Vector3 left = mass * (xyz(equation.base_velocities[i]) - v +
+                               gamma * (external.gravity - external.air_damping * v));
+        float row_sum = mass * (1 + gamma * external.air_damping);
+        if (!external.air.empty()) {
+            const Vec4& air = external.air[i];
+            left += gamma * (xyz(air) + air.w * (xyz(equation.velocities[i]) - v));
+            row_sum += gamma * air.w;
+        }
+        missing += left.cast<double>();
+        inertia += static_cast<double>(row_sum);
+    }
+    return true;
+}
+
+void MultilevelSolver::move_touching_pieces(const SolverStep& step, const Vector3& shift) {
+    for (std::uint32_t i = 0; i < component_of_.size(); ++i)
+        if (touches_[component_of_[i]] != 0) step.velocities[i] = to_vec4(xyz(step.velocities[i]) + shift, 0);
+}
+
+void MultilevelSolver::reserve_pairs(std::size_t count) {
+    if (count == 0) {
+        multigrid_->reserve_pairs(0);
+        component_of_ = {};
+        touches_ = {};
+        return;
+    }
+    if (!component_of_.empty()) return;
+    multigrid_->reserve_pairs(count);
+    const std::vector<std::uint32_t>& offsets = model_->component_offsets;
+    std::vector<std::uint32_t> component_of(model_->particle_count);
+    for (std::uint32_t c = 0; c + 1 < offsets.size(); ++c)
+        for (std::uint32_t k = offsets[c]; k < offsets[c + 1]; ++k)
+            component_of[model_->component_particles[k]] = c;
+    touches_.assign(offsets.size(), 0);
+    component_of_ = std::move(component_of);
+}
+
+SolveResult MultilevelSolver::solve(const SolverStep& step) {
+    const Member member{this, &step};
+    float residual = 0;
+    return solve(std::span(&member, 1), std::span(&residual, 1));
+}
+
+SolveResult MultilevelSolver::solve(std::span<const Member> members, std::span<float> residuals) {
+    for (const Member& member : members)
+        copy(member.step->parallel, member.step->equation.velocities, member.step->velocities);
+    SolveResult result = MultilevelSolve(members)();
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+        MultilevelSolver& solver = *members[k].solver;
+        residuals[k] = solver.residual_(*members[k].step, solver.system_.get());
+    }
+    if (!residuals.empty()) result.residual = *std::ranges::max_element(residuals);
+    return result;
+}
+
 std::size_t MultilevelSolver::bytes() const noexcept {
-    return system_->bytes() + multigrid_->bytes() + vectors_.bytes() + sums_.bytes() + residual_.bytes();
+    return system_->bytes() + multigrid_->bytes() + vectors_.bytes() + sums_.bytes() + residual_.bytes() +
+           component_of_.size() * sizeof(std::uint32_t) + touches_.size();
 }
 
 }  // namespace weft

@@ -1,0 +1,250 @@
+#include "cloth/frame/feature_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace weft {
+
+namespace {
+
+// Bodies' particles begin at whole groups of a system's rows.
+constexpr std::uint32_t group = 16;
+constexpr std::uint32_t whole_groups(std::uint32_t particles) {
+    return (particles + group - 1) / group * group;
+}
+
+// Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
+// the way out becomes speed, with which they would bounce.
+constexpr float parted_in_a_step = 0.2f;
+
+// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
+constexpr float projected_gap = 0.5f;
+constexpr std::uint32_t projections = 4;
+
+// Room for crossings: one a particle, and at least so many.
+constexpr std::size_t least_crossings = 1024;
+
+}  // namespace
+
+FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
+    cloths_.reserve(bodies.size());
+    bodies_.reserve(bodies.size());
+    ranges_.reserve(bodies.size());
+    begin(bodies);
+    std::size_t particles = 0;
+    for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
+    const std::size_t pairs = room_for_pairs(particles);
+    finder_.reserve(bodies_);
+    pairs_ = PairList(pairs);
+    rows_.reserve(particles, pairs);
+    settler_.reserve(particles, bodies.size(), pairs);
+    const std::size_t crossings = std::max(least_crossings, particles);
+    crossings_ = CrossingList(crossings);
+    tangles_.reserve(bodies.size(), particles, crossings);
+    rows_.untangling().reserve(crossings);
+    memory_ = AlignedBuffer<TangleMemory>(particles);
+    exempt_ = AlignedBuffer<std::uint8_t>(pairs);
+    laws_ = AlignedBuffer<PairLaw>(pairs);
+    wanted_ = AlignedBuffer<float>(pairs);
+    for (auto* buffer : {&start_, &displacements_, &base_}) *buffer = AlignedBuffer<Vec4>(particles);
+}
+
+void FeatureContact::begin(std::span<const ContactCloth> bodies) {
+    cloths_.assign(bodies.begin(), bodies.end());
+    bodies_.clear();
+    ranges_.clear();
+    if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
+    may_cross_ = false;
+    tangles_.clear();
+    std::uint32_t first = 0;
+    for (const ContactCloth& cloth : cloths_) {
+        bodies_.push_back({.mesh = cloth.mesh,
+                           .first = first,
+                           .reach = cloth.radius,
+                           .layer = cloth.layer,
+                           .mask = cloth.mask});
+        ranges_.push_back({first, cloth.mesh->particles()});
+        first += whole_groups(cloth.mesh->particles());
+    }
+}
+
+void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
+                           const ExpectedMotion& expected) {
+    const std::uint32_t first = bodies_[body].first;
+    const auto is_held = [&](std::uint32_t i) {
+        return positions[i].w == 0 || (!expected.held.empty() && !xyz(expected.held[i]).isZero(0));
+    };
+    h_ = expected.h;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            Vector3 way = expected.h * xyz(expected.velocities[i]);
+            if (!is_held(i)) way += expected.fall;
+            start_[first + i] = positions[i];
+            displacements_[first + i] = to_vec4(way, 0);
+        }
+    });
+}
+
+void FeatureContact::find(Parallel& parallel, float ContactCloth::*reach) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*reach;
+    settler_.split(parallel, island(), displacements_.span());
+    finder_.find(parallel, bodies_, start_.span(), settler_.relative(), pairs_);
+}
+
+void FeatureContact::detect(Parallel& parallel) {
+    find(parallel, &ContactCloth::radius);
+    if (may_cross_) find_tangles(parallel);
+    make_laws(parallel);
+}
+
+void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
+    may_cross_ = true;
+    std::ranges::copy(memory, memory_.data() + bodies_[body].first);
+}
+
+std::span<const TangleMemory> FeatureContact::memory(std::size_t body) const {
+    return memory_.span().subspan(bodies_[body].first, bodies_[body].mesh->particles());
+}
+
+void FeatureContact::find_tangles(Parallel& parallel) {
+    finder_.find_crossings(parallel, bodies_, start_.span(), crossings_);
+    tangles_.find(bodies_, start_.span(), crossings_, h_, memory_.span());
+}
+
+/// Which pairs of those found last are let alone; empty: none.
+std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
+    if (!tangles_.any()) return {};
+    tangles_.exempt(parallel, pairs_, exempt_.span());
+    return exempt_.span();
+}
+
+std::size_t FeatureContact::body_of(std::uint32_t particle) const {
+    const auto next = std::ranges::upper_bound(bodies_, particle, {}, &ContactBody::first);
+    return static_cast<std::size_t>(next - bodies_.begin()) - 1;
+}
+
+// A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
+bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
+    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(pair.corners[0]);
+    const std::uint32_t first = bodies_[body].first;
+    const RestFilter& near = cloths_[body].near_at_rest;
+    if (near.offsets.empty()) return false;
+    const std::span<const std::uint32_t> of_b = std::span(pair.corners).subspan(corners_of_a);
+    const auto [least, most] = std::ranges::minmax(of_b);
+    for (std::uint32_t a = 0; a < corners_of_a; ++a) {
+        const std::uint32_t i = pair.corners[a] - first, begin = near.offsets[i], end = near.offsets[i + 1];
+        if (begin == end || most - first < near.neighbours[begin] || least - first > near.neighbours[end - 1])
+            continue;
+        for (const std::uint32_t b : of_b)
+            if (near.leaves_alone(i, b - first)) return true;
+    }
+    return false;
+}
+
+// Where two edges are nearest at an end of one, a vertex and a triangle are as near there, and have the
+// force.
+void FeatureContact::make_laws(Parallel& parallel) {
+    const bool is_alone = bodies_.size() == 1;
+    const std::span<const std::uint8_t> exempt = find_exempt(parallel);
+    parallel.ranges(pairs_.size, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const FeaturePair& pair = pairs_.pairs[k];
+            const Vec4& w = pairs_.shapes[k].weights;
+            const std::uint32_t of_a = pairs_.corners_of_a(k);
+            const std::size_t a = is_alone ? 0 : body_of(pair.corners[0]);
+            const std::size_t b = is_alone ? 0 : body_of(pair.corners[3]);
+            const bool is_outside = of_a == 2 && (w.x == 0 || w.y == 0 || w.z == 0 || w.w == 0);
+            const bool is_left_alone = is_outside || (!exempt.empty() && exempt[k] != 0) ||
+                                       !(pairs_.shapes[k].normal.w > 0) ||
+                                       (a == b && are_near_at_rest(pair, of_a));
+            const float radius = 0.5f * (cloths_[a].radius + cloths_[b].radius);
+            const float gap = std::min(pairs_.shapes[k].normal.w, radius);
+            laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
+                        .friction = a == b ? cloths_[a].friction
+                                           : std::sqrt(cloths_[a].friction * cloths_[b].friction)};
+            wanted_[k] = projected_gap * laws_[k].radius;
+        }
+    });
+}
+
+void FeatureContact::set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(base_positions.size()), [&](const BlockRange& range) {
+        std::copy(base_positions.data() + range.begin, base_positions.data() + range.end,
+                  base_.data() + first + range.begin);
+    });
+}
+
+void FeatureContact::set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    set_base(parallel, body, positions);
+    const std::uint32_t first = bodies_[body].first;
+    for (std::size_t i = 0; i < positions.size(); ++i) base_[first + i].w = 0;
+}
+
+PairRows& FeatureContact::make_rows(Parallel& parallel, float gamma) {
+    rows_.untangling().begin(tangles_.rows(), base_.span(), gamma);
+    rows_.begin(parallel, pairs_, laws_.span(), base_.span(), gamma);
+    return rows_;
+}
+
+void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            displacements_[first + i] = to_vec4(xyz(positions[i]) - xyz(start_[first + i]), 0);
+    });
+}
+
+float FeatureContact::least_floor() const {
+    float least = cloths_.front().floor;
+    for (const ContactCloth& cloth : cloths_) least = std::min(least, cloth.floor);
+    return least;
+}
+
+FeatureCounts FeatureContact::settle(Parallel& parallel) {
+    const std::uint32_t near = pairs_.size;
+    const bool overflowed = pairs_.overflowed;
+    const std::span<const std::uint8_t> exempt =
+        tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
+    settler_.project(parallel, island(), pairs_, exempt, {.each = wanted_.span()}, projections,
+                     displacements_.span());
+    FeatureCounts counts = cut(parallel);
+    counts.pairs = near;
+    counts.tangles = tangles_.counts();
+    counts.overflowed |= overflowed;
+    return counts;
+}
+
+FeatureCounts FeatureContact::cut(Parallel& parallel) {
+    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
+    find(parallel, &ContactCloth::floor);
+    const SettleResult result = settler_.settle(parallel, island(), pairs_, find_exempt(parallel),
+                                                {.floor = least_floor()}, displacements_.span());
+    return {.truncated = result.truncated,
+            .pin_lag = result.pinned_lag,
+            .lost = result.motion_lost,
+            .overflowed = result.list_was_incomplete};
+}
+
+void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
+                               std::span<Vec4> velocities) const {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 wanted = xyz(positions[i]) - xyz(start_[first + i]);
+            const Vector3 change = xyz(displacements_[first + i]) - wanted;
+            if (change.isZero(0)) continue;
+            set_xyz(positions[i], xyz(start_[first + i]) + xyz(displacements_[first + i]));
+            set_xyz(velocities[i], xyz(velocities[i]) + change / h);
+        }
+    });
+}
+
+std::size_t FeatureContact::bytes() const noexcept {
+    return finder_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() + laws_.bytes() +
+           wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() + exempt_.bytes() +
+           start_.bytes() + displacements_.bytes() + base_.bytes();
+}
+
+}  // namespace weft

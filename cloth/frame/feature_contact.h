@@ -1,0 +1,119 @@
+#pragma once
+// Contact between features, through one substep of one cloth or of an island: what is near what, its rows in
+// the equation, and at the end the motion that lets nothing through.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/system/pair_rows.h"
+#include "collision/contact/pair_finder.h"
+#include "collision/contact/settle.h"
+#include "collision/contact/tangles.h"
+#include "collision/rest_filter.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+/// A cloth as a body in contact: what of it does not change from step to step.
+struct ContactCloth {
+    const ContactMesh* mesh = nullptr;
+    RestFilter near_at_rest = {};  ///< particles that no force is to part
+    float radius = 0;    ///< features of two bodies nearer than the mean of theirs are pushed apart [m]
+    float floor = 0;     ///< features are never let nearer than the least of all bodies' [m]
+    float friction = 0;  ///< Coulomb coefficient; two bodies have the geometric mean of theirs
+    std::uint32_t layer = 1, mask = ~0u;
+};
+
+/// Where a body is expected to go in a substep.
+struct ExpectedMotion {
+    std::span<const Vec4> velocities;
+    float h = 0;                      ///< [s]
+    Vector3 fall = Vector3::Zero();   ///< what gravity adds to the way of all that nothing holds [m]
+    std::span<const Vec4> held = {};  ///< not 0: what a collider holds; may be empty
+};
+
+/// What came of a substep.
+struct FeatureCounts {
+    std::uint32_t pairs = 0;      ///< of features, for which the equation has a row
+    std::uint32_t truncated = 0;  ///< particles that went less far than was solved for
+    float pin_lag = 0;            ///< the largest distance by which a pin missed its target [m]
+    float lost = 0;               ///< part of the motion that truncation took
+    TangleCounts tangles = {};    ///< what crossed at the start
+    bool overflowed = false;      ///< there was no room for all pairs: nothing moved but in common
+};
+
+/// Its particles are numbered through all bodies, each body from a multiple of 16 on.
+class FeatureContact {
+  public:
+    /// Pairs that there is room for, per particle and at least.
+    static constexpr std::size_t pairs_per_particle = 16, least_pairs = 4096;
+    [[nodiscard]] static std::size_t room_for_pairs(std::size_t particles) {
+        return std::max(least_pairs, pairs_per_particle * particles);
+    }
+
+    /// Takes the memory for these bodies, and for any part of them. May throw.
+    explicit FeatureContact(std::span<const ContactCloth> bodies);
+
+    /// A substep begins, of bodies that are all among those there is room for; they are placed, with the way
+    /// that they would go in `h`. Then finds what is near what.
+    void begin(std::span<const ContactCloth> bodies);
+    void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
+               const ExpectedMotion& expected);
+    /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
+    /// for that crosses.
+    void recall(std::size_t body, std::span<const TangleMemory> memory);
+    void detect(Parallel& parallel);
+    /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
+    [[nodiscard]] bool may_cross() const noexcept { return tangles_.any(); }
+    [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body) const;
+    [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
+
+    /// The bodies' bases in the equation; then the rows.
+    void set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions);
+    /// Of one that is where it will be.
+    void set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
+    [[nodiscard]] PairRows& make_rows(Parallel& parallel, float gamma);
+
+    /// The substep's end: takes over where the bodies have come to; sees that nothing passes through; hands
+    /// the places back, with the velocities that follow.
+    void arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
+    FeatureCounts settle(Parallel& parallel);
+    /// The same without what was detected before: cuts the motion, and does nothing else.
+    FeatureCounts cut(Parallel& parallel);
+    void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
+                   std::span<Vec4> velocities) const;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void make_laws(Parallel& parallel);
+    void find_tangles(Parallel& parallel);
+    [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
+    [[nodiscard]] std::size_t body_of(std::uint32_t particle) const;
+    [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
+    void find(Parallel& parallel, float ContactCloth::*reach);
+    [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }
+    [[nodiscard]] float least_floor() const;
+
+    std::vector<ContactCloth> cloths_;
+    std::vector<ContactBody> bodies_;
+    std::vector<ParticleRange> ranges_;
+    PairFinder finder_;
+    PairList pairs_;
+    PairRows rows_;
+    Settler settler_;
+    CrossingList crossings_;
+    Tangles tangles_;
+    AlignedBuffer<TangleMemory> memory_;  // all 0 where no body has recalled its own
+    AlignedBuffer<std::uint8_t> exempt_;  // by pair
+    bool may_cross_ = false;
+    float h_ = 0;
+    AlignedBuffer<PairLaw> laws_;
+    AlignedBuffer<float> wanted_;
+    AlignedBuffer<Vec4> start_, displacements_, base_;
+};
+
+}  // namespace weft

@@ -1,0 +1,294 @@
+// The part of the frame that features have: what is near what, cloths that touch solved together, and motion
+// that lets nothing through.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "cloth/frame/advance.h"
+#include "cloth/frame/simulation.h"
+#include "cloth/solvers/multigrid/multilevel.h"
+
+namespace weft {
+
+namespace {
+
+bool may_meet(const Cloth& a, const Cloth& b) {
+    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
+    return (of_a.layers & of_b.mask) != 0 && (of_b.layers & of_a.mask) != 0;
+}
+
+/// Boxes around points, of which one that is not finite has no part in.
+class GrowingBox {
+  public:
+    void add(const Vector3& point) {
+        lower_ = lower_.cwiseMin(point);
+        upper_ = upper_.cwiseMax(point);
+    }
+    [[nodiscard]] Bounds grown_by(float reach) const {
+        const Vector3 margin = Vector3::Constant(reach);
+        return {to_vec3(lower_ - margin), to_vec3(upper_ + margin)};
+    }
+
+  private:
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    Vector3 lower_ = Vector3::Constant(infinity), upper_ = -lower_;
+};
+
+/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends.
+Bounds predicted_box(const Cloth& cloth, const Vector3& gravity, float h) {
+    GrowingBox box;
+    if (!cloth.features) return box.grown_by(0);
+    const Vector3 fall = h * h * gravity;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 here = xyz(cloth.state.positions[i]);
+        const Vector3 there = here + h * xyz(cloth.state.velocities[i]);
+        box.add(here);
+        box.add(there);
+        box.add(there + fall);
+    }
+    return box.grown_by(cloth.as_body().radius);
+}
+
+/// Where the cloth has gone in the substep.
+Bounds swept_box(const Cloth& cloth) {
+    GrowingBox box;
+    if (!cloth.features) return box.grown_by(0);
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        box.add(xyz(cloth.substep_start[i]));
+        box.add(xyz(cloth.state.positions[i]));
+    }
+    return box.grown_by(cloth.as_body().floor);
+}
+
+/// Whether its features can be in the equation of an island: it takes whole substeps by a method that can.
+bool can_be_together(const Cloth& cloth) {
+    return cloth.solver->joins() && cloth.settings.substeps == 1;
+}
+
+/// BDF2's first step is one of backward Euler, with another gamma.
+bool takes_second_order_step(const Cloth& cloth, float h) {
+    return cloth.history && cloth.state.record.h == h;
+}
+
+/// Calm cloth costs nothing.
+void remember_tangles(const FeatureContact& space, std::size_t body, ClothState& state) {
+    if (state.may_cross == 0 && !space.may_cross()) return;
+    std::ranges::copy(space.memory(body), state.tangles.data());
+    state.may_cross = space.may_cross() ? 1 : 0;
+}
+
+}  // namespace
+
+// Which cloths may touch: those whose boxes over the substep overlap.
+void Simulation::meet(const Substep& substep) {
+    boxes_.clear();
+    for (Cloth* cloth : present_) {
+        boxes_.push_back(predicted_box(*cloth, to_vector(settings.gravity), substep.h));
+        if (cloth->features)
+            std::ranges::copy(std::as_const(cloth->state.positions).span(), cloth->substep_start.data());
+    }
+    finder_.find(boxes_,
+                 [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
+    islands_.plan(present_, finder_.first_of(), parallel.width());
+    solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
+}
+
+// Where one layer lies on another, only one of them is going to fall: so gravity counts from the start.
+ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
+    return {.velocities = cloth.state.velocities.span(),
+            .h = h,
+            .fall = h * h * to_vector(settings.gravity),
+            .held = cloth.state.held.normals.span()};
+}
+
+void Simulation::find_features(Worker& worker, Cloth& cloth, float h) {
+    const auto timer = timed(Stage::self_search);
+    const ContactCloth body = cloth.as_body();
+    FeatureContact& space = *cloth.features;
+    space.begin(std::span(&body, 1));
+    space.place(worker.parallel, 0, cloth.state.positions.span(), expected_motion(cloth, h));
+    if (cloth.state.may_cross != 0) space.recall(0, std::as_const(cloth.state.tangles).span());
+    space.detect(worker.parallel);
+    space.set_base(worker.parallel, 0, cloth.state.positions.span());
+}
+
+void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
+                               StepEquation& equation) {
+    space.set_base(worker.parallel, body, equation.base_positions);
+    equation.pairs = &space.make_rows(worker.parallel, equation.gamma);
+    equation.first = space.first(body);
+    cloth.contacts->join(*equation.pairs, equation.first);
+}
+
+// Cloths that cannot be in the equation with the first that can go before, alone, and are for the others
+// where they then are.
+void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
+                              const Substep& substep) {
+    FeatureContact& space = *together_;
+    find_island_features(worker, island, substep.h);
+    const auto first =
+        std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
+    const auto is_member = [&](const Cloth& cloth) {
+        return first != island.end() && can_be_together(cloth) &&
+               takes_second_order_step(cloth, substep.h) == takes_second_order_step(**first, substep.h);
+    };
+    equations_.clear();
+    steps_.clear();
+    members_.clear();
+    for (std::size_t k = 0; k < island.size(); ++k) {
+        Cloth& cloth = *island[k];
+        if (is_member(cloth)) continue;
+        solve(worker, cloth, dt, substep);
+        space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
+    }
+    move_colliders(worker, substep);
+    for (std::size_t k = 0; k < island.size(); ++k) {
+        Cloth& cloth = *island[k];
+        if (!is_member(cloth)) continue;
+        StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
+        cloth.contacts->begin(worker.motions, cloth.state.held);
+        space.set_base(worker.parallel, k, equation.base_positions);
+        steps_.push_back({.parallel = worker.parallel,
+                          .profiler = profiler,
+                          .model = cloth.model,
+                          .settings = cloth.settings,
+                          .equation = equation,
+                          .velocities = cloth.next_velocities.span()});
+        members_.push_back({static_cast<MultilevelSolver*>(cloth.solver.get()), &steps_.back()});
+    }
+    solve_members(worker, island, substep);
+    settle_features(worker, space, island, substep);
+}
+
+void Simulation::find_island_features(Worker& worker, std::span<Cloth* const> island, float h) {
+    const auto timer = timed(Stage::self_search);
+    FeatureContact& space = *together_;
+    bodies_.clear();
+    for (const Cloth* cloth : island) bodies_.push_back(cloth->as_body());
+    space.begin(bodies_);
+    for (std::size_t k = 0; k < island.size(); ++k)
+        space.place(worker.parallel, k, island[k]->state.positions.span(), expected_motion(*island[k], h));
+    for (std::size_t k = 0; k < island.size(); ++k)
+        if (island[k]->state.may_cross != 0) space.recall(k, std::as_const(island[k]->state.tangles).span());
+    space.detect(worker.parallel);
+}
+
+void Simulation::solve_members(Worker& worker, std::span<Cloth* const> island, const Substep& substep) {
+    if (members_.empty()) return;
+    PairRows& rows = together_->make_rows(worker.parallel, equations_.front().gamma);
+    std::size_t m = 0;
+    const auto for_each_member = [&](const auto& visit) {
+        m = 0;
+        for (std::size_t k = 0; k < island.size() && m < members_.size(); ++k)
+            if (members_[m].solver == island[k]->solver.get()) visit(k, *island[k], m++);
+    };
+    for_each_member([&](std::size_t k, Cloth& cloth, std::size_t member) {
+        equations_[member].pairs = &rows;
+        equations_[member].first = together_->first(k);
+        cloth.contacts->join(rows, together_->first(k));
+    });
+    residuals_.assign(members_.size(), 0.0f);
+    const SolveResult result = MultilevelSolver::solve(members_, residuals_);
+    for_each_member([&](std::size_t, Cloth& cloth, std::size_t member) {
+        take_result(worker, cloth, {residuals_[member], result.ok, result.unsolved}, true);
+        advance(worker, cloth, equations_[member], substep.is_first());
+        settle(worker, cloth, substep.h);
+    });
+}
+
+// The last that moves particles in a substep.
+void Simulation::settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                                 const Substep& substep) {
+    const auto timer = timed(Stage::self_response);
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        if (substep.is_last()) cloths[k]->place_pins();
+        space.arrive(worker.parallel, k, cloths[k]->state.positions.span());
+        cloths[k]->feature_counts = {};
+    }
+    cloths.front()->feature_counts = space.settle(worker.parallel);
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
+                        cloths[k]->state.velocities.span());
+        limit_speeds(worker.parallel, settings.max_speed, cloths[k]->state.velocities.span());
+        remember_tangles(space, k, cloths[k]->state);
+    }
+}
+
+// Cloth can go another way than it was going when islands were found. Where it came near cloth of another
+// island, both are cut; that may bring them near a third, and in the last round all are taken for one.
+void Simulation::part_strays(const Substep& substep) {
+    constexpr int rounds = 4;
+    for (int round = 0; round < rounds; ++round) {
+        boxes_.clear();
+        for (const Cloth* cloth : present_) boxes_.push_back(swept_box(*cloth));
+        const bool is_last = round + 1 == rounds;
+        bool any = false;
+        finder_.find(boxes_, [&](std::uint32_t i, std::uint32_t j) {
+            const bool meet = may_meet(*present_[i], *present_[j]);
+            any = any || (meet && solved_with_[i] != solved_with_[j]);
+            return meet;
+        });
+        if (!any) return;
+        join_solved(is_last);
+        islands_.plan(present_, solved_with_, 1);
+        Worker all{parallel, motions_[0]};
+        for (const Schedule::Group& group : islands_.in_turn())
+            if (group.cloths.size() > 1) cut_strays(all, group.cloths, substep);
+    }
+}
+
+/// Joins what was solved together with what has come near each other since; or all that has features.
+void Simulation::join_solved(bool all) {
+    const std::span<const std::uint32_t> near = finder_.first_of();
+    const auto first_feature = static_cast<std::uint32_t>(
+        std::ranges::find_if(present_, [](const Cloth* cloth) { return cloth->features.has_value(); }) -
+        present_.begin());
+    for (bool changed = true; changed;) {
+        changed = false;
+        const auto lower = [&](std::uint32_t& label, std::uint32_t to) {
+            if (to >= label) return;
+            label = to;
+            changed = true;
+        };
+        for (std::uint32_t i = 0; i < solved_with_.size(); ++i) {
+            for (const std::uint32_t other : {near[i], solved_with_[i]}) {
+                lower(solved_with_[i], solved_with_[other]);
+                lower(solved_with_[other], solved_with_[i]);
+            }
+            if (all && present_[i]->features) lower(solved_with_[i], first_feature);
+        }
+    }
+}
+
+void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
+    FeatureContact& space = *together_;
+    bodies_.clear();
+    for (const Cloth* cloth : cloths) bodies_.push_back(cloth->as_body());
+    space.begin(bodies_);
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        space.place(worker.parallel, k, std::as_const(cloths[k]->substep_start).span(),
+                    expected_motion(*cloths[k], substep.h));
+        space.arrive(worker.parallel, k, std::as_const(cloths[k]->state.positions).span());
+        if (cloths[k]->state.may_cross != 0) space.recall(k, std::as_const(cloths[k]->state.tangles).span());
+    }
+    const FeatureCounts counts = space.cut(worker.parallel);
+    FeatureCounts& sum = cloths.front()->feature_counts;
+    sum.truncated += counts.truncated;
+    sum.pin_lag = std::max(sum.pin_lag, counts.pin_lag);
+    sum.overflowed |= counts.overflowed;
+    for (std::size_t k = 0; k < cloths.size(); ++k)
+        space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
+                        cloths[k]->state.velocities.span());
+}
+
+std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const ContactMesh* mesh) {
+    std::vector<ContactCloth> bodies;
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth.get() != changed && cloth->features) bodies.push_back({.mesh = cloth->contact_mesh.get()});
+    });
+    if (mesh != nullptr) bodies.push_back({.mesh = mesh});
+    return bodies.size() < 2 ? nullptr : std::make_unique<FeatureContact>(bodies);
+}
+
+}  // namespace weft

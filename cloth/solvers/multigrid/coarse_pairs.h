@@ -1,0 +1,83 @@
+#pragma once
+// Contact of a cloth with itself on the coarse levels of its multigrid cycle. Without it they would push
+// layers through each other; with contact as a ground that holds each side, they would stop what touches from
+// moving together.
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/system/pair_rows.h"
+#include "cloth/system/sparse/interpolation.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+#include "engine/simd/symmetric3.h"
+
+namespace weft {
+
+/// Rows K c c^T: the nodes that c names pull at the sum of c x by K, the weights of c adding up to 0. A
+/// coarse row stands for all fine ones between the same two nodes: it has the sum of their K and, of the
+/// first few, the mean of P^T c (Galerkin's product, but for that merging).
+class CoarsePairs {
+  public:
+    static constexpr std::uint32_t most_nodes = 12;  ///< of a row
+
+    struct Row {
+        std::uint32_t count = 0;  ///< of its nodes
+        std::uint32_t nodes[most_nodes];
+        float weights[most_nodes];
+        float reach;  ///< sum of |weights|
+        Symmetric3 stiffness;
+    };
+
+    /// Rows that there is room for, for each node; what is beyond them is left out.
+    static constexpr std::size_t rows_per_node = 24, least_rows = 64;
+
+    /// Takes the memory for so many rows of a finer level, which become rows of `nodes` coarse nodes; or, of
+    /// none, frees it.
+    void reserve(std::size_t fine_rows, std::uint32_t nodes);
+    [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
+
+    /// Of the pairs that push, all of whose corners are among a cloth's `particles` from `first` on. P leads
+    /// from the first coarse level to them; `weights` are its weights, 0 where pinned.
+    void gather(const PairRows& pairs, std::uint32_t first, std::uint32_t particles, const Interpolation& p,
+                std::span<const float> weights);
+    /// Of the rows of a finer coarse level.
+    void gather(const CoarsePairs& finer, const Interpolation& p);
+
+    void clear() noexcept { size_ = 0; }
+
+    [[nodiscard]] std::span<const Row> rows() const noexcept { return std::span(rows_).first(size_); }
+    /// What bounds the rows from above on the diagonal: node k of a row has reach |c_k| K.
+    template <class Add>
+    void for_each_bound(const Add& add) const {
+        for (const Row& row : rows())
+            for (std::uint32_t k = 0; k < row.count; ++k)
+                add(row.nodes[k], row.reach * std::abs(row.weights[k]), row.stiffness);
+    }
+    /// corrected = b - (C - D) x, D being that bound.
+    void correct(std::span<const Vec4> b, std::span<const Vec4> x, std::span<Vec4> corrected) const;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// A fine row, by the coarse nodes that it is mostly between.
+    struct Key {
+        std::uint32_t low, high;
+        float sign;  ///< 1: c is positive at the lower one, else -1
+    };
+    /// A row being gathered.
+    class Sum;
+
+    template <class AddRow>
+    void merge(const AddRow& add_row);
+
+    std::vector<Key> keys_;              // of the finer level's rows
+    std::vector<std::uint32_t> order_;   // these, by key
+    std::vector<std::uint32_t> starts_;  // by low node
+    std::vector<PairRows::ActivePair> active_;
+    std::vector<Row> rows_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace weft

@@ -1,0 +1,120 @@
+#pragma once
+// Pairs of near features as forces in the implicit step: of one cloth with itself, and of cloths with one
+// another.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/system/pair_row_kernels.h"
+#include "cloth/system/untangling_rows.h"
+#include "collision/contact/incidence.h"
+#include "collision/contact/pairs.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+#include "engine/simd/symmetric3.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+/// Each pair's features push each other apart along the normal that they have at the start of the step, by a
+/// stiff spring that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987),
+/// and hold each other across it by a damper that has Coulomb's limit as it is known so far. The impulse on
+/// corner i of pair k is
+///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
+/// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
+class PairRows {
+  public:
+    /// Takes the memory for so many particles of all bodies together, and so many pairs.
+    void reserve(std::size_t particles, std::size_t pairs);
+
+    /// A substep begins, whose equation has these bases and this gamma. What is given must outlive it. Pairs
+    /// without a radius have no row, and cost nothing from here on.
+    void begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
+               std::span<const Vec4> base_positions, float gamma);
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0 && untangling_.empty(); }
+    /// Rows of what crosses: they are in all that follows.
+    [[nodiscard]] UntanglingRows& untangling() noexcept { return untangling_; }
+
+    /// Takes over what a body's particles have in a vector: those in pairs, the body's first being `first`.
+    void take(Parallel& parallel, std::uint32_t first, std::span<const Vec4> vector);
+    /// Which pairs push, and how, at the velocities that were taken.
+    void linearise(Parallel& parallel);
+    /// What contact does to one particle, as last linearised.
+    struct AtParticle {
+        std::uint32_t particle;
+        Symmetric3 diagonal;  ///< what a relaxation that knows no other particles is to have for it [kg]
+        Vector3 impulse;      ///< at the velocities taken [kg m/s]
+        Vector3 velocity;
+    };
+    /// visit(AtParticle) for free ones in [begin, end) that pairs push, ascending; then for those in
+    /// rows of what crosses.
+    template <class Visit>
+    void for_each_particle(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+        for (std::uint32_t r = first_row(begin); r < incidence_.rows(); ++r) {
+            const std::uint32_t i = incidence_.particle(r);
+            if (i >= end) break;
+            if (counts_[r] == 0) continue;
+            const auto& [d, o, impulse] = particles_[r];
+            visit(AtParticle{i, {d.x, d.y, d.z, o.x, o.y, o.z}, xyz(impulse), xyz(taken_[i])});
+        }
+        untangling_.for_each_particle(begin, end, [&](std::uint32_t i, const UntanglingRows::Sum& sum) {
+            visit(AtParticle{i, sum.diagonal, sum.impulse, sum.taken});
+        });
+    }
+
+    /// With x as taken and C the pairs' matrix: returns x . C x.
+    double multiply(Parallel& parallel);
+    /// product += C x of a body's particles, after multiply().
+    void add_products(Parallel& parallel, std::uint32_t first, std::span<Vec4> product) const;
+
+    /// A pair that pushes, as last linearised.
+    struct ActivePair {
+        const FeaturePair& pair;
+        const PairShape& shape;
+        float spring, damper;  ///< [kg]
+    };
+    /// visit(ActivePair) for all that push, in their order.
+    template <class Visit>
+    void for_each_active(const Visit& visit) const {
+        for (std::uint32_t k = 0; k < size_; ++k) {
+            const PairGroup& group = groups_[k / PairGroup::lanes];
+            const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
+            if (group.spring[lane] > 0)
+                visit(ActivePair{list_->pairs[number], list_->shapes[number], group.spring[lane],
+                                 group.damper[lane]});
+        }
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    void choose(Parallel& parallel, std::span<const PairLaw> laws);
+    /// The first row of the incidence whose particle is not below this one.
+    [[nodiscard]] std::uint32_t first_row(std::uint32_t particle) const;
+    /// Rows of [first, first + count).
+    struct RowRange {
+        std::uint32_t begin, end;
+    };
+    [[nodiscard]] RowRange rows_of(std::uint32_t first, std::size_t count) const;
+
+    const PairList* list_ = nullptr;
+    std::span<const Vec4> base_positions_;
+    float gamma_ = 0;
+    std::uint32_t size_ = 0;                // pairs that have a row
+    AlignedBuffer<std::uint32_t> numbers_;  // of these in the list, ascending
+    AlignedBuffer<FeaturePair> pairs_;
+    AlignedBuffer<PairGroup> groups_;
+    AlignedBuffer<PairShare> shares_;
+    AlignedBuffer<Vec4> products_;  // of pairs: what side A gets
+    AlignedBuffer<Vec4> taken_;     // of particles
+    // Which pairs a particle is in; and by its rows, as last linearised, what it has of them, and the corners
+    // that are pushed: of each row the first so many of its places.
+    PairIncidence incidence_;
+    AlignedBuffer<PushedParticle> particles_;
+    AlignedBuffer<std::uint32_t> counts_;
+    AlignedBuffer<PushedCorner> pushed_;
+    AlignedBuffer<std::uint32_t> block_counts_;
+    AlignedBuffer<double> partials_;
+    UntanglingRows untangling_;
+};
+
+}  // namespace weft

@@ -1,0 +1,79 @@
+#pragma once
+// What pushes crossing cloth apart, in the implicit step: springs along the ways on which it comes free.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/untangling.h"
+#include "engine/aligned_buffer.h"
+#include "engine/simd/symmetric3.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+/// Each row pulls its corners by a soft spring towards where they are to be, across nothing and without
+/// friction: impulses b_i (c_k - s_k n n^T sum_j b_j v_j), which add up to 0, as PairRows's. There are few,
+/// so one thread does them all. Corners, and all spans, are numbered through all bodies.
+class UntanglingRows {
+  public:
+    void reserve(std::size_t rows);
+
+    /// A substep begins, with these rows, bases and gamma. What is given must outlive it.
+    void begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions, float gamma);
+    void clear() noexcept {
+        rows_ = {};
+        entry_count_ = 0;
+    }
+    [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
+
+    /// Takes over what a body's particles have in a vector, the body's first being `first`. What none is
+    /// taken of has velocity 0.
+    void take(std::uint32_t first, std::span<const Vec4> vector);
+    /// Which rows push, at the velocities that were taken.
+    void linearise();
+    /// With x as taken and C the rows' matrix: returns x . C x.
+    double multiply();
+    /// product += C x of a body's particles, after multiply().
+    void add_products(std::uint32_t first, std::span<Vec4> product) const;
+
+    /// What rows do to one particle.
+    struct Sum {
+        Symmetric3 diagonal;                ///< for a relaxation that knows no other particles [kg]
+        Vector3 impulse = Vector3::Zero();  ///< at the velocities taken, as last linearised [kg m/s]
+        Vector3 product = Vector3::Zero();  ///< as last multiplied
+        Vector3 taken = Vector3::Zero();
+    };
+    /// visit(particle, Sum) for free ones in [begin, end) that have rows, ascending.
+    template <class Visit>
+    void for_each_particle(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+        for (std::uint32_t e = first_entry(begin); e < entry_count_ && entries_[e].particle < end;) {
+            const std::uint32_t particle = entries_[e].particle;
+            Sum sum;
+            for (; e < entry_count_ && entries_[e].particle == particle; ++e) add(entries_[e], sum);
+            visit(particle, sum);
+        }
+    }
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Spring {
+        float mass, gap, spring;
+        float impulse, transfer;  // along the row's direction
+    };
+    struct Entry {
+        std::uint32_t particle, place;  // 5 * row + corner
+    };
+    [[nodiscard]] std::uint32_t first_entry(std::uint32_t particle) const;
+    [[nodiscard]] float along(std::uint32_t row) const;
+    void add(const Entry& entry, Sum& sum) const;
+
+    std::span<const UntanglingRow> rows_;
+    AlignedBuffer<Spring> springs_;
+    AlignedBuffer<Vec4> taken_;     // of corners
+    AlignedBuffer<Entry> entries_;  // of free particles, by particle
+    std::uint32_t entry_count_ = 0;
+    float gamma_ = 0;
+};
+
+}  // namespace weft
