@@ -13,6 +13,8 @@ int run_stability(const StudyOptions& options);
 int run_physics(const StudyOptions& options);
 /// Time schemes: energy, nearness to the truth, rest, dependence on the step, and time.
 int run_motion(const StudyOptions& options);
+/// What passes through what: scenes where cloth meets itself, by every rung of self-collision.
+int run_contact(const StudyOptions& options);
 /// Charts from what the others wrote.
 int run_plot(const PlotOptions& options);
 

@@ -54,6 +54,18 @@ void describe_physics(CLI::App& command, StudyOptions& options) {
         ->type_name("TEXT");
 }
 
+void describe_contact(CLI::App& command, StudyOptions& options) {
+    describe_table(command, options);
+    command.add_option("--threads", options.threads, "Threads of the simulation (default: one per core)")
+        ->check(CLI::Range(1, 256));
+    command
+        .add_option("--only", options.only,
+                    "Scenes whose name and rung, as in \"stack 2, off\", contain this")
+        ->type_name("TEXT");
+    command.add_option("--particles", options.particles, "Particles of a scene, about (default: its own)")
+        ->check(CLI::Range(64u, 1u << 20));
+}
+
 void describe_plot(CLI::App& command, PlotOptions& options) {
     command.add_option("--csv", options.csv, "Files that the other commands wrote")
         ->required()
@@ -67,7 +79,7 @@ void describe_plot(CLI::App& command, PlotOptions& options) {
 int main(int argc, char** argv) {
     CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
     app.require_subcommand(1);
-    StudyOptions accuracy, stability, physics, motion;
+    StudyOptions accuracy, stability, physics, motion, contact;
     PlotOptions plot;
     CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
     CLI::App* const stability_command =
@@ -76,11 +88,14 @@ int main(int argc, char** argv) {
         app.add_subcommand("physics", "Measured beside known, as CSV and as a table");
     CLI::App* const motion_command =
         app.add_subcommand("motion", "Time schemes: energy, truth, rest, steps and time, as a table and CSV");
+    CLI::App* const contact_command =
+        app.add_subcommand("contact", "What passes through what where cloth meets itself, as CSV and table");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
     describe_physics(*physics_command, physics);
     describe_measuring(*motion_command, motion);
+    describe_contact(*contact_command, contact);
     describe_plot(*plot_command, plot);
     try {
         app.parse(argc, argv);
@@ -96,6 +111,7 @@ int main(int argc, char** argv) {
         if (stability_command->parsed()) return run_stability(stability);
         if (physics_command->parsed()) return run_physics(physics);
         if (motion_command->parsed()) return run_motion(motion);
+        if (contact_command->parsed()) return run_contact(contact);
         return run_plot(plot);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft_study: %s\n", error.what());

@@ -2,6 +2,8 @@
 
 #include "demo/study/accuracy_chart.h"
 #include "demo/study/commands.h"
+#include "demo/study/contact/contact_chart.h"
+#include "demo/study/contact/contact_table.h"
 #include "demo/study/csv.h"
 #include "demo/study/physics/physics_chart.h"
 #include "demo/study/physics/physics_table.h"
@@ -20,6 +22,8 @@ int run_plot(const PlotOptions& options) {
             write_causes(table, options.out);
         } else if (is_physics_table(table)) {
             draw_physics(table, options.out);
+        } else if (is_contact_table(table)) {
+            draw_contact(table, options.out);
         } else {
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
         }

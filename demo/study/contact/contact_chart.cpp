@@ -1,0 +1,80 @@
+#include "demo/study/contact/contact_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "demo/study/contact/rung.h"
+#include "demo/study/gnuplot.h"
+
+namespace weft::study {
+
+namespace {
+
+constexpr std::array<const char*, 4> colours{"#7f7f7f", "#1f77b4", "#d62728", "#2ca02c"};  // of rungs
+
+std::vector<std::string> scenes_of(const CsvTable& table) {
+    std::vector<std::string> scenes;
+    for (const CsvRow& row : table.rows)
+        if (std::ranges::find(scenes, row.at("scene")) == scenes.end()) scenes.push_back(row.at("scene"));
+    return scenes;
+}
+
+/// `peak final line`, of one rung: no pairs are drawn as half a one, since the axis is logarithmic.
+std::string points(const CsvTable& table, const std::vector<std::string>& scenes, std::size_t rung,
+                   const std::string& peak, const std::string& final, double least) {
+    std::ostringstream text;
+    for (const CsvRow& row : table.rows) {
+        if (row.at("rung") != name_of(rungs.at(rung))) continue;
+        const auto line = static_cast<double>(std::ranges::find(scenes, row.at("scene")) - scenes.begin());
+        const auto value = [&](const std::string& column) {
+            return std::max(least, parse_number(row.at(column)).value_or(least));
+        };
+        const double aside = 0.5 * ((static_cast<double>(rung) + 0.5) / rungs.size() - 0.5);
+        text << value(peak) << ' ' << value(final) << ' ' << line + aside << '\n';
+    }
+    return text.str();
+}
+
+std::string plot_of(const std::string& block) {
+    std::string text = "plot ";
+    for (std::size_t r = 0; r < rungs.size(); ++r) {
+        const std::string data = "$" + block + std::to_string(r);
+        const std::string colour = " linecolor rgb " + quoted(colours.at(r));
+        text += (r > 0 ? ", " : "") + data + " using 2:3:($1-$2):(0) with vectors nohead" + colour +
+                " notitle, " + data + " using 1:3 with points pointtype 6" + colour + " title " +
+                quoted(std::string(name_of(rungs.at(r))) + ", peak") + ", " + data +
+                " using 2:3 with points pointtype 7" + colour + " title " +
+                quoted(std::string(name_of(rungs.at(r))) + ", final");
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+void draw_contact(const CsvTable& table, const std::filesystem::path& folder) {
+    const std::vector<std::string> scenes = scenes_of(table);
+    std::ostringstream settings;
+    for (std::size_t r = 0; r < rungs.size(); ++r) {
+        settings << "$pairs" << r << " << EOD\n"
+                 << points(table, scenes, r, "crossings_peak", "crossings_final", 0.5) << "EOD\n"
+                 << "$edges" << r << " << EOD\n"
+                 << points(table, scenes, r, "stretch_worst", "stretch_final", 1) << "EOD\n";
+    }
+    settings << "set yrange [" << static_cast<double>(scenes.size()) - 0.5 << ":-0.5]\nset grid\n"
+             << "set logscale x\nset key outside top center horizontal\nset ytics (";
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        settings << (i > 0 ? ", " : "") << quoted(scenes[i]) << ' ' << i;
+    settings << ")\n";
+    const std::string plot = "set multiplot layout 1,2\nset xrange [0.4:*]\nset xlabel " +
+                             quoted("crossing pairs of triangles, none at 0.5") + "\n" + plot_of("pairs") +
+                             "set xrange [0.98:*]\nset xlabel " +
+                             quoted("longest edge over its length at rest") + "\n" + plot_of("edges") +
+                             "unset multiplot\n";
+    const int height = 160 + 24 * static_cast<int>(scenes.size());
+    draw_with_gnuplot(folder / "contact", 1300, height, settings.str(), plot);
+}
+
+}  // namespace weft::study

@@ -1,0 +1,49 @@
+#pragma once
+// A scene in a World, step by step, through the interface that a host has.
+
+#include <vector>
+
+#include "demo/study/contact/contact_scene.h"
+#include "demo/study/contact/triangle_soup.h"
+
+namespace weft::study {
+
+class ContactRun {
+  public:
+    /// Throws std::runtime_error where a World refuses the scene. `threads` 0: one per core.
+    ContactRun(ContactScene scene, Rung rung, int threads = 1);
+
+    /// One step of ContactScene::step(); returns what World::step took [s].
+    double step();
+    [[nodiscard]] double time() const { return static_cast<double>(steps_) * ContactScene::step(); }
+    [[nodiscard]] bool over() const { return time() > scene_.seconds - ContactScene::step() / 2; }
+
+    [[nodiscard]] const ContactScene& scene() const { return scene_; }
+    [[nodiscard]] const World& world() const { return world_; }
+    [[nodiscard]] const std::vector<ClothId>& cloths() const { return cloths_; }
+    [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
+    [[nodiscard]] std::uint32_t particles() const;
+    /// Of all cloths, as they are now.
+    [[nodiscard]] TriangleSoup soup() const;
+
+    /// Distance from where the scene moved a pinned vertex to in the last step, to where it is: the farthest
+    /// [m]. Pins may have to give way where cloth is held against them.
+    [[nodiscard]] double pin_lag() const;
+
+  private:
+    struct PinTarget {
+        std::size_t cloth;
+        std::uint32_t vertex;
+        Vec3 place;
+    };
+    class Handles;
+
+    ContactScene scene_;
+    World world_;
+    std::vector<ClothId> cloths_;
+    std::vector<ColliderId> colliders_;
+    std::vector<PinTarget> targets_;
+    long steps_ = 0;
+};
+
+}  // namespace weft::study

@@ -1,0 +1,24 @@
+#pragma once
+// The table that `weft_study contact` writes, and how it is shown.
+
+#include <string>
+#include <vector>
+
+#include "demo/study/contact/contact_result.h"
+#include "demo/study/csv.h"
+
+namespace weft::study {
+
+[[nodiscard]] const std::vector<std::string>& contact_columns();
+[[nodiscard]] bool is_contact_table(const CsvTable& table);
+
+/// What tells a row from others.
+[[nodiscard]] const std::vector<std::string>& contact_keys();
+[[nodiscard]] CsvRow contact_key(const std::string& scene, Rung rung, std::uint32_t particles, int every);
+/// The key and the figures. Lengths in mm, speeds in mm/s, steps in ms.
+[[nodiscard]] CsvRow contact_row(CsvRow key, const ContactResult& result);
+
+/// Markdown: one line for each row.
+[[nodiscard]] std::string contact_markdown(const CsvTable& table);
+
+}  // namespace weft::study

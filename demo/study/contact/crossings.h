@@ -1,0 +1,33 @@
+#pragma once
+// Which triangles of cloth have passed through each other: what judges contact, and so shares nothing with
+// it.
+//
+// Two triangles that share no vertex cross if each has corners strictly on both sides of the other's plane,
+// and their insides, without edges and corners, have a point in common. So touching is no crossing: a corner
+// in a plane, an edge on an edge, triangles in one plane, faces that coincide. All of it is decided by signs
+// of volumes that are exact for floats, whatever lies in what plane.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "demo/study/contact/triangle_soup.h"
+
+namespace weft::study {
+
+[[nodiscard]] bool triangles_cross(const TriangleSoup& soup, std::uint32_t first, std::uint32_t second);
+
+/// The pairs that cross, the smaller index first, in ascending order. Positions have to be finite.
+[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const TriangleSoup& soup);
+
+struct CrossingCount {
+    std::uint64_t all = 0;
+    std::uint64_t between_bodies = 0;  ///< of these, those whose triangles are of different bodies
+};
+[[nodiscard]] CrossingCount count_crossings(const TriangleSoup& soup);
+
+/// Distance of the closest two triangles that share no vertex [m], or `bound` if none are closer: in double
+/// precision. In flat cloth of square cells that is 0.7 of an edge. 0 for triangles that cross.
+[[nodiscard]] double least_gap(const TriangleSoup& soup, double bound);
+
+}  // namespace weft::study

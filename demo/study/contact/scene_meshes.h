@@ -1,0 +1,58 @@
+#pragma once
+// Sheets put somewhere in space, of which scenes are made.
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "demo/study/contact/contact_scene.h"
+
+namespace weft::study {
+
+/// Where a point of the pattern, u along the length and v along the width [m], is in space.
+using PlaceOf = std::function<Eigen::Vector3d(double u, double v)>;
+
+/// A sheet `length` by `width` [m], its rows along the length, with the flat pattern as its rest shape.
+struct Piece {
+    double length, width;
+    std::uint32_t columns, rows;  ///< particles along length and width
+    [[nodiscard]] double edge() const { return length / (columns - 1); }
+};
+/// Of about so many particles in squares; columns - 1 is a multiple of `parts`, so that folds can be between
+/// cells.
+[[nodiscard]] Piece piece(double length, double width, std::uint32_t particles, std::uint32_t parts = 1);
+[[nodiscard]] Mesh placed_sheet(const Piece& piece, const PlaceOf& place);
+/// Vertex of a sheet of that piece.
+[[nodiscard]] inline std::uint32_t vertex_at(const Piece& piece, std::uint32_t row, std::uint32_t column) {
+    return row * piece.columns + column;
+}
+[[nodiscard]] std::vector<std::uint32_t> column_of(const Piece& piece, std::uint32_t column);
+
+/// Sheets of squares as one general mesh; their first vertices are the layers.
+[[nodiscard]] SceneCloth joined(const std::vector<Mesh>& sheets);
+
+/// What self-collision keeps particles of that mesh apart by default [m].
+[[nodiscard]] double usual_distance(double edge);
+
+/// `particles`, or where that is 0, a scene's own number.
+[[nodiscard]] inline std::uint32_t or_else(std::uint32_t particles, std::uint32_t usual) {
+    return particles == 0 ? usual : particles;
+}
+
+/// Whether a scene's sheets are one cloth or several of one World.
+enum class Made { one_mesh, cloths };
+[[nodiscard]] std::string named(const std::string& name, Made made);
+[[nodiscard]] std::vector<SceneCloth> layered(const std::vector<Mesh>& sheets, Made made);
+
+/// A sheet that lies level, turned about its middle, which is over the origin.
+[[nodiscard]] Mesh level_sheet(const Piece& sheet, double height, double turn);
+
+/// In air that is still.
+[[nodiscard]] WorldSettings still_air();
+/// Neither air nor weight; cloth in it should have no air_damping.
+[[nodiscard]] WorldSettings zero_gravity();
+[[nodiscard]] Collider ground();
+[[nodiscard]] Vec3 to_point(const Eigen::Vector3d& p);
+
+}  // namespace weft::study

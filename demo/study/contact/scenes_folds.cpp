@@ -1,0 +1,67 @@
+// Sheets and ribbons that come to lie on themselves.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "demo/study/contact/scene_meshes.h"
+
+namespace weft::study {
+
+namespace {
+
+using Eigen::Vector3d;
+constexpr double pi = std::numbers::pi;
+
+/// A concertina of ten legs, dropped on its side.
+ContactScene folddrop(std::uint32_t particles) {
+    constexpr int legs = 10;
+    constexpr double leg = 0.1, height = 0.4;
+    const Piece sheet = piece(1, 0.5, or_else(particles, 4100), legs);
+    const double rise = 3 * usual_distance(sheet.edge()), run = std::sqrt(leg * leg - rise * rise);
+    const auto place = [=](double u, double v) {
+        const int k = std::min(legs - 1, static_cast<int>(u / leg));
+        const double part = u / leg - k, forth = k % 2 == 0 ? part : 1 - part;
+        const double wave = 1e-3 * std::sin(2 * pi * (v / 0.23 + 1.7 * u)) * std::sin(2 * pi * u / 0.31);
+        return Vector3d((forth - 0.5) * run, height + u / leg * rise + wave, v - 0.25);
+    };
+    return {.name = "folddrop",
+            .seconds = 10,
+            .cloths = {{.mesh = placed_sheet(sheet, place)}},
+            .colliders = {ground()},
+            .world = still_air(),
+            .rests = true};
+}
+
+/// Lowered end first at constant speed by a hand that sways a little, or it would have no side to fold to.
+ContactScene ribbon(std::uint32_t particles) {
+    constexpr double length = 2.4, width = 0.1, low = 0.02, speed = 0.5, stop = 0.4;
+    constexpr double sway = 0.015, period = 0.9;
+    const Piece sheet = piece(length, width, or_else(particles, 1000));
+    const auto place = [=](double u, double v) { return Vector3d(v - width / 2, low + u, 0); };
+    const std::vector<std::uint32_t> top = column_of(sheet, sheet.columns - 1);
+    const auto lower = [=](const SceneHandles& scene, double time) {
+        const double height = std::max(low + length - speed * time, stop);
+        const double ends = (low + length - stop) / speed;
+        const double side = sway * std::sin(2 * pi * std::min(time, ends) / period);
+        for (std::uint32_t row = 0; row < sheet.rows; ++row) {
+            const double across = width * row / (sheet.rows - 1) - width / 2;
+            scene.move_pin(0, top[row], to_point({across, height, side}));
+        }
+    };
+    return {.name = "ribbon",
+            .seconds = 12,
+            .cloths = {{.mesh = placed_sheet(sheet, place), .pins = top}},
+            .colliders = {ground()},
+            .world = still_air(),
+            .move = lower,
+            .rests = true};
+}
+
+}  // namespace
+
+std::vector<SceneMaker> fold_scenes() {
+    return {{"folddrop", true, folddrop}, {"ribbon", true, ribbon}};
+}
+
+}  // namespace weft::study

@@ -1,0 +1,82 @@
+// Sheets that pass through themselves from the start: what is to come free.
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "demo/study/contact/scene_meshes.h"
+
+namespace weft::study {
+
+namespace {
+
+using Eigen::Vector3d;
+constexpr double pi = std::numbers::pi;
+
+/// A meander whose loops overlap: the direction goes to and fro as a sine by more than 2.2 rad (Langbein and
+/// Leopold, "River meanders: theory of minimum variance", 1966). As long as what lies on it.
+class Meander {
+  public:
+    Meander(double length, double wave, double angle) : step_(length / count) {
+        Eigen::Vector2d at(0, 0);
+        for (int k = 0; k <= count; ++k) {
+            places_.push_back(at);
+            const double direction = angle * std::sin(2 * pi * (k + 0.5) * step_ / wave);
+            at += step_ * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+        }
+    }
+    [[nodiscard]] Eigen::Vector2d at(double along) const {
+        return places_[static_cast<std::size_t>(std::lround(along / step_))];
+    }
+
+  private:
+    static constexpr int count = 10000;
+    double step_;
+    std::vector<Eigen::Vector2d> places_;
+};
+
+constexpr double length = 1, width = 0.5;
+
+/// Some 540 pairs cross where 4 100 particles are.
+Mesh tangled_mesh(const Piece& sheet, const std::function<Vector3d(const Vector3d&)>& turned) {
+    const Meander meander(length, 2 * length / 3, 2.32);
+    return placed_sheet(sheet, [&](double u, double v) {
+        const Eigen::Vector2d at = meander.at(u);
+        const double wave = 2e-3 * std::sin(2 * pi * (v / 0.19 + u));
+        return turned(Vector3d(at.x() + wave, at.y(), v - width / 2));
+    });
+}
+
+/// Hung by one end.
+ContactScene tangled_hung(std::uint32_t particles) {
+    const Piece sheet = piece(length, width, or_else(particles, 4100));
+    const auto turned = [](const Vector3d& p) { return Vector3d(p.y(), 1.2 - p.x(), p.z()); };
+    return {.name = "tangled hung",
+            .seconds = 6,
+            .cloths = {{.mesh = tangled_mesh(sheet, turned), .pins = column_of(sheet, 0)}},
+            .world = still_air(),
+            .tangled = true,
+            .rests = true};
+}
+
+/// Dropped on the ground.
+ContactScene tangled_dropped(std::uint32_t particles) {
+    const Piece sheet = piece(length, width, or_else(particles, 4100));
+    const auto turned = [](const Vector3d& p) { return Vector3d(p.x(), 0.2 + p.y(), p.z()); };
+    return {.name = "tangled dropped",
+            .seconds = 6,
+            .cloths = {{.mesh = tangled_mesh(sheet, turned)}},
+            .colliders = {ground()},
+            .world = still_air(),
+            .tangled = true,
+            .rests = true};
+}
+
+}  // namespace
+
+std::vector<SceneMaker> tangle_scenes() {
+    return {{"tangled hung", true, tangled_hung}, {"tangled dropped", false, tangled_dropped}};
+}
+
+}  // namespace weft::study
