@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <map>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -81,9 +83,12 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
         ->check(CLI::Range(0, 10000));
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));
-    app.add_option("--self-collision", options.overrides.self_collision,
-                   "1 on, 0 off (default: the scene's own)")
-        ->check(CLI::IsMember({"0", "1"}));
+    static const std::map<std::string, ClothContact> names{{"off", ClothContact::off},
+                                                           {"avoidance", ClothContact::avoidance},
+                                                           {"contact", ClothContact::contact}};
+    app.add_option("--contact", options.overrides.contact,
+                   "How cloth is kept from passing through cloth (default: the scene's own)")
+        ->transform(CLI::CheckedTransformer(names).description("off, avoidance or contact"));
 }
 
 std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv) {

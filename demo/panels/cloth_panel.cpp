@@ -50,11 +50,16 @@ bool fabric_sliders(ClothSettings& settings) {
 
 bool self_collision_controls(ClothSettings& settings) {
     SelfCollision& self = settings.self_collision;
-    bool changed = ImGui::Checkbox("self-collision", &self.enabled);
-    tooltip("Keeps the layers of a cloth apart. Off costs nothing.");
+    auto rung = static_cast<int>(contact_of(self));
+    bool changed = ImGui::Combo("self-collision", &rung, "off\0avoidance\0contact\0");
+    tooltip(
+        "Off costs nothing. Avoidance keeps particles apart, and layers still pass through each other where "
+        "they are pressed. Contact lets nothing through, and costs most.");
+    if (changed) set_contact(self, static_cast<ClothContact>(rung));
     float millimetres = 1e3f * self.distance;
-    if (slider("distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
-               "Least distance between particles; 0 takes 0.75 of the mean edge.")) {
+    if (slider(
+            "distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
+            "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, 0.3 by contact.")) {
         self.distance = 1e-3f * millimetres;
         changed = true;
     }

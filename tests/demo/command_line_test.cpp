@@ -89,7 +89,7 @@ TEST_F(Program, RefusesWhatIsNotThere) {
     expect_refusal(run("--headless --garment /no/such/shirt.obj"), "/no/such/shirt.obj");
     expect_refusal(run("--headless --scene sheet --garment shirt.obj"), "shirt.obj");
     expect_refusal(run("--headless --particles -3"), "--particles");
-    expect_refusal(run("--headless --self-collision 2"), "--self-collision");
+    expect_refusal(run("--headless --contact sometimes"), "--contact");
     expect_refusal(run("--headless --method symplectic-euler --iterations 4"), "symplectic-euler");
     expect_refusal(run("--headless --frames 1 --out /dev/null/here"), "/dev/null/here");
 }

@@ -23,13 +23,12 @@ Options accepted(const std::vector<const char*>& arguments) {
 }
 
 TEST(Options, ReadsEverything) {
-    const Options o =
-        accepted({"--scene",    "curtain",   "--garment",  "a.obj",      "--particles",      "5000",
-                  "--threads",  "3",         "--wind",     "-1.5,0,2e1", "--iterations",     "9",
-                  "--method",   "chebyshev", "--substeps", "4",          "--self-collision", "0",
-                  "--headless", "--panels",  "--frames",   "77",         "--every",          "7",
-                  "--out",      "there",     "--size",     "640x480",    "--trace",          "t.json",
-                  "--fabric",   "denim"});
+    const Options o = accepted(
+        {"--scene",    "curtain", "--garment",  "a.obj",        "--particles", "5000",     "--threads",
+         "3",          "--wind",  "-1.5,0,2e1", "--iterations", "9",           "--method", "chebyshev",
+         "--substeps", "4",       "--contact",  "off",          "--headless",  "--panels", "--frames",
+         "77",         "--every", "7",          "--out",        "there",       "--size",   "640x480",
+         "--trace",    "t.json",  "--fabric",   "denim"});
     EXPECT_EQ(o.scene, "curtain");
     EXPECT_EQ(o.scene_options.garment, "a.obj");
     EXPECT_EQ(o.scene_options.particles, 5000u);
@@ -43,7 +42,7 @@ TEST(Options, ReadsEverything) {
     EXPECT_TRUE(std::holds_alternative<Chebyshev>(*o.overrides.method));
     EXPECT_EQ(o.overrides.fabric, *Fabric::named("denim"));
     EXPECT_EQ(o.overrides.substeps, 4);
-    EXPECT_EQ(o.overrides.self_collision, false);
+    EXPECT_EQ(o.overrides.contact, ClothContact::off);
     EXPECT_TRUE(o.headless && o.panels && !o.list);
     EXPECT_EQ(o.frames, 77);
     EXPECT_EQ(o.every, 7);
@@ -56,7 +55,7 @@ TEST(Options, ReadsEverything) {
 TEST(Options, LeavesTheScenesOwnSettingsAlone) {
     const Options o = accepted({});
     EXPECT_FALSE(o.overrides.wind || o.overrides.method || o.overrides.fabric || o.overrides.iterations ||
-                 o.overrides.substeps || o.overrides.self_collision);
+                 o.overrides.substeps || o.overrides.contact);
     EXPECT_EQ(o.scene_options.particles, 0u);
 }
 
@@ -81,11 +80,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
                     Bad{"--fabric", "felt"}, Bad{"--fabric", "missing.json"}, Bad{"--substeps", "0"},
                     Bad{"--frames", "0"}, Bad{"--every", "0"}, Bad{"--method", "magic"},
-                    Bad{"--self-collision", "maybe"}, Bad{"--self-collision", "2"},
-                    Bad{"--self-collision", "-1"}, Bad{"--self-collision", "0.5"}, Bad{"--particles", "nan"},
-                    Bad{"--particles", "12.5"}, Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"},
-                    Bad{"--wind", "80,80,0"}, Bad{"--substeps", "257"}, Bad{"--iterations", "10001"},
-                    Bad{"--frames", "-1"}, Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
+                    Bad{"--contact", "maybe"}, Bad{"--contact", "7"}, Bad{"--contact", "-1"},
+                    Bad{"--contact", ""}, Bad{"--particles", "nan"}, Bad{"--particles", "12.5"},
+                    Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"}, Bad{"--wind", "80,80,0"},
+                    Bad{"--substeps", "257"}, Bad{"--iterations", "10001"}, Bad{"--frames", "-1"},
+                    Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
 
 TEST(Options, HelpIsNoError) {
     const auto parsed = parse({"--help"});

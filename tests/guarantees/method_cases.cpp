@@ -62,6 +62,9 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     const auto bdf2 = [](MethodCase& c) { c.cloth.time_scheme = TimeScheme::bdf2; };
     const auto tethers = [](MethodCase& c) { c.cloth.tethers.enabled = true; };
     const auto self = [](MethodCase& c) { c.cloth.self_collision.enabled = true; };
+    const auto contact = [](MethodCase& c) {
+        c.cloth.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    };
     const auto gusts = [](MethodCase& c) {
         c.world.wind.velocity = {0, 0, 3};
         c.world.wind.gust = 0.5f;
@@ -75,6 +78,7 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     add("_mesh", mesh);
     add("_tethers", tethers);
     add("_self", self);
+    add("_contact", contact);
     add("_gusts", gusts);
     if (!takes_elements(method.settings.method)) return add("_mesh_all", mesh, tethers, self, gusts);
     add("_elements", elements);
