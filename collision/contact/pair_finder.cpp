@@ -134,12 +134,11 @@ void PairFinder::place(Parallel& parallel, const PairSearch& search) {
     parallel.blocks(blocks, [&](std::uint32_t block) {
         set_box(boxes_.blocks[block / 16], block % 16, place_patches(search, block, boxes_));
     });
-    // Behind the last box of the last group nothing is.
+    // Behind the last box nothing is, though a search of more bodies may have left something there.
     const std::uint32_t groups = (blocks + 15) / 16;
     for (std::uint32_t k = blocks; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
-    for (std::uint32_t k = 0; k < groups; ++k) set_box(boxes_.groups[k / 16], k % 16, hull(boxes_.blocks[k]));
-    for (std::uint32_t k = groups; k < (groups + 15) / 16 * 16; ++k)
-        set_box(boxes_.groups[k / 16], k % 16, no_box);
+    for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
+        set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
     parallel.blocks(
         blocks, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
     if (std::ranges::all_of(is_calm_, [](std::uint8_t calm) { return calm == 1; })) return;

@@ -2,25 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <map>
 #include <numeric>
 #include <set>
 
 #include "../targets/targets.h"
-#include "contact_reference.h"
+#include "pair_finder_scenes.h"
 
 namespace weft::test {
 namespace {
-
-PairList pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
-    PairFinder finder;
-    finder.reserve(scene.bodies);
-    Parallel parallel(threads);
-    PairList list(capacity);
-    finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
-    return list;
-}
 
 using Corners = std::array<std::uint32_t, 4>;
 
@@ -109,33 +99,6 @@ void expect_as_reference(const ContactScene& scene, std::size_t at_least = 0) {
     EXPECT_EQ(added, 0u);
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(known, list.size) << "pairs that share a vertex, or of bodies that do not meet";
-}
-
-constexpr float edge = 0.01f;
-
-std::vector<Vec4> flat(std::uint32_t rows, std::uint32_t columns) {
-    return grid_positions(rows, columns, [](float u, float v) { return Vec4{edge * u, 0, edge * v, 0}; });
-}
-
-ContactScene sheet(std::uint32_t side, float reach, const std::vector<Vec4>& now) {
-    ContactScene scene;
-    scene.add(flat(side, side), now, grid_triangles(side, side), reach);
-    return scene;
-}
-
-ContactScene waving(std::uint32_t side, float height) {
-    return sheet(side, 0.3f * edge, grid_positions(side, side, [&](float u, float v) {
-                     return Vec4{edge * u, edge * height * std::sin(0.3f * u + 0.2f * v), edge * v, 0};
-                 }));
-}
-
-ContactScene folded(std::uint32_t side, float gap) {
-    ContactScene scene = sheet(side, 0.3f * edge, grid_positions(side, side, [&](float u, float v) {
-                                   const Vec4 p = zigzag(u, v, 6, gap);
-                                   return Vec4{edge * p.x, edge * p.y, edge * p.z, 0};
-                               }));
-    scene.jitter(0.02f * edge);
-    return scene;
 }
 
 TEST(PairFinder, CalmSheetHasNoPairs) {
@@ -377,51 +340,6 @@ TEST(PairFinder, LooseParticlesAndEmptyMeshesListNothing) {
     scene.add(points, points, {{1, 1, 2}, {3, 3, 3}}, 1);
     EXPECT_EQ(pairs_of(scene).size, 0u);
     EXPECT_EQ(pairs_of(ContactScene()).size, 0u);
-}
-
-ContactScene crowded() {
-    ContactScene scene = folded(64, 0.3f);
-    scene.add_motions(random_vectors(scene.positions.size(), 0.1f * edge, 2));
-    return scene;
-}
-
-void expect_equal(const PairList& a, const PairList& b) {
-    ASSERT_EQ(a.size, b.size);
-    EXPECT_EQ(a.vertex_triangle, b.vertex_triangle);
-    EXPECT_EQ(a.overflowed, b.overflowed);
-    EXPECT_EQ(std::memcmp(a.pairs.data(), b.pairs.data(), a.size * sizeof(FeaturePair)), 0);
-    EXPECT_EQ(std::memcmp(a.shapes.data(), b.shapes.data(), a.size * sizeof(PairShape)), 0);
-}
-
-TEST(PairFinder, TheListDoesNotDependOnThreads) {
-    const ContactScene scene = crowded();
-    const PairList expected = pairs_of(scene);
-    ASSERT_GT(expected.size, 10000u);
-    for (const int threads : {2, 4}) expect_equal(pairs_of(scene, threads), expected);
-}
-
-TEST(PairFinder, WhatDoesNotFitIsLeftOutFromTheEnd) {
-    const ContactScene scene = crowded();
-    const PairList all = pairs_of(scene);
-    for (const std::uint32_t capacity : {0u, 1u, 100u, all.vertex_triangle, all.size - 1, all.size}) {
-        const PairList list = pairs_of(scene, 2, capacity);
-        EXPECT_EQ(list.overflowed, capacity < all.size);
-        ASSERT_EQ(list.size, capacity);
-        EXPECT_EQ(list.vertex_triangle, std::min(capacity, all.vertex_triangle));
-        EXPECT_EQ(std::memcmp(list.pairs.data(), all.pairs.data(), capacity * sizeof(FeaturePair)), 0);
-        EXPECT_EQ(std::memcmp(list.shapes.data(), all.shapes.data(), capacity * sizeof(PairShape)), 0);
-    }
-}
-
-TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
-    ContactScene scene = waving(16, 0);
-    for (Vec4& p : scene.positions) p = {0.02f * p.x, 0, 0.02f * p.z, 0};
-    scene.jitter(0.3f * edge);
-    scene.bodies[0].reach = edge;
-    const PairList expected = pairs_of(scene, 1, 1 << 20);
-    EXPECT_FALSE(expected.overflowed);
-    EXPECT_GT(expected.size, 200000u);
-    expect_equal(pairs_of(scene, 2, 1 << 20), expected);
 }
 
 TEST(PairFinder, WhatIsNotFiniteListsNothing) {

@@ -1,0 +1,46 @@
+#pragma once
+// Sheets in which features are near, and the search for them.
+
+#include <cmath>
+
+#include "contact_reference.h"
+
+namespace weft::test {
+
+inline PairList pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
+    PairFinder finder;
+    finder.reserve(scene.bodies);
+    Parallel parallel(threads);
+    PairList list(capacity);
+    finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
+    return list;
+}
+
+inline constexpr float edge = 0.01f;
+
+inline std::vector<Vec4> flat(std::uint32_t rows, std::uint32_t columns) {
+    return grid_positions(rows, columns, [](float u, float v) { return Vec4{edge * u, 0, edge * v, 0}; });
+}
+
+inline ContactScene sheet(std::uint32_t side, float reach, const std::vector<Vec4>& now) {
+    ContactScene scene;
+    scene.add(flat(side, side), now, grid_triangles(side, side), reach);
+    return scene;
+}
+
+inline ContactScene waving(std::uint32_t side, float height) {
+    return sheet(side, 0.3f * edge, grid_positions(side, side, [&](float u, float v) {
+                     return Vec4{edge * u, edge * height * std::sin(0.3f * u + 0.2f * v), edge * v, 0};
+                 }));
+}
+
+inline ContactScene folded(std::uint32_t side, float gap) {
+    ContactScene scene = sheet(side, 0.3f * edge, grid_positions(side, side, [&](float u, float v) {
+                                   const Vec4 p = zigzag(u, v, 6, gap);
+                                   return Vec4{edge * p.x, edge * p.y, edge * p.z, 0};
+                               }));
+    scene.jitter(0.02f * edge);
+    return scene;
+}
+
+}  // namespace weft::test
