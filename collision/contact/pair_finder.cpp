@@ -33,32 +33,31 @@ std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t cou
 }  // namespace
 
 // Vectors keep what they have grown to, so that later choices take no memory.
-void PairFinder::choose(std::span<const ContactBody> bodies) {
+PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
     bodies_.clear();
     blocks_.clear();
-    std::uint32_t vertices = 0, triangles = 0, edges = 0;
+    Groups groups;
     for (const ContactBody& body : bodies) {
         const ContactMesh& mesh = *body.mesh;
         const auto index = static_cast<std::uint32_t>(bodies_.size());
-        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself, vertices,
-                           triangles, edges, static_cast<std::uint32_t>(blocks_.size())});
-        vertices += mesh.vertex_slots().groups();
-        triangles += mesh.triangle_slots().groups();
-        edges += mesh.edge_slots().groups();
+        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
+                           groups.vertices, groups.triangles, groups.edges,
+                           static_cast<std::uint32_t>(blocks_.size())});
+        groups.vertices += mesh.vertex_slots().groups();
+        groups.triangles += mesh.triangle_slots().groups();
+        groups.edges += mesh.edge_slots().groups();
         const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
         for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
             blocks_.push_back({index, first, std::min(patches - first, PatchBlock::most)});
     }
+    is_calm_.resize(blocks_.size());
+    block_pairs_.resize(blocks_.size());
+    block_crossings_.resize(blocks_.size());
+    return groups;
 }
 
 void PairFinder::reserve(std::span<const ContactBody> bodies) {
-    choose(bodies);
-    std::size_t vertices = 0, triangles = 0, edges = 0;
-    for (const ContactBody& body : bodies) {
-        vertices += body.mesh->vertex_slots().groups();
-        triangles += body.mesh->triangle_slots().groups();
-        edges += body.mesh->edge_slots().groups();
-    }
+    const auto [vertices, triangles, edges] = choose(bodies);
     const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
     boxes_ = {no_boxes(vertices),
               no_boxes(triangles),
@@ -68,26 +67,14 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
               no_boxes((groups + 15) / 16),
               AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
               AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
-    is_calm_.resize(blocks);
     room_ = AlignedBuffer<FeaturePair>(blocks * kept);
-    block_pairs_.resize(blocks);
     crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
-    block_crossings_.resize(blocks);
-}
-
-PairSearch PairFinder::search_of(std::span<const ContactBody> bodies) {
-    choose(bodies);
-    block_pairs_.resize(blocks_.size());
-    block_crossings_.resize(blocks_.size());
-    is_calm_.resize(blocks_.size());
-    return {bodies_, blocks_, &boxes_, nullptr, nullptr};
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found) {
-    PairSearch search = search_of(bodies);
-    search.positions = positions.data();
-    search.motions = motions.data();
+    choose(bodies);
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data()};
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     place(parallel, search);
     parallel.blocks(blocks, [&](std::uint32_t block) {
@@ -101,9 +88,9 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
 
 void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
                                 std::span<const Vec4> positions, CrossingList& found) {
-    PairSearch search = search_of(bodies);
+    choose(bodies);
     for (SearchedBody& body : bodies_) body.reach = 0;
-    search.positions = positions.data();
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), nullptr};
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     const auto room_of_block = [&](std::uint32_t block) {
         return crossing_room_.span().subspan(std::size_t{block} * kept_crossings, kept_crossings);

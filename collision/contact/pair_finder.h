@@ -56,8 +56,11 @@ class PairFinder {
         std::uint32_t first_vertex_triangle, first_edge_edge;
     };
 
-    void choose(std::span<const ContactBody> bodies);
-    [[nodiscard]] PairSearch search_of(std::span<const ContactBody> bodies);
+    /// How many groups of sixteen the slots of each kind take.
+    struct Groups {
+        std::uint32_t vertices = 0, triangles = 0, edges = 0;
+    };
+    Groups choose(std::span<const ContactBody> bodies);
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     void number(PairList& found);

@@ -1,9 +1,7 @@
 #include "collision/contact/pair_kernels.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
-#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/contact/pair_kernels.cpp"
@@ -16,188 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-HWY_INLINE BoxLanes nowhere() {
-    const Lanes far = set(infinity), near = set(-infinity);
-    return {{far, far, far}, {near, near, near}};
-}
-
-HWY_INLINE void store_boxes(const BoxLanes& box, Boxes& boxes, std::uint32_t first) {
-    const Tag d;
-    hn::Store(box.lower.x, d, boxes.lower_x + first);
-    hn::Store(box.lower.y, d, boxes.lower_y + first);
-    hn::Store(box.lower.z, d, boxes.lower_z + first);
-    hn::Store(box.upper.x, d, boxes.upper_x + first);
-    hn::Store(box.upper.y, d, boxes.upper_y + first);
-    hn::Store(box.upper.z, d, boxes.upper_z + first);
-}
-
-/// Where a body's particles are and go.
-struct Moving {
-    const Vec4* positions;
-    const Vec4* motions;
-    Lanes half_reach;
-};
-
-/// By half the reach and by more than what rounding takes from a coordinate's sums.
-HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
-    const Lanes rounding = set(0x1p-22f);
-    const auto by = [&](Lanes at) HWY_ATTR { return hn::MulAdd(hn::Abs(at), rounding, half_reach); };
-    const auto less = [&](Lanes at) HWY_ATTR { return hn::Sub(at, by(at)); };
-    const auto more = [&](Lanes at) HWY_ATTR { return hn::Add(at, by(at)); };
-    return {{less(box.lower.x), less(box.lower.y), less(box.lower.z)},
-            {more(box.upper.x), more(box.upper.y), more(box.upper.z)}};
-}
-
-HWY_INLINE BoxLanes everywhere() {
-    const BoxLanes none = nowhere();
-    return {none.upper, none.lower};
-}
-template <class Mask>
-HWY_INLINE BoxLanes either(Mask mask, const BoxLanes& yes, const BoxLanes& no) {
-    return {either(mask, yes.lower, no.lower), either(mask, yes.upper, no.upper)};
-}
-
-/// What is around features over their motion, around the motions themselves, and whether all is finite.
-struct Placed {
-    BoxLanes box, motion;
-    hn::Mask<Tag> finite;
-};
-
-/// Of the features in the slots from `slot` on.
-template <std::uint32_t corner_count>
-HWY_INLINE Placed place_lanes(const Moving& moving, const FeatureSlots<corner_count>& slots,
-                              std::uint32_t slot) {
-    Placed here{nowhere(), nowhere(), hn::FirstN(Tag(), part_lanes)};
-    for (std::uint32_t c = 0; c < corner_count; ++c) {
-        const std::uint32_t* const particles = &slots.corners[c][slot];
-        const Lanes3 x = gather_rows(moving.positions, particles);
-        here.box = join(here.box, {x, x});
-        here.finite = hn::And(here.finite, is_finite(x));
-        if (moving.motions != nullptr) {
-            const Lanes3 motion = gather_rows(moving.motions, particles);
-            const Lanes3 moved = x + motion;
-            here.box = join(here.box, {moved, moved});
-            here.motion = join(here.motion, {motion, motion});
-            here.finite = hn::And(here.finite, is_finite(moved));
-        }
-    }
-    here.box = grown(here.box, moving.half_reach);
-    return here;
-}
-
-/// Fills the boxes of a patch's features of one kind.
-template <std::uint32_t corner_count>
-HWY_INLINE void place(const Moving& moving, const FeatureSlots<corner_count>& slots, const SlotSpan& span,
-                      Boxes* groups) {
-    std::uint32_t k = 0;
-    for (; k < span.count; k += part_lanes) {
-        const Placed here = place_lanes(moving, slots, span.first + k);
-        const auto used = hn::And(here.finite, hn::FirstN(Tag(), span.count - k));
-        store_boxes(either(used, here.box, nowhere()), groups[(span.first + k) / 16], k % 16);
-    }
-    for (; k % 16 != 0; k += part_lanes)  // whole groups are read
-        store_boxes(nowhere(), groups[(span.first + k) / 16], k % 16);
-}
-
-/// Around all corners of a patch.
-HWY_INLINE Placed place_corners(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span) {
-    Placed all{nowhere(), nowhere(), hn::FirstN(Tag(), part_lanes)};
-    for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
-        const Placed here = place_lanes(moving, mesh.corner_slots(), span.first + k);
-        const auto used = hn::FirstN(Tag(), span.count - k);
-        const auto finite = hn::And(used, here.finite);
-        all.box = join(all.box, either(finite, here.box, nowhere()));
-        all.motion = join(all.motion, either(finite, here.motion, either(used, everywhere(), nowhere())));
-    }
-    return all;
-}
-
-/// What is around the gradients of a patch's triangles: of x, y and z along an axis of the chart.
-struct Gradients {
-    BoxLanes along_u, along_v;
-};
-
-HWY_INLINE Gradients gradients_of(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span) {
-    Gradients all{nowhere(), nowhere()};
-    const auto& corners = mesh.triangle_slots().corners;
-    for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
-        const std::uint32_t slot = span.first + k;
-        const Lanes3 x = gather_rows(moving.positions, &corners[0][slot]);
-        const Lanes3 a = gather_rows(moving.positions, &corners[1][slot]) - x;
-        const Lanes3 b = gather_rows(moving.positions, &corners[2][slot]) - x;
-        const auto inverse = [&](std::size_t i)
-                                 HWY_ATTR { return load_lanes(&mesh.flat_rest().inverse(i)[slot]); };
-        const Lanes3 u = mul_add(inverse(0), a, inverse(2) * b), v = mul_add(inverse(1), a, inverse(3) * b);
-        const auto used = hn::FirstN(Tag(), span.count - k);
-        const BoxLanes otherwise = either(used, everywhere(), nowhere());
-        const auto finite = hn::And(used, hn::And(is_finite(u), is_finite(v)));
-        all.along_u = join(all.along_u, either(finite, {u, u}, otherwise));
-        all.along_v = join(all.along_v, either(finite, {v, v}, otherwise));
-    }
-    return all;
-}
-
-PatchStrain strain_of(const Gradients& gradients, const BoxLanes& motion) {
-    const Bounds u = hull_of_lanes(gradients.along_u), v = hull_of_lanes(gradients.along_v);
-    const Bounds m = hull_of_lanes(motion);
-    return {{u.lower.x, u.lower.y, u.lower.z, v.lower.x, v.lower.y, v.lower.z},
-            {u.upper.x, u.upper.y, u.upper.z, v.upper.x, v.upper.y, v.upper.z},
-            {m.lower.x, m.lower.y, m.lower.z},
-            {m.upper.x, m.upper.y, m.upper.z}};
-}
-
-HWY_INLINE Moving moving_of(const PairSearch& search, const SearchedBody& body) {
-    return {search.positions + body.first, search.motions == nullptr ? nullptr : search.motions + body.first,
-            set(0.5f * body.reach * (1 + 1e-6f))};
-}
-
-Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    const PatchBlock& patches = search.blocks[block];
-    const SearchedBody& body = search.bodies[patches.body];
-    const ContactMesh& mesh = *body.mesh;
-    const Moving moving = moving_of(search, body);
-    for (std::uint32_t k = 0; k < patches.patch_count; ++k) {
-        const ContactPatch& patch = mesh.patches()[patches.first_patch + k];
-        const Placed all = place_corners(moving, mesh, patch.corners);
-        set_box(boxes.patches[block], k, hull_of_lanes(all.box));
-        boxes.wanted[block * PatchBlock::most + k] = 0;
-        if (!mesh.flat_rest().is_empty())
-            boxes.strains[block * PatchBlock::most + k] =
-                strain_of(gradients_of(moving, mesh, patch.triangles), all.motion);
-    }
-    return hull_of(boxes.patches[block]);
-}
-
-bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    bool any = false;
-    const auto add = [&](const SearchedPatch& patch) {  // by any thread, but always the same
-        std::uint8_t& wanted = boxes.wanted[patch.body.first_block * PatchBlock::most + patch.number];
-        std::atomic_ref<std::uint8_t>(wanted).store(1, std::memory_order_relaxed);
-    };
-    for_each_near_patch(search, block, [&](const SearchedPatch& a, const SearchedPatch& b, bool) HWY_ATTR {
-        add(a);
-        add(b);
-        any = true;
-    });
-    return any;
-}
-
-void place_wanted(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    const PatchBlock& patches = search.blocks[block];
-    const SearchedBody& body = search.bodies[patches.body];
-    const ContactMesh& mesh = *body.mesh;
-    const Moving moving = moving_of(search, body);
-    for (std::uint32_t k = 0; k < patches.patch_count; ++k) {
-        if (boxes.wanted[block * PatchBlock::most + k] == 0) continue;
-        const ContactPatch& patch = mesh.patches()[patches.first_patch + k];
-        place(moving, mesh.vertex_slots(), patch.vertices, &boxes.vertices[body.first_vertex_group]);
-        place(moving, mesh.triangle_slots(), patch.triangles, &boxes.triangles[body.first_triangle_group]);
-        place(moving, mesh.edge_slots(), patch.edges, &boxes.edges[body.first_edge_group]);
-    }
-}
 
 /// Pairs of features whose boxes overlap.
 struct Candidates {
@@ -379,23 +195,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace weft {
 
-HWY_EXPORT(place_around);
-HWY_EXPORT(want);
-HWY_EXPORT(place_wanted);
 HWY_EXPORT(find);
 HWY_EXPORT(shapes);
-
-Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    return HWY_DYNAMIC_DISPATCH(place_around)(search, block, boxes);
-}
-
-bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    return HWY_DYNAMIC_DISPATCH(want)(search, block, boxes);
-}
-
-void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    HWY_DYNAMIC_DISPATCH(place_wanted)(search, block, boxes);
-}
 
 void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
     HWY_DYNAMIC_DISPATCH(find)(search, block, found);

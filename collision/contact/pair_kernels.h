@@ -66,7 +66,6 @@ struct Found {
         if (count < room.size()) room[count] = item;
         ++count;
     }
-    [[nodiscard]] bool is_cut() const noexcept { return count > room.size(); }
 };
 
 struct FoundPairs {
