@@ -38,7 +38,7 @@ bool has_avoidance(const SelfCollision& settings) {
 
 /// Where a search takes features to lie at rest: a grid's flat pattern, by its first row and column, whose
 /// calm parts it passes over; else where the cloth started.
-std::unique_ptr<const ContactMesh> make_features(const CookedCloth& model) {
+std::unique_ptr<const ContactMesh> mesh_of_features(const CookedCloth& model) {
     if (model.rows < 2 || model.columns < 2)
         return std::make_unique<const ContactMesh>(model.positions.span(), model.triangles);
     AlignedBuffer<Vec4> flat(model.particle_count);
@@ -122,17 +122,7 @@ void Cloth::apply(const ClothSettings& changed) {
     const SelfCollision& self_collision = changed.self_collision;
     std::optional<SelfContacts> new_self_contacts;
     if (has_avoidance(self_collision) && !self_contacts) new_self_contacts.emplace(model.positions.span());
-    std::unique_ptr<const ContactMesh> new_mesh;
-    std::optional<FeatureContact> new_features;
-    AlignedBuffer<Vec4> new_start;
-    AlignedBuffer<TangleMemory> new_tangles;
-    if (has_features(self_collision) && !features) {
-        if (!contact_mesh) new_mesh = make_features(model);
-        const ContactCloth body{.mesh = contact_mesh ? contact_mesh.get() : new_mesh.get()};
-        new_features.emplace(std::span(&body, 1));
-        new_start = AlignedBuffer<Vec4>(model.particle_count);
-        new_tangles = AlignedBuffer<TangleMemory>(model.particle_count);
-    }
+    std::optional<FeatureBuffers> new_features = make_features(self_collision);
     std::optional<RestNeighbours> new_rest_neighbours;
     const float distance = distance_of(self_collision);
     const bool same_method = self_collision.method == settings.self_collision.method;
@@ -141,7 +131,6 @@ void Cloth::apply(const ClothSettings& changed) {
         new_rest_neighbours = find_rest_neighbours(model, self_collision, distance);
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
     if (has_features(self_collision)) reserve_pairs(other_solver ? *other_solver : *solver);
-
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
 
@@ -163,29 +152,39 @@ void Cloth::apply(const ClothSettings& changed) {
     }
     if (new_self_contacts) self_contacts = std::move(new_self_contacts);
     if (new_rest_neighbours) rest_neighbours = std::move(new_rest_neighbours);
-    if (new_mesh) contact_mesh = std::move(new_mesh);
-    if (new_features) {
-        features = std::move(new_features);
-        substep_start = std::move(new_start);
-        state.tangles = std::move(new_tangles);
-        state.may_cross = 1;
-    }
-    if (features && meets_others) state.may_cross = 1;
     if (!has_avoidance(self_collision)) {
         self_contacts.reset();
         self_counts = {};
     }
-    if (!has_features(self_collision)) {
-        features.reset();
-        contact_mesh.reset();
-        solver->reserve_pairs(0);
-        substep_start = {};
-        state.tangles = {};
-        state.may_cross = 0;
-        feature_counts = {};
-    }
+    take_features(std::move(new_features), self_collision);
+    if (features && meets_others) state.may_cross = 1;
     if (!self_collision.enabled) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
+}
+
+std::optional<FeatureBuffers> Cloth::make_features(const SelfCollision& of) const {
+    if (!has_features(of) || features) return std::nullopt;
+    std::unique_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
+    const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get()};
+    return std::optional<FeatureBuffers>(std::in_place, std::move(made), body);
+}
+
+void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept {
+    if (made) {
+        if (made->mesh) contact_mesh = std::move(made->mesh);
+        features = std::move(made->contact);
+        substep_start = std::move(made->substep_start);
+        state.tangles = std::move(made->tangles);
+        state.may_cross = 1;
+    }
+    if (has_features(of)) return;
+    features.reset();
+    contact_mesh.reset();
+    solver->reserve_pairs(0);
+    substep_start = {};
+    state.tangles = {};
+    state.may_cross = 0;
+    feature_counts = {};
 }
 
 /// All or none.
@@ -232,7 +231,7 @@ ContactCloth Cloth::as_body() const {
 
 void Cloth::make_contact_mesh() {
     if (contact_mesh) return;
-    contact_mesh = make_features(model);
+    contact_mesh = mesh_of_features(model);
 }
 
 void Cloth::drop_contact_mesh() noexcept {

@@ -39,6 +39,21 @@ struct ContactBuffers {
     HeldContacts held;
 };
 
+/// Memory for features that meet.
+struct FeatureBuffers {
+    /// `made`: a mesh of features, if the cloth has none. The body has that, or the one that it has.
+    FeatureBuffers(std::unique_ptr<const ContactMesh>&& made, const ContactCloth& body)
+        : mesh(std::move(made)),
+          contact(std::span(&body, 1)),
+          substep_start(body.mesh->particles()),
+          tangles(body.mesh->particles()) {}
+
+    std::unique_ptr<const ContactMesh> mesh;
+    FeatureContact contact;
+    AlignedBuffer<Vec4> substep_start;
+    AlignedBuffer<TangleMemory> tangles;
+};
+
 /// Whether a cloth with these settings has features in contact.
 [[nodiscard]] inline bool has_features(const SelfCollision& settings) {
     return settings.enabled && settings.method == SelfCollisionMethod::contact;
@@ -129,6 +144,9 @@ struct Cloth {
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,
                                                               const Solver& with) const;
+    /// None if the cloth is to have no features, or has them.
+    [[nodiscard]] std::optional<FeatureBuffers> make_features(const SelfCollision& of) const;
+    void take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept;
     [[nodiscard]] std::unique_ptr<Solver> solver_for(const ClothSettings& changed) const;
     void reserve_pairs(Solver& with) const;
     void change_pins(std::vector<Pin>&& pins);

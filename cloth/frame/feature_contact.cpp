@@ -31,7 +31,7 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     cloths_.reserve(bodies.size());
     bodies_.reserve(bodies.size());
     ranges_.reserve(bodies.size());
-    begin(bodies);
+    for (const ContactCloth& body : bodies) add(body);
     std::size_t particles = 0;
     for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
     const std::size_t pairs = room_for_pairs(particles);
@@ -50,23 +50,22 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     for (auto* buffer : {&start_, &displacements_, &base_}) *buffer = AlignedBuffer<Vec4>(particles);
 }
 
-void FeatureContact::begin(std::span<const ContactCloth> bodies) {
-    cloths_.assign(bodies.begin(), bodies.end());
+void FeatureContact::begin() noexcept {
+    cloths_.clear();
     bodies_.clear();
     ranges_.clear();
     if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
     may_cross_ = false;
     tangles_.clear();
-    std::uint32_t first = 0;
-    for (const ContactCloth& cloth : cloths_) {
-        bodies_.push_back({.mesh = cloth.mesh,
-                           .first = first,
-                           .reach = cloth.radius,
-                           .layer = cloth.layer,
-                           .mask = cloth.mask});
-        ranges_.push_back({first, cloth.mesh->particles()});
-        first += whole_groups(cloth.mesh->particles());
-    }
+}
+
+void FeatureContact::add(const ContactCloth& body) {
+    const std::uint32_t first =
+        ranges_.empty() ? 0 : ranges_.back().first + whole_groups(ranges_.back().count);
+    cloths_.push_back(body);
+    bodies_.push_back(
+        {.mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask});
+    ranges_.push_back({first, body.mesh->particles()});
 }
 
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
@@ -119,14 +118,9 @@ std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
     return exempt_.span();
 }
 
-std::size_t FeatureContact::body_of(std::uint32_t particle) const {
-    const auto next = std::ranges::upper_bound(bodies_, particle, {}, &ContactBody::first);
-    return static_cast<std::size_t>(next - bodies_.begin()) - 1;
-}
-
 // A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
 bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
-    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(pair.corners[0]);
+    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_, pair.corners[0]);
     const std::uint32_t first = bodies_[body].first;
     const RestFilter& near = cloths_[body].near_at_rest;
     if (near.offsets.empty()) return false;
@@ -152,8 +146,8 @@ void FeatureContact::make_laws(Parallel& parallel) {
             const FeaturePair& pair = pairs_.pairs[k];
             const Vec4& w = pairs_.shapes[k].weights;
             const std::uint32_t of_a = pairs_.corners_of_a(k);
-            const std::size_t a = is_alone ? 0 : body_of(pair.corners[0]);
-            const std::size_t b = is_alone ? 0 : body_of(pair.corners[3]);
+            const std::size_t a = is_alone ? 0 : body_of(bodies_, pair.corners[0]);
+            const std::size_t b = is_alone ? 0 : body_of(bodies_, pair.corners[3]);
             const bool is_outside = of_a == 2 && (w.x == 0 || w.y == 0 || w.z == 0 || w.w == 0);
             const bool is_left_alone = is_outside || (!exempt.empty() && exempt[k] != 0) ||
                                        !(pairs_.shapes[k].normal.w > 0) ||
@@ -182,10 +176,9 @@ void FeatureContact::set_fixed_base(Parallel& parallel, std::size_t body, std::s
     for (std::size_t i = 0; i < positions.size(); ++i) base_[first + i].w = 0;
 }
 
-PairRows& FeatureContact::make_rows(Parallel& parallel, float gamma) {
+void FeatureContact::make_rows(Parallel& parallel, float gamma) {
     rows_.untangling().begin(tangles_.rows(), base_.span(), gamma);
     rows_.begin(parallel, pairs_, laws_.span(), base_.span(), gamma);
-    return rows_;
 }
 
 void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {

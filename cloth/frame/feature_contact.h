@@ -57,9 +57,10 @@ class FeatureContact {
     /// Takes the memory for these bodies, and for any part of them. May throw.
     explicit FeatureContact(std::span<const ContactCloth> bodies);
 
-    /// A substep begins, of bodies that are all among those there is room for; they are placed, with the way
-    /// that they would go in `h`. Then finds what is near what.
-    void begin(std::span<const ContactCloth> bodies);
+    /// A substep begins: bodies are added, all among those there is room for, and placed, with the way that
+    /// they are expected to go. Then finds what is near what.
+    void begin() noexcept;
+    void add(const ContactCloth& body);
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                const ExpectedMotion& expected);
     /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
@@ -75,7 +76,8 @@ class FeatureContact {
     void set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions);
     /// Of one that is where it will be.
     void set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
-    [[nodiscard]] PairRows& make_rows(Parallel& parallel, float gamma);
+    void make_rows(Parallel& parallel, float gamma);
+    [[nodiscard]] PairRows& rows() noexcept { return rows_; }
 
     /// The substep's end: takes over where the bodies have come to; sees that nothing passes through; hands
     /// the places back, with the velocities that follow.
@@ -92,7 +94,6 @@ class FeatureContact {
     void make_laws(Parallel& parallel);
     void find_tangles(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
-    [[nodiscard]] std::size_t body_of(std::uint32_t particle) const;
     [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
     void find(Parallel& parallel, float ContactCloth::*reach);
     [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }

@@ -15,7 +15,7 @@ namespace {
 
 bool may_meet(const Cloth& a, const Cloth& b) {
     const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
-    return (of_a.layers & of_b.mask) != 0 && (of_b.layers & of_a.mask) != 0;
+    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
 }
 
 /// Boxes around points, of which one that is not finite has no part in.
@@ -102,21 +102,32 @@ ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
             .held = cloth.state.held.normals.span()};
 }
 
-void Simulation::find_features(Worker& worker, Cloth& cloth, float h) {
-    const auto timer = timed(Stage::self_search);
-    const ContactCloth body = cloth.as_body();
-    FeatureContact& space = *cloth.features;
-    space.begin(std::span(&body, 1));
-    space.place(worker.parallel, 0, cloth.state.positions.span(), expected_motion(cloth, h));
-    if (cloth.state.may_cross != 0) space.recall(0, std::as_const(cloth.state.tangles).span());
-    space.detect(worker.parallel);
-    space.set_base(worker.parallel, 0, cloth.state.positions.span());
+/// Where the cloths are; start_of(cloth) has the positions.
+template <class StartOf>
+void Simulation::place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                                const StartOf& start_of, float h) const {
+    space.begin();
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        const Cloth& cloth = *cloths[k];
+        space.add(cloth.as_body());
+        space.place(worker.parallel, k, start_of(cloth), expected_motion(cloth, h));
+        if (cloth.state.may_cross != 0) space.recall(k, cloth.state.tangles.span());
+    }
 }
 
+void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                               float h) {
+    const auto timer = timed(Stage::self_search);
+    place_features(
+        worker, space, cloths, [](const Cloth& cloth) { return cloth.state.positions.span(); }, h);
+    space.detect(worker.parallel);
+}
+
+/// Before the rows are made: the cloth's equation is to have them.
 void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
                                StepEquation& equation) {
     space.set_base(worker.parallel, body, equation.base_positions);
-    equation.pairs = &space.make_rows(worker.parallel, equation.gamma);
+    equation.pairs = &space.rows();
     equation.first = space.first(body);
     cloth.contacts->join(*equation.pairs, equation.first);
 }
@@ -126,16 +137,13 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
     FeatureContact& space = *together_;
-    find_island_features(worker, island, substep.h);
+    find_features(worker, space, island, substep.h);
     const auto first =
         std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
     const auto is_member = [&](const Cloth& cloth) {
         return first != island.end() && can_be_together(cloth) &&
                takes_second_order_step(cloth, substep.h) == takes_second_order_step(**first, substep.h);
     };
-    equations_.clear();
-    steps_.clear();
-    members_.clear();
     for (std::size_t k = 0; k < island.size(); ++k) {
         Cloth& cloth = *island[k];
         if (is_member(cloth)) continue;
@@ -143,12 +151,17 @@ void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, fl
         space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
     }
     move_colliders(worker, substep);
+    joined_.clear();
+    equations_.clear();
+    steps_.clear();
+    members_.clear();
     for (std::size_t k = 0; k < island.size(); ++k) {
         Cloth& cloth = *island[k];
         if (!is_member(cloth)) continue;
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
         cloth.contacts->begin(worker.motions, cloth.state.held);
-        space.set_base(worker.parallel, k, equation.base_positions);
+        join_features(worker, space, k, cloth, equation);
+        joined_.push_back(&cloth);
         steps_.push_back({.parallel = worker.parallel,
                           .profiler = profiler,
                           .model = cloth.model,
@@ -157,44 +170,21 @@ void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, fl
                           .velocities = cloth.next_velocities.span()});
         members_.push_back({static_cast<MultilevelSolver*>(cloth.solver.get()), &steps_.back()});
     }
-    solve_members(worker, island, substep);
+    solve_joined(worker, substep);
     settle_features(worker, space, island, substep);
 }
 
-void Simulation::find_island_features(Worker& worker, std::span<Cloth* const> island, float h) {
-    const auto timer = timed(Stage::self_search);
-    FeatureContact& space = *together_;
-    bodies_.clear();
-    for (const Cloth* cloth : island) bodies_.push_back(cloth->as_body());
-    space.begin(bodies_);
-    for (std::size_t k = 0; k < island.size(); ++k)
-        space.place(worker.parallel, k, island[k]->state.positions.span(), expected_motion(*island[k], h));
-    for (std::size_t k = 0; k < island.size(); ++k)
-        if (island[k]->state.may_cross != 0) space.recall(k, std::as_const(island[k]->state.tangles).span());
-    space.detect(worker.parallel);
-}
-
-void Simulation::solve_members(Worker& worker, std::span<Cloth* const> island, const Substep& substep) {
-    if (members_.empty()) return;
-    PairRows& rows = together_->make_rows(worker.parallel, equations_.front().gamma);
-    std::size_t m = 0;
-    const auto for_each_member = [&](const auto& visit) {
-        m = 0;
-        for (std::size_t k = 0; k < island.size() && m < members_.size(); ++k)
-            if (members_[m].solver == island[k]->solver.get()) visit(k, *island[k], m++);
-    };
-    for_each_member([&](std::size_t k, Cloth& cloth, std::size_t member) {
-        equations_[member].pairs = &rows;
-        equations_[member].first = together_->first(k);
-        cloth.contacts->join(rows, together_->first(k));
-    });
+void Simulation::solve_joined(Worker& worker, const Substep& substep) {
+    if (joined_.empty()) return;
+    together_->make_rows(worker.parallel, equations_.front().gamma);
     residuals_.assign(members_.size(), 0.0f);
     const SolveResult result = MultilevelSolver::solve(members_, residuals_);
-    for_each_member([&](std::size_t, Cloth& cloth, std::size_t member) {
-        take_result(worker, cloth, {residuals_[member], result.ok, result.unsolved}, true);
-        advance(worker, cloth, equations_[member], substep.is_first());
+    for (std::size_t m = 0; m < joined_.size(); ++m) {
+        Cloth& cloth = *joined_[m];
+        take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
+        advance(worker, cloth, equations_[m], substep.is_first());
         settle(worker, cloth, substep.h);
-    });
+    }
 }
 
 // The last that moves particles in a substep.
@@ -263,15 +253,10 @@ void Simulation::join_solved(bool all) {
 
 void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
     FeatureContact& space = *together_;
-    bodies_.clear();
-    for (const Cloth* cloth : cloths) bodies_.push_back(cloth->as_body());
-    space.begin(bodies_);
-    for (std::size_t k = 0; k < cloths.size(); ++k) {
-        space.place(worker.parallel, k, std::as_const(cloths[k]->substep_start).span(),
-                    expected_motion(*cloths[k], substep.h));
+    place_features(
+        worker, space, cloths, [](const Cloth& cloth) { return cloth.substep_start.span(); }, substep.h);
+    for (std::size_t k = 0; k < cloths.size(); ++k)
         space.arrive(worker.parallel, k, std::as_const(cloths[k]->state.positions).span());
-        if (cloths[k]->state.may_cross != 0) space.recall(k, std::as_const(cloths[k]->state.tangles).span());
-    }
     const FeatureCounts counts = space.cut(worker.parallel);
     FeatureCounts& sum = cloths.front()->feature_counts;
     sum.truncated += counts.truncated;

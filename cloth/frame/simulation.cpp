@@ -70,6 +70,15 @@ void Simulation::apply(const WorldSettings& changed) {
     settings = changed;
 }
 
+ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
+    reserve_cloth();
+    if (!cloth->features) return cloths.insert(std::move(cloth));
+    std::unique_ptr<FeatureContact> together = make_together(nullptr, cloth->contact_mesh.get());
+    const ClothId id = cloths.insert(std::move(cloth));
+    together_ = std::move(together);
+    return id;
+}
+
 void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     if (has_features(changed.self_collision) == cloth.features.has_value()) return cloth.apply(changed);
     std::unique_ptr<FeatureContact> together;
@@ -115,7 +124,7 @@ void Simulation::reserve_cloth() {
     islands_.reserve(count);
     finder_.reserve(count);
     solved_with_.reserve(count);
-    bodies_.reserve(count);
+    joined_.reserve(count);
     equations_.reserve(count);
     steps_.reserve(count);
     members_.reserve(count);

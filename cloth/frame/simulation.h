@@ -47,8 +47,8 @@ struct Simulation {
 
     /// Makes or frees what so many colliders need.
     void expect_colliders(std::size_t count);
-    /// Makes room for one cloth more, so that no step needs to.
-    void reserve_cloth();
+    /// Takes a cloth over, with what no step may make.
+    ClothId add(std::unique_ptr<Cloth>&& cloth);
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
     /// drawn before its first step.
     void prepare(Cloth& cloth);
@@ -62,20 +62,21 @@ struct Simulation {
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     StepReport report;
 
-    /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
-    /// unless that is null. Null: no two have any.
-    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed,
-                                                                const ContactMesh* mesh);
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
-    void take_together(std::unique_ptr<FeatureContact>&& made) noexcept { together_ = std::move(made); }
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
 
+    /// Makes room for one cloth more, so that no step needs to.
+    void reserve_cloth();
+    /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
+    /// unless that is null. Null: no two have any.
+    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed,
+                                                                const ContactMesh* mesh);
     void begin(float dt);
     void step_together(float dt);
     void step_each(float dt);
@@ -90,12 +91,14 @@ struct Simulation {
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void settle(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
-    void find_features(Worker& worker, Cloth& cloth, float h);
-    void find_island_features(Worker& worker, std::span<Cloth* const> island, float h);
+    template <class StartOf>
+    void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                        const StartOf& start_of, float h) const;
+    void find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths, float h);
     void join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
                        StepEquation& equation);
     void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
-    void solve_members(Worker& worker, std::span<Cloth* const> island, const Substep& substep);
+    void solve_joined(Worker& worker, const Substep& substep);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                          const Substep& substep);
     void part_strays(const Substep& substep);
@@ -132,8 +135,8 @@ struct Simulation {
     // Of islands, which are solved one after the other.
     std::unique_ptr<FeatureContact> together_;  // null: no two cloths have features
     std::vector<std::uint32_t> solved_with_;    // of each cloth the first of its island
-    std::vector<ContactCloth> bodies_;
-    std::vector<StepEquation> equations_;
+    std::vector<Cloth*> joined_;                // those that are in one equation
+    std::vector<StepEquation> equations_;       // of each of these, as what follows
     std::vector<SolverStep> steps_;
     std::vector<MultilevelSolver::Member> members_;
     std::vector<float> residuals_;

@@ -126,16 +126,19 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         const Substep part = substep.part(k, parts, dt);
         move_colliders(worker, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
-        if (cloth.features) find_features(worker, cloth, part.h);
+        Cloth* const self = &cloth;
+        const std::span<Cloth* const> alone(&self, 1);
+        if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
         if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
-        if (cloth.features && cloth.solver->joins())
+        if (cloth.features && cloth.solver->joins()) {
             join_features(worker, *cloth.features, 0, cloth, equation);
+            cloth.features->make_rows(worker.parallel, equation.gamma);
+        }
         solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
         advance(worker, cloth, equation, part.is_first());
         settle(worker, cloth, part.h);
-        Cloth* const alone = &cloth;
-        if (cloth.features) settle_features(worker, *cloth.features, std::span(&alone, 1), part);
+        if (cloth.features) settle_features(worker, *cloth.features, alone, part);
     }
 }
 

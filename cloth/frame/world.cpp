@@ -133,13 +133,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
     return without_exceptions([&]() -> Result<ClothId> {
         auto cloth = make_cloth(impl_->simulation, mesh, settings);
         if (!cloth) return cloth.error();
-        Simulation& simulation = impl_->simulation;
-        simulation.reserve_cloth();
-        if (!(*cloth)->features) return simulation.cloths.insert(std::move(cloth).value());
-        auto together = simulation.make_together(nullptr, (*cloth)->contact_mesh.get());
-        const ClothId id = simulation.cloths.insert(std::move(cloth).value());
-        simulation.take_together(std::move(together));
-        return id;
+        return impl_->simulation.add(std::move(cloth).value());
     });
 }
 

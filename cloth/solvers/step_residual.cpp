@@ -15,25 +15,6 @@ namespace {
 
 constexpr std::uint64_t particles_per_sample = 1024, fewest_samples = 4;
 
-/// What acts on one particle besides fabric and contacts.
-struct External {
-    Vector3 free_velocity;  ///< once external forces alone have acted, drag taken implicitly
-    float row_sum;          ///< mass and drag [kg]
-};
-
-External external_at(const StepEquation& equation, std::uint32_t i) {
-    const ExternalForces& forces = equation.external;
-    const float w = equation.base_positions[i].w;
-    const Vector3 v = xyz(equation.velocities[i]);
-    if (w == 0) return {v, 0};
-    const Vec4 air = forces.air.empty() ? Vec4{} : forces.air[i];
-    const float mass = 1 / w, gamma = equation.gamma;
-    const float row_sum = mass * (1 + gamma * forces.air_damping) + gamma * air.w;
-    const Vector3 impulse =
-        mass * (xyz(equation.base_velocities[i]) + gamma * forces.gravity) + gamma * (xyz(air) + air.w * v);
-    return {impulse / row_sum, row_sum};
-}
-
 /// Sums of squares over particles, divided by their diagonals [m^2/s^2].
 struct Left {
     double now = 0;     ///< of what v leaves
@@ -127,18 +108,18 @@ std::array<float, 12> stiffness_at(const CookedCloth& model, const Fabric& fabri
     return result;
 }
 
-Vector3 drive_of(const StepEquation& equation, const External& external, std::uint32_t i) {
+Vector3 drive_of(const StepEquation& equation, const ExternalRow& external, std::uint32_t i) {
     return external.row_sum * (external.free_velocity - xyz(equation.base_velocities[i]));
 }
 
 void add_springs(const CookedCloth& model, const StepEquation& equation, std::span<const Vec4> velocities,
                  std::uint32_t i, Left& sum) {
-    const External external = external_at(equation, i);
+    const ExternalRow external = external_row(equation, i);
     if (external.row_sum == 0) return;
     const Fabric& fabric = equation.settings.fabric;
     const float per_stiffness = equation.gamma * (equation.gamma + fabric.damping);
     const auto velocity = [&](std::uint32_t j) -> Vector3 { return xyz(velocities[j]); };
-    const auto free_velocity = [&](std::uint32_t j) { return external_at(equation, j).free_velocity; };
+    const auto free_velocity = [&](std::uint32_t j) { return external_row(equation, j).free_velocity; };
     const Pulls pulls_now(model, equation, velocity);
     const Pulls pulls_free(model, equation, free_velocity);
     Vector3 now = external.row_sum * (external.free_velocity - velocity(i)), free = Vector3::Zero();
@@ -207,11 +188,11 @@ float StepResidual::of_elements(Parallel& parallel, const StepEquation& equation
         equation.gamma * (equation.gamma + fabric.damping) * (fabric.warp + fabric.weft + fabric.shear);
     Left sum;
     for (std::uint32_t i = 0; i < free_.size(); ++i)
-        free_[i] = to_vec4(external_at(equation, i).free_velocity, 0);
+        free_[i] = to_vec4(external_row(equation, i).free_velocity, 0);
     system.residual(parallel, equation, free_.span(), left_.span());
     const auto add = [&](bool is_free) {
         for (std::uint32_t i = 0; i < free_.size(); ++i) {
-            const External external = external_at(equation, i);
+            const ExternalRow external = external_row(equation, i);
             if (external.row_sum == 0) continue;
             const Vector3 none = Vector3::Zero(), left = xyz(left_[i]);
             const Vector3 drive = drive_of(equation, external, i);

@@ -70,14 +70,8 @@ void PairRows::choose(Parallel& parallel, std::span<const PairLaw> laws) {
 }
 
 std::uint32_t PairRows::first_row(std::uint32_t particle) const {
-    std::uint32_t row = 0;
-    for (std::uint32_t count = incidence_.rows(); count > 0;) {
-        const std::uint32_t half = count / 2;
-        const bool below = incidence_.particle(row + half) < particle;
-        row += below ? half + 1 : 0;
-        count = below ? count - half - 1 : half;
-    }
-    return row;
+    const std::span<const std::uint32_t> particles = incidence_.particles();
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(particles, particle) - particles.begin());
 }
 
 PairRows::RowRange PairRows::rows_of(std::uint32_t first, std::size_t count) const {

@@ -2,6 +2,7 @@
 // Pairs of near features as forces in the implicit step: of one cloth with itself, and of cloths with one
 // another.
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -44,7 +45,6 @@ class PairRows {
         std::uint32_t particle;
         Symmetric3 diagonal;  ///< what a relaxation that knows no other particles is to have for it [kg]
         Vector3 impulse;      ///< at the velocities taken [kg m/s]
-        Vector3 velocity;
     };
     /// visit(AtParticle) for free ones in [begin, end) that pairs push, ascending; then for those in
     /// rows of what crosses.
@@ -55,10 +55,10 @@ class PairRows {
             if (i >= end) break;
             if (counts_[r] == 0) continue;
             const auto& [d, o, impulse] = particles_[r];
-            visit(AtParticle{i, {d.x, d.y, d.z, o.x, o.y, o.z}, xyz(impulse), xyz(taken_[i])});
+            visit(AtParticle{i, {d.x, d.y, d.z, o.x, o.y, o.z}, xyz(impulse)});
         }
         untangling_.for_each_particle(begin, end, [&](std::uint32_t i, const UntanglingRows::Sum& sum) {
-            visit(AtParticle{i, sum.diagonal, sum.impulse, sum.taken});
+            visit(AtParticle{i, sum.diagonal, sum.impulse});
         });
     }
 
@@ -72,6 +72,13 @@ class PairRows {
         const FeaturePair& pair;
         const PairShape& shape;
         float spring, damper;  ///< [kg]
+
+        /// K.
+        [[nodiscard]] Symmetric3 stiffness() const {
+            Symmetric3 sum;
+            sum.add(damper, std::sqrt(spring - damper) * xyz(shape.normal));
+            return sum;
+        }
     };
     /// visit(ActivePair) for all that push, in their order.
     template <class Visit>

@@ -2,6 +2,19 @@
 
 namespace weft {
 
+ExternalRow external_row(const StepEquation& equation, std::uint32_t i) {
+    const ExternalForces& forces = equation.external;
+    const float w = equation.base_positions[i].w;
+    const Vector3 v = xyz(equation.velocities[i]);
+    if (w == 0) return {v, 0};
+    const Vec4 air = forces.air.empty() ? Vec4{} : forces.air[i];
+    const float mass = 1 / w, gamma = equation.gamma;
+    const float row_sum = mass * (1 + gamma * forces.air_damping) + gamma * air.w;
+    const Vector3 impulse =
+        mass * (xyz(equation.base_velocities[i]) + gamma * forces.gravity) + gamma * (xyz(air) + air.w * v);
+    return {impulse / row_sum, row_sum};
+}
+
 void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted) {
     const ExternalForces& external = equation.external;
     const float h = equation.h;

@@ -40,6 +40,13 @@ struct StepEquation {
     std::uint32_t first = 0;       ///< the cloth's first particle among these bodies'
 };
 
+/// What acts on one particle besides fabric and contacts.
+struct ExternalRow {
+    Vector3 free_velocity;  ///< once external forces alone have acted, drag taken implicitly
+    float row_sum;          ///< mass and drag [kg]; 0 for pinned particles, which keep their velocity
+};
+[[nodiscard]] ExternalRow external_row(const StepEquation& equation, std::uint32_t particle);
+
 /// Velocities once external forces alone have acted for h, drag taken implicitly: where explicit and
 /// positional methods begin. Pinned particles keep theirs. `predicted` may be the velocities.
 void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted);

@@ -99,7 +99,6 @@ void UntanglingRows::add_products(std::uint32_t first, std::span<Vec4> product) 
 void UntanglingRows::add(const Entry& entry, Sum& sum) const {
     const std::uint32_t row = entry.place / corners;
     const Spring& spring = springs_[row];
-    sum.taken = xyz(taken_[entry.place]);
     if (spring.spring == 0) return;
     const Vector3 n = xyz(rows_[row].direction);
     const float weight = rows_[row].weights[entry.place % corners];

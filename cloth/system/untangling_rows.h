@@ -20,10 +20,6 @@ class UntanglingRows {
 
     /// A substep begins, with these rows, bases and gamma. What is given must outlive it.
     void begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions, float gamma);
-    void clear() noexcept {
-        rows_ = {};
-        entry_count_ = 0;
-    }
     [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
 
     /// Takes over what a body's particles have in a vector, the body's first being `first`. What none is
@@ -41,7 +37,6 @@ class UntanglingRows {
         Symmetric3 diagonal;                ///< for a relaxation that knows no other particles [kg]
         Vector3 impulse = Vector3::Zero();  ///< at the velocities taken, as last linearised [kg m/s]
         Vector3 product = Vector3::Zero();  ///< as last multiplied
-        Vector3 taken = Vector3::Zero();
     };
     /// visit(particle, Sum) for free ones in [begin, end) that have rows, ascending.
     template <class Visit>

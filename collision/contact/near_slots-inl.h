@@ -119,7 +119,7 @@ struct SearchedPatch {
 };
 
 inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
-    return &a == &b ? a.meets_itself : (a.mask & b.layer) != 0 && (b.mask & a.layer) != 0;
+    return &a == &b ? a.meets_itself : masks_allow(a.layer, a.mask, b.layer, b.mask);
 }
 
 /// Whether two patches lie side by side and so smoothly that no features of theirs come within reach.

@@ -13,6 +13,12 @@
 
 namespace weft {
 
+/// Whether two bodies meet: each one's mask has a bit of the other's layers.
+constexpr bool masks_allow(std::uint32_t layers_a, std::uint32_t mask_a, std::uint32_t layers_b,
+                           std::uint32_t mask_b) {
+    return (mask_a & layers_b) != 0 && (mask_b & layers_a) != 0;
+}
+
 /// A body as searches see it.
 struct SearchedBody {
     const ContactMesh* mesh;

@@ -24,6 +24,10 @@ struct PairShape {
     /// Unit normal from B to A; w [m]: min over A of n . x - max over B of n . x. Where it is positive the
     /// two are apart, and a plane across n is between them.
     Vec4 normal;
+
+    [[nodiscard]] float weight(std::uint32_t corner) const noexcept {
+        return std::array{weights.x, weights.y, weights.z, weights.w}[corner];
+    }
 };
 
 /// In an order that no thread decides: first all pairs of vertex and triangle, then all of edges.

@@ -1,7 +1,6 @@
 #include "collision/contact/projection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -11,28 +10,23 @@ namespace weft {
 
 namespace {
 
-std::array<float, 4> weights_of(const PairShape& shape) {
-    return {shape.weights.x, shape.weights.y, shape.weights.z, shape.weights.w};
-}
-
 // Differences to the first corner: weights add up to nothing, so that neither where a pair is nor a motion
 // that all corners share is in it, however large.
 float predicted_gap(const FeaturePair& pair, const PairShape& shape, std::span<const Vec4> positions,
                     std::span<const Vec4> displacements) {
-    const std::array<float, 4> weights = weights_of(shape);
     const Vector4 x = load(positions[pair.corners[0]]), d = load(displacements[pair.corners[0]]);
     Vector4 between = Vector4::Zero();  // w: of no use
     for (std::uint32_t i = 1; i < 4; ++i) {
         const std::uint32_t corner = pair.corners[i];
-        between += weights[i] * ((load(positions[corner]) - x) + (load(displacements[corner]) - d));
+        between += shape.weight(i) * ((load(positions[corner]) - x) + (load(displacements[corner]) - d));
     }
     return xyz(shape.normal).dot(between.head<3>());
 }
 
 float inverse_mass_of_gap(const FeaturePair& pair, const PairShape& shape, std::span<const Vec4> positions) {
-    const std::array<float, 4> weights = weights_of(shape);
     float sum = 0;
-    for (std::uint32_t i = 0; i < 4; ++i) sum += positions[pair.corners[i]].w * weights[i] * weights[i];
+    for (std::uint32_t i = 0; i < 4; ++i)
+        sum += positions[pair.corners[i]].w * shape.weight(i) * shape.weight(i);
     return sum;
 }
 
@@ -116,7 +110,7 @@ void PairProjection::apply_impulses(Parallel& parallel, std::span<const Vec4> po
             Vector3 sum = Vector3::Zero();
             for (const std::uint32_t place : incidence_.places(row)) {
                 const PairShape& shape = pairs.shapes[place / 4];
-                sum += weights_of(shape)[place % 4] * impulses_[place / 4] * xyz(shape.normal);
+                sum += shape.weight(place % 4) * impulses_[place / 4] * xyz(shape.normal);
             }
             set_xyz(displacements[particle], xyz(displacements[particle]) + positions[particle].w * sum);
         }

@@ -15,10 +15,6 @@ constexpr float least_reach = 0.1f;
 
 constexpr std::uint32_t none = ~0u;
 
-float weight(const Vec4& weights, std::size_t corner) {
-    return (&weights.x)[corner];
-}
-
 }  // namespace
 
 /// Collects P^T c, summed over some fine rows, by coarse nodes.
@@ -76,7 +72,7 @@ void CoarsePairs::reserve(std::size_t fine_rows, std::uint32_t nodes) {
 }
 
 // Rows between the same two nodes come to follow one another: counted by the lower node, then sorted by the
-// higher. add_row(fine row, sum, first) adds P^T c of a fine row to the sum, and returns its K.
+// higher. add_row(k, sum) adds P^T c of fine row k to the sum, unless that is null, and returns its K.
 template <class AddRow>
 void CoarsePairs::merge(const AddRow& add_row) {
     std::ranges::fill(starts_, 0u);
@@ -120,8 +116,8 @@ void CoarsePairs::gather(const PairRows& pairs, std::uint32_t first, std::uint32
         Sum sum;
         std::uint32_t most = 0, least = 0;
         for (std::uint32_t c = 1; c < 4; ++c) {
-            if (weight(active.shape.weights, c) > weight(active.shape.weights, most)) most = c;
-            if (weight(active.shape.weights, c) < weight(active.shape.weights, least)) least = c;
+            if (active.shape.weight(c) > active.shape.weight(most)) most = c;
+            if (active.shape.weight(c) < active.shape.weight(least)) least = c;
         }
         sum.add(p, weights, active.pair.corners[most] - first, 1);
         sum.add(p, weights, active.pair.corners[least] - first, -1);
@@ -130,14 +126,10 @@ void CoarsePairs::gather(const PairRows& pairs, std::uint32_t first, std::uint32
     });
     merge([&](std::uint32_t k, Sum* sum) {
         const PairRows::ActivePair& active = active_[k];
-        const Vector3 n = xyz(active.shape.normal);
-        const float sign = keys_[k].sign;
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
-                sum->add(p, weights, active.pair.corners[c] - first, sign * weight(active.shape.weights, c));
-        Symmetric3 stiffness;
-        stiffness.add(active.damper, std::sqrt(active.spring - active.damper) * n);
-        return stiffness;
+                sum->add(p, weights, active.pair.corners[c] - first, keys_[k].sign * active.shape.weight(c));
+        return active.stiffness();
     });
 }
 

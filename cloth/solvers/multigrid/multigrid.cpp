@@ -276,11 +276,10 @@ void Multigrid::hold_other_bodies(const PairRows& pairs, std::uint32_t first) {
         const bool is_within =
             std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first < particles; });
         if (is_within) return;
-        Symmetric3 stiffness;
-        stiffness.add(active.damper, std::sqrt(active.spring - active.damper) * xyz(active.shape.normal));
-        for (std::size_t c = 0; c < 4; ++c) {
+        const Symmetric3 stiffness = active.stiffness();
+        for (std::uint32_t c = 0; c < 4; ++c) {
             if (corners[c] - first >= particles) continue;
-            const float bound = 2 * std::abs((&active.shape.weights.x)[c]);
+            const float bound = 2 * std::abs(active.shape.weight(c));
             const std::uint32_t row = Interpolation::width * (corners[c] - first);
             for (std::uint32_t e = row; e < row + Interpolation::width; ++e) {
                 if (weights_[e] == 0) continue;

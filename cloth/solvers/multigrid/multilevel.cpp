@@ -247,23 +247,12 @@ bool MultilevelSolver::add_missing_momentum(const SolverStep& step, Eigen::Vecto
     equation.pairs->for_each_particle(
         equation.first, equation.first + particles,
         [&](const PairRows::AtParticle& at) { touches_[component_of_[at.particle - equation.first]] = 1; });
-    const ExternalForces& external = equation.external;
     for (std::uint32_t i = 0; i < particles; ++i) {
         if (touches_[component_of_[i]] == 0) continue;
-        const float w = equation.base_positions[i].w;
-        if (w == 0 || equation.contacts->presses_collider(i)) return false;
-        const Vector3 v = xyz(step.velocities[i]);
-        const float mass = 1 / w, gamma = equation.gamma;
-        Vector3 left = mass * (xyz(equation.base_velocities[i]) - v +
-                               gamma * (external.gravity - external.air_damping * v));
-        float row_sum = mass * (1 + gamma * external.air_damping);
-        if (!external.air.empty()) {
-            const Vec4& air = external.air[i];
-            left += gamma * (xyz(air) + air.w * (xyz(equation.velocities[i]) - v));
-            row_sum += gamma * air.w;
-        }
-        missing += left.cast<double>();
-        inertia += static_cast<double>(row_sum);
+        const ExternalRow row = external_row(equation, i);
+        if (row.row_sum == 0 || equation.contacts->presses_collider(i)) return false;
+        missing += (row.row_sum * (row.free_velocity - xyz(step.velocities[i]))).cast<double>();
+        inertia += static_cast<double>(row.row_sum);
     }
     return true;
 }
