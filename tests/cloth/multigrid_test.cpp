@@ -140,7 +140,8 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
 // its node, and this is lumped.
 TEST(Multigrid, CoarserLevelsAreSumsOfFinerOnes) {
     for (const Mesh& mesh : {sheet(30, 21), loose_sheet(28, 20), sphere(3)}) {
-        const Levels levels(waving(mesh, {{0, 1}}));
+        const Cloth cloth = waving(mesh, {{0, 1}});
+        const Levels levels(cloth);
         ASSERT_GE(levels.multigrid->levels(), 2u);
         for (std::size_t k = 1; k < levels.multigrid->levels(); ++k) {
             const Eigen::MatrixXd p = dense_interpolation(levels.multigrid->level(k).interpolation());
@@ -206,7 +207,8 @@ TEST(Multigrid, NeedsFewIterationsAtAnySizeAndStiffness) {
 // A cycle treats all levels alike from either side: also those between the first and the last, which only
 // large cloths have.
 TEST(Multigrid, CyclesOfManyLevelsAreSymmetric) {
-    Levels levels(waving(sheet(130, 130), {{0, 129}}));
+    const Cloth cloth = waving(sheet(130, 130), {{0, 129}});
+    Levels levels(cloth);
     const std::uint32_t n = 130 * 130;
     ASSERT_GE(levels.multigrid->levels(), 3u);
     const auto smooth_rows = [&](float waves) {
@@ -229,7 +231,8 @@ TEST(Multigrid, CyclesOfManyLevelsAreSymmetric) {
 
 TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
     const auto bytes_a_particle = [&](std::uint32_t side, std::uint32_t count) {
-        const Levels levels(waving(many(loose_sheet(side, side), count), {}));
+        const Cloth cloth = waving(many(loose_sheet(side, side), count), {});
+        const Levels levels(cloth);
         return static_cast<double>(levels.multigrid->bytes()) / (count * side * side);
     };
     for (const std::uint32_t side : {2u, 4u, 12u}) {  // the largest have a level of 16 nodes
@@ -244,7 +247,8 @@ TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
 TEST(Multigrid, ComponentsHaveTheLevelsThatTheyWouldHaveAlone) {
     const Mesh alone = loose_sheet(20, 23);
     const Mesh mixed = joined(alone, many(loose_sheet(2, 2), 300), {0, 3, 0});
-    const Levels one(waving(alone, {{0}})), all(waving(mixed, {{0}}));
+    const Cloth of_alone = waving(alone, {{0}}), of_mixed = waving(mixed, {{0}});
+    const Levels one(of_alone), all(of_mixed);
     const Interpolation &p = one.multigrid->level(0).interpolation(),
                         &q = all.multigrid->level(0).interpolation();
     ASSERT_GT(q.coarse, p.coarse);

@@ -46,6 +46,7 @@ struct Levels {
         multigrid = std::make_unique<Multigrid>(serial, *system, cloth.state.positions.span());
         multigrid->build(serial, *system);
     }
+    explicit Levels(Cloth&&) = delete;  // it is referred to
     Parallel serial{1};
     std::unique_ptr<ImplicitSystem> system;
     std::unique_ptr<Multigrid> multigrid;
