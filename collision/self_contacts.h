@@ -6,11 +6,13 @@
 #include <span>
 
 #include "collision/hash_grid.h"
+#include "collision/pair_response.h"
 #include "collision/patches.h"
 #include "collision/rest_filter.h"
 #include "collision/search_kernels.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/vector.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
 
@@ -42,6 +44,29 @@ class SelfContacts {
     SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h,
                               std::span<Vec4> positions, std::span<Vec4> velocities);
 
+    /// Before respond(): visit(i, j, change) for each pair whose approach it is going to stop, with the
+    /// change of i's velocity [m/s], of which j gets the opposite by momentum. i is free; of two such, the
+    /// lower.
+    template <class Visit>
+    void for_each_stopped(const ResponseSettings& settings, std::span<const Vec4> positions,
+                          std::span<const Vec4> velocities, const Visit& visit) const {
+        PairBatch batch;
+        const auto resolve = [&] {
+            respond_to_pairs(settings, positions.data(), velocities.data(), batch);
+            for (std::uint32_t k = 0; k < batch.count; ++k) {
+                const Vector3 change = xyz(batch.velocity_change[k]);
+                if (!change.isZero(0)) visit(batch.i[k], batch.j[k], change);
+            }
+            batch.count = 0;
+        };
+        for (std::uint32_t i = 0; i < positions.size(); ++i) {
+            for (const std::uint32_t j : contacts(i))
+                if (i < j && add_pair(i, j, positions, batch) && batch.count == PairBatch::capacity)
+                    resolve();
+        }
+        resolve();
+    }
+
     /// The contacts of particle i that find() found, for tests and for drawing.
     [[nodiscard]] std::span<const std::uint32_t> contacts(std::uint32_t particle) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
@@ -58,6 +83,7 @@ class SelfContacts {
     void add(const BlockHits& hits);
     template <class Visit>
     void for_each_touching(const BlockRange& block, const Visit& visit) const;
+    bool add_pair(std::uint32_t i, std::uint32_t j, std::span<const Vec4> positions, PairBatch& batch) const;
     [[nodiscard]] bool is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept;
 
     Patches patches_;

@@ -15,6 +15,17 @@ bool SelfContacts::is_mutual(std::uint32_t particle, std::uint32_t contact) cons
     return std::binary_search(list.begin(), list.end(), particle);
 }
 
+/// Adds a pair that is to be resolved, a free one first; returns whether it did.
+bool SelfContacts::add_pair(std::uint32_t i, std::uint32_t j, std::span<const Vec4> positions,
+                            PairBatch& batch) const {
+    if (positions[i].w + positions[j].w <= 0 || !is_mutual(i, j)) return false;
+    const bool swapped = !(positions[i].w > 0);
+    batch.i[batch.count] = swapped ? j : i;
+    batch.j[batch.count] = swapped ? i : j;
+    batch.sharers[batch.count++] = static_cast<float>(std::max(contacts(i).size(), contacts(j).size()));
+    return true;
+}
+
 /// visit(i) for those particles of a block that have contacts, in ascending order. Most have none: they are
 /// passed over eight at a time.
 template <class Visit>

@@ -21,6 +21,9 @@ std::string flags_text(StepFlags flags) {
     if (has(flags, StepFlags::pins_stopped)) {
         text.append("A pin was stopped by cloth in its way: move it slower, or round it.\n");
     }
+    if (has(flags, StepFlags::crossed)) {
+        text.append("Cloth went through cloth, which contact should not let it: a fault of Weft.\n");
+    }
     return text;
 }
 

@@ -7,17 +7,6 @@
 
 namespace weft::demo {
 
-ClothContact contact_of(const SelfCollision& settings) {
-    if (!settings.enabled) return ClothContact::off;
-    return settings.method == SelfCollisionMethod::contact ? ClothContact::contact : ClothContact::avoidance;
-}
-
-void set_contact(SelfCollision& settings, ClothContact contact) {
-    settings.enabled = contact != ClothContact::off;
-    if (settings.enabled)
-        settings.method =
-            contact == ClothContact::contact ? SelfCollisionMethod::contact : SelfCollisionMethod::avoidance;
-}
 namespace {
 
 Result<void> apply_to_cloths(World& world, const SceneContent& content, const Overrides& overrides) {
@@ -33,7 +22,7 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
                                                               " does not iterate; leave --iterations out"};
             set_iterations(settings->method, *overrides.iterations);
         }
-        if (overrides.contact) set_contact(settings->self_collision, *overrides.contact);
+        if (overrides.contact) set_rung(settings->self_collision, *overrides.contact);
         if (auto set = world.set_cloth_settings(cloth.id, *settings); !set) return set.error();
     }
     return {};

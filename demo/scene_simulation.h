@@ -5,15 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "demo/rung.h"
 #include "demo/scene.h"
 
 namespace weft::demo {
-
-/// What is promised of cloth that meets cloth, as people choose it.
-enum class ClothContact { off, avoidance, contact };
-[[nodiscard]] ClothContact contact_of(const SelfCollision& settings);
-/// Leaves distance and friction as they are.
-void set_contact(SelfCollision& settings, ClothContact contact);
 
 /// What a run asks for in place of the scene's own settings.
 struct Overrides {
@@ -22,7 +17,7 @@ struct Overrides {
     std::optional<Fabric> fabric;
     std::optional<int> iterations;  ///< of the method, whichever it is
     std::optional<int> substeps;
-    std::optional<ClothContact> contact;
+    std::optional<Rung> contact;
     int threads = 0;  ///< 0: one per core
 };
 

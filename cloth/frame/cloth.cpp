@@ -238,6 +238,11 @@ void Cloth::drop_contact_mesh() noexcept {
     if (!features) contact_mesh.reset();
 }
 
+ImpulseBuffers Cloth::make_impulses(bool reported) const {
+    const std::uint32_t count = reported ? model.particle_count : 0;
+    return {.of_colliders = AlignedBuffer<Vec4>(count), .missing = AlignedBuffer<Vec4>(count)};
+}
+
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
     const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
     return {.forces = sized(on), .velocities = sized(on && gusts)};
@@ -346,12 +351,12 @@ ClothInfo Cloth::info() const {
     info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
     std::size_t of_limits = 0;
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
-    info.bytes = bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
+    info.bytes = sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
-                 surface.bytes() + air.forces.bytes() + air.velocities.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+                 surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
+                 missing_impulses.bytes() + partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

@@ -20,6 +20,7 @@
 #include "collision/rest_neighbours.h"
 #include "collision/self_contacts.h"
 #include "engine/aligned_buffer.h"
+#include "weft/cloth_id.h"
 #include "weft/settings.h"
 
 namespace weft {
@@ -28,6 +29,11 @@ namespace weft {
 struct AirBuffers {
     AlignedBuffer<Vec4> forces;      ///< see ExternalForces; empty without air
     AlignedBuffer<Vec4> velocities;  ///< of the gusty air [m/s]; empty without gusts
+};
+
+/// Memory for what is reported of contacts.
+struct ImpulseBuffers {
+    AlignedBuffer<Vec4> of_colliders, missing;
 };
 
 /// Memory for colliders and features in the equation of an implicit solver.
@@ -79,6 +85,13 @@ struct Cloth {
     /// Null if the particle is not pinned.
     [[nodiscard]] Pin* find_pin(std::uint32_t particle);
 
+    /// Empty if no contacts are reported.
+    [[nodiscard]] ImpulseBuffers make_impulses(bool reported) const;
+    void take_impulses(ImpulseBuffers&& made) noexcept {
+        collider_impulses = std::move(made.of_colliders);
+        missing_impulses = std::move(made.missing);
+    }
+
     [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
     void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
     /// None if the cloth needs no such buffers, or has them.
@@ -108,12 +121,15 @@ struct Cloth {
     /// Frees it, unless it is in use.
     void drop_contact_mesh() noexcept;
 
+    ClothId id;  ///< in its World, from its first step on
     CookedCloth model;
     mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
-    std::unique_ptr<Solver> solver;                 ///< for the present settings and pins
-    AlignedBuffer<Vec4> next_velocities;            ///< that the solver found in the last substep [m/s], w 0
+    std::unique_ptr<Solver> solver;  ///< for the present settings and pins
+    /// That the solver found in the last substep [m/s], w 0. Who reports contacts writes over them
+    /// afterwards.
+    AlignedBuffer<Vec4> next_velocities;
     std::optional<History> history;                 ///< only with BDF2
     Limits limits;                                  ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
@@ -125,6 +141,14 @@ struct Cloth {
 
     Surface surface;
     AirBuffers air;
+    /// That colliders gave each particle in this step [N s]; only where contacts are reported. Before it 0.
+    AlignedBuffer<Vec4> collider_impulses;
+    /// What contact gave each particle in the equation of features, less what has been told of it; w what
+    /// colliders gave along their normals [N s].
+    AlignedBuffer<Vec4> missing_impulses;
+    /// Of the impulse over a substep to that in its equation, where missing_impulses are to be told of; else
+    /// 0.
+    float impulse_ratio = 0;
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 
@@ -136,6 +160,7 @@ struct Cloth {
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of its last substep
     FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
+    std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
 
   private:

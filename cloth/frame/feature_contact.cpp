@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace weft {
 
@@ -47,7 +48,13 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     exempt_ = AlignedBuffer<std::uint8_t>(pairs);
     laws_ = AlignedBuffer<PairLaw>(pairs);
     wanted_ = AlignedBuffer<float>(pairs);
-    for (auto* buffer : {&start_, &displacements_, &base_}) *buffer = AlignedBuffer<Vec4>(particles);
+    narrowing_.reserve(pairs);
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
+    partials_ = AlignedBuffer<float>(blocks);
+    holders_ = AlignedBuffer<Holder>(blocks);
+    way_sums_ = AlignedBuffer<WaySum>(blocks);
+    for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
+        *buffer = AlignedBuffer<Vec4>(particles);
 }
 
 void FeatureContact::begin() noexcept {
@@ -55,7 +62,8 @@ void FeatureContact::begin() noexcept {
     bodies_.clear();
     ranges_.clear();
     if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
-    may_cross_ = false;
+    may_cross_ = is_uncertain_ = has_all_near_ = false;
+    holder_ = Holder::none;
     tangles_.clear();
 }
 
@@ -71,30 +79,25 @@ void FeatureContact::add(const ContactCloth& body) {
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                            const ExpectedMotion& expected) {
     const std::uint32_t first = bodies_[body].first;
-    const auto is_held = [&](std::uint32_t i) {
-        return positions[i].w == 0 || (!expected.held.empty() && !xyz(expected.held[i]).isZero(0));
+    const auto holder_of = [&](std::uint32_t i) {
+        if (positions[i].w == 0) return Holder::pin;
+        return expected.held.empty() || xyz(expected.held[i]).isZero(0) ? Holder::none : Holder::collider;
     };
     h_ = expected.h;
-    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+    const auto place_block = [&](const BlockRange& range) {
+        Holder firmest = Holder::none;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Holder holder = holder_of(i);
             Vector3 way = expected.h * xyz(expected.velocities[i]);
-            if (!is_held(i)) way += expected.fall;
+            if (holder == Holder::none) way += expected.fall;
             start_[first + i] = positions[i];
             displacements_[first + i] = to_vec4(way, 0);
+            firmest = std::max(firmest, holder);
         }
-    });
-}
-
-void FeatureContact::find(Parallel& parallel, float ContactCloth::*reach) {
-    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*reach;
-    settler_.split(parallel, island(), displacements_.span());
-    finder_.find(parallel, bodies_, start_.span(), settler_.relative(), pairs_);
-}
-
-void FeatureContact::detect(Parallel& parallel) {
-    find(parallel, &ContactCloth::radius);
-    if (may_cross_) find_tangles(parallel);
-    make_laws(parallel);
+        return firmest;
+    };
+    holder_ = parallel.reduce(static_cast<std::uint32_t>(positions.size()), holders_.span(), holder_,
+                              place_block, [](Holder a, Holder b) { return std::max(a, b); });
 }
 
 void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
@@ -144,15 +147,15 @@ void FeatureContact::make_laws(Parallel& parallel) {
     parallel.ranges(pairs_.size, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
             const FeaturePair& pair = pairs_.pairs[k];
-            const Vec4& w = pairs_.shapes[k].weights;
+            const bool is_at_border = pairs_.shapes[k].is_at_border();
             const std::uint32_t of_a = pairs_.corners_of_a(k);
             const std::size_t a = is_alone ? 0 : body_of(bodies_, pair.corners[0]);
             const std::size_t b = is_alone ? 0 : body_of(bodies_, pair.corners[3]);
-            const bool is_outside = of_a == 2 && (w.x == 0 || w.y == 0 || w.z == 0 || w.w == 0);
-            const bool is_left_alone = is_outside || (!exempt.empty() && exempt[k] != 0) ||
+            const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
                                        !(pairs_.shapes[k].normal.w > 0) ||
                                        (a == b && are_near_at_rest(pair, of_a));
-            const float radius = 0.5f * (cloths_[a].radius + cloths_[b].radius);
+            const float radius =
+                0.5f * (cloths_[a].radius + cloths_[b].radius) * (is_at_border ? of_borders : 1);
             const float gap = std::min(pairs_.shapes[k].normal.w, radius);
             laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
                         .friction = a == b ? cloths_[a].friction
@@ -189,35 +192,28 @@ void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<cons
     });
 }
 
-float FeatureContact::least_floor() const {
-    float least = cloths_.front().floor;
-    for (const ContactCloth& cloth : cloths_) least = std::min(least, cloth.floor);
-    return least;
-}
-
-FeatureCounts FeatureContact::settle(Parallel& parallel) {
+FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
     const std::uint32_t near = pairs_.size;
     const bool overflowed = pairs_.overflowed;
     const std::span<const std::uint8_t> exempt =
         tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
     settler_.project(parallel, island(), pairs_, exempt, {.each = wanted_.span()}, projections,
                      displacements_.span());
-    FeatureCounts counts = cut(parallel);
+    FeatureCounts counts = cut(parallel, is_pushed);
     counts.pairs = near;
     counts.tangles = tangles_.counts();
     counts.overflowed |= overflowed;
     return counts;
 }
 
-FeatureCounts FeatureContact::cut(Parallel& parallel) {
-    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
-    find(parallel, &ContactCloth::floor);
-    const SettleResult result = settler_.settle(parallel, island(), pairs_, find_exempt(parallel),
-                                                {.floor = least_floor()}, displacements_.span());
-    return {.truncated = result.truncated,
-            .pin_lag = result.pinned_lag,
-            .lost = result.motion_lost,
-            .overflowed = result.list_was_incomplete};
+bool FeatureContact::crosses_anew(Parallel& parallel) {
+    if (may_cross_ || is_uncertain_) return false;
+    for_ranges(parallel, ranges_, [&](const BlockRange& range) {  // the bases are of no more use
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(base_[i], xyz(start_[i]) + xyz(displacements_[i]));
+    });
+    finder_.find_crossings(parallel, bodies_, base_.span(), crossings_);
+    return crossings_.size > 0;
 }
 
 void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
@@ -235,9 +231,10 @@ void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, st
 }
 
 std::size_t FeatureContact::bytes() const noexcept {
-    return finder_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() + laws_.bytes() +
-           wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() + exempt_.bytes() +
-           start_.bytes() + displacements_.bytes() + base_.bytes();
+    return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
+           laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
+           exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
+           partials_.bytes() + holders_.bytes() + way_sums_.bytes();
 }
 
 }  // namespace weft

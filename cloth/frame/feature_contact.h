@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cloth/system/pair_rows.h"
+#include "collision/contact/narrowing.h"
 #include "collision/contact/pair_finder.h"
 #include "collision/contact/settle.h"
 #include "collision/contact/tangles.h"
@@ -43,7 +44,15 @@ struct FeatureCounts {
     float lost = 0;               ///< part of the motion that truncation took
     TangleCounts tangles = {};    ///< what crossed at the start
     bool overflowed = false;      ///< there was no room for all pairs: nothing moved but in common
+    bool crossed = false;         ///< see crosses_anew()
 };
+
+/// Whether each substep looks for what must never be: it takes as long as a search.
+#ifdef NDEBUG
+inline constexpr bool looks_for_new_crossings = false;
+#else
+inline constexpr bool looks_for_new_crossings = true;
+#endif
 
 /// Its particles are numbered through all bodies, each body from a multiple of 16 on.
 class FeatureContact {
@@ -68,7 +77,7 @@ class FeatureContact {
     void recall(std::size_t body, std::span<const TangleMemory> memory);
     void detect(Parallel& parallel);
     /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
-    [[nodiscard]] bool may_cross() const noexcept { return tangles_.any(); }
+    [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }
     [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body) const;
     [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
 
@@ -80,11 +89,13 @@ class FeatureContact {
     [[nodiscard]] PairRows& rows() noexcept { return rows_; }
 
     /// The substep's end: takes over where the bodies have come to; sees that nothing passes through; hands
-    /// the places back, with the velocities that follow.
+    /// the places back, with the velocities that follow. `is_pushed`: colliders touched some of it.
     void arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
-    FeatureCounts settle(Parallel& parallel);
+    FeatureCounts settle(Parallel& parallel, bool is_pushed);
     /// The same without what was detected before: cuts the motion, and does nothing else.
-    FeatureCounts cut(Parallel& parallel);
+    FeatureCounts cut(Parallel& parallel, bool is_pushed);
+    /// After that, whether anything crosses, where nothing did at the start.
+    [[nodiscard]] bool crosses_anew(Parallel& parallel);
     void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
                    std::span<Vec4> velocities) const;
 
@@ -95,15 +106,34 @@ class FeatureContact {
     void find_tangles(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
     [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
-    void find(Parallel& parallel, float ContactCloth::*reach);
+    /// How far a search looks.
+    struct Reach {
+        float ContactCloth::*of_cloth;
+        float of_borders = 1;  ///< see PairFinder::find
+    };
+    void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
+    /// Of particles.
+    struct WaySum {
+        double x = 0, y = 0, z = 0;  // [m]
+        double count = 0;
+    };
+    [[nodiscard]] Vector3 mean_way(Parallel& parallel);
+    void find_for_cut(Parallel& parallel);
+    struct Change;
+    [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }
-    [[nodiscard]] float least_floor() const;
+
+    /// Share of the radius that features have which are nearest at a border: mostly others beside them are
+    /// nearer, and have the force. They are three in four.
+    static constexpr float of_borders = 0.5f;
 
     std::vector<ContactCloth> cloths_;
     std::vector<ContactBody> bodies_;
     std::vector<ParticleRange> ranges_;
     PairFinder finder_;
+    PairNarrowing narrowing_;
     PairList pairs_;
+    bool has_all_near_ = false;  // pairs_ has all within the radius, over the motions in searched_
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;
@@ -111,10 +141,16 @@ class FeatureContact {
     AlignedBuffer<TangleMemory> memory_;  // all 0 where no body has recalled its own
     AlignedBuffer<std::uint8_t> exempt_;  // by pair
     bool may_cross_ = false;
+    bool is_uncertain_ = false;  // rounding may have made features cross
+    enum class Holder : std::uint8_t { none, collider, pin };
+    Holder holder_ = Holder::none;  // of some particle, as the substep begins: the firmest
     float h_ = 0;
     AlignedBuffer<PairLaw> laws_;
     AlignedBuffer<float> wanted_;
-    AlignedBuffer<Vec4> start_, displacements_, base_;
+    AlignedBuffer<Vec4> start_, displacements_, base_, searched_;
+    AlignedBuffer<float> partials_;   // by block
+    AlignedBuffer<Holder> holders_;   // by block
+    AlignedBuffer<WaySum> way_sums_;  // by block
 };
 
 }  // namespace weft

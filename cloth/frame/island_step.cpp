@@ -66,6 +66,10 @@ bool can_be_together(const Cloth& cloth) {
     return cloth.solver->joins() && cloth.settings.substeps == 1;
 }
 
+bool touches_colliders(std::span<Cloth* const> cloths) {
+    return std::ranges::any_of(cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0; });
+}
+
 /// BDF2's first step is one of backward Euler, with another gamma.
 bool takes_second_order_step(const Cloth& cloth, float h) {
     return cloth.history && cloth.state.record.h == h;
@@ -179,6 +183,7 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
     together_->make_rows(worker.parallel, equations_.front().gamma);
     residuals_.assign(members_.size(), 0.0f);
     const SolveResult result = MultilevelSolver::solve(members_, residuals_);
+    if (reports_contacts()) find_joined_impulses(worker);
     for (std::size_t m = 0; m < joined_.size(); ++m) {
         Cloth& cloth = *joined_[m];
         take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
@@ -187,22 +192,36 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
     }
 }
 
+void Simulation::find_joined_impulses(Worker& worker) {
+    for (std::size_t m = 0; m < joined_.size(); ++m) {
+        equations_[m].pairs->take(worker.parallel, equations_[m].first,
+                                  std::as_const(joined_[m]->next_velocities).span());
+        find_missing_impulses(steps_[m], *joined_[m]);
+    }
+}
+
 // The last that moves particles in a substep.
 void Simulation::settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                                  const Substep& substep) {
     const auto timer = timed(Stage::self_response);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
+        if (cloths[k]->impulse_ratio > 0)
+            std::ranges::copy(std::as_const(cloths[k]->state.velocities).span(),
+                              cloths[k]->next_velocities.data());
         if (substep.is_last()) cloths[k]->place_pins();
         space.arrive(worker.parallel, k, cloths[k]->state.positions.span());
         cloths[k]->feature_counts = {};
     }
-    cloths.front()->feature_counts = space.settle(worker.parallel);
+    FeatureCounts& counts = cloths.front()->feature_counts;
+    counts = space.settle(worker.parallel, touches_colliders(cloths));
+    if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
                         cloths[k]->state.velocities.span());
         limit_speeds(worker.parallel, settings.max_speed, cloths[k]->state.velocities.span());
         remember_tangles(space, k, cloths[k]->state);
     }
+    if (reports_contacts()) log_pairs(worker, space, cloths);
 }
 
 // Cloth can go another way than it was going when islands were found. Where it came near cloth of another
@@ -222,7 +241,7 @@ void Simulation::part_strays(const Substep& substep) {
         if (!any) return;
         join_solved(is_last);
         islands_.plan(present_, solved_with_, 1);
-        Worker all{parallel, motions_[0]};
+        Worker all{parallel, motions_[0], contact_reports_.of_thread(0)};
         for (const Schedule::Group& group : islands_.in_turn())
             if (group.cloths.size() > 1) cut_strays(all, group.cloths, substep);
     }
@@ -257,11 +276,12 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
         worker, space, cloths, [](const Cloth& cloth) { return cloth.substep_start.span(); }, substep.h);
     for (std::size_t k = 0; k < cloths.size(); ++k)
         space.arrive(worker.parallel, k, std::as_const(cloths[k]->state.positions).span());
-    const FeatureCounts counts = space.cut(worker.parallel);
+    const FeatureCounts counts = space.cut(worker.parallel, touches_colliders(cloths));
     FeatureCounts& sum = cloths.front()->feature_counts;
     sum.truncated += counts.truncated;
     sum.pin_lag = std::max(sum.pin_lag, counts.pin_lag);
     sum.overflowed |= counts.overflowed;
+    if constexpr (looks_for_new_crossings) sum.crossed |= space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k)
         space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
                         cloths[k]->state.velocities.span());

@@ -70,6 +70,7 @@ class Checks {
 constexpr float most_stiffness = 1e9f;  // [N/m]
 
 constexpr int most_iterations = 100000;
+constexpr int most_contact_reports = 1 << 20;
 
 void check(Checks& checks, const Jacobi& method) {
     checks.within("Jacobi::iterations", method.iterations, 0, most_iterations);
@@ -163,6 +164,7 @@ Result<void> validate(const WorldSettings& settings) {
     check(checks, settings.wind);
     checks.between("WorldSettings::max_speed", settings.max_speed, 1e-3f, 1e4f);
     checks.within("WorldSettings::substeps", settings.substeps, 1, 256);
+    checks.within("WorldSettings::contact_reports", settings.contact_reports, 0, most_contact_reports);
     checks.within("WorldSettings::threads", settings.threads, 0, 256);
     if (settings.executor.run != nullptr) checks.within("Executor::width", settings.executor.width, 1, 256);
     return checks.result();

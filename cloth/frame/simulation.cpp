@@ -19,6 +19,10 @@ Parallel make_parallel(const WorldSettings& settings) {
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 
+ContactReports make_reports(const WorldSettings& settings, const Parallel& threads) {
+    return {static_cast<std::size_t>(settings.contact_reports), threads.width()};
+}
+
 bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
     return a.threads == b.threads && a.executor.run == b.executor.run && a.executor.user == b.executor.user &&
            a.executor.width == b.executor.width;
@@ -40,7 +44,8 @@ Simulation::Simulation(const WorldSettings& initial)
     : settings(initial),
       parallel(make_parallel(initial)),
       profiler(stage_names),
-      motions_(make_motions(parallel.width(), 0)) {
+      motions_(make_motions(parallel.width(), 0)),
+      contact_reports_(make_reports(initial, parallel)) {
     parallel.trace_to(&profiler.trace());
 }
 
@@ -50,6 +55,18 @@ void Simulation::apply(const WorldSettings& changed) {
     if (!have_same_threads(changed, settings)) {
         threads.emplace(make_parallel(changed));
         motions = make_motions(threads->width(), state.colliders.size());
+    }
+    std::optional<ContactReports> reports;
+    if (threads || changed.contact_reports != settings.contact_reports)
+        reports = make_reports(changed, threads ? *threads : parallel);
+    const bool reported = changed.contact_reports > 0;
+    ForCloths<ImpulseBuffers> impulses;
+    if (reported != reports_contacts()) {
+        impulses.reserve(cloths.size());
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+            impulses.emplace_back(cloth.get(), cloth->make_impulses(reported));
+        });
+        reserve_collider_ids(reported);
     }
     const bool on = changed.wind.air_density > 0, gusts = has_gusts(changed.wind);
     ForCloths<AirBuffers> air;
@@ -66,6 +83,8 @@ void Simulation::apply(const WorldSettings& changed) {
         parallel.trace_to(&profiler.trace());
         motions_ = std::move(motions);
     }
+    if (reports) contact_reports_ = *std::move(reports);
+    for (auto& [cloth, made] : impulses) cloth->take_impulses(std::move(made));
     for (auto& [cloth, made] : air) cloth->take_air(std::move(made));
     settings = changed;
 }
@@ -101,6 +120,7 @@ void Simulation::cloth_has_gone() noexcept {
 
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
+    reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
     if (count > 0) {
         contacts.reserve(cloths.size());
@@ -114,6 +134,13 @@ void Simulation::expect_colliders(std::size_t count) {
     if (count == 0)
         cloths.for_each(
             [](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->take_contacts(std::nullopt, false); });
+}
+
+void Simulation::reserve_collider_ids(bool reported) {
+    if (!reported) return;
+    std::size_t count = 0;
+    state.colliders.for_each([&](ColliderId id, const ColliderSlot&) { count = id.index + 1; });
+    collider_ids_.reserve(count);
 }
 
 void Simulation::reserve_cloth() {
@@ -134,6 +161,7 @@ void Simulation::reserve_cloth() {
 void Simulation::prepare(Cloth& cloth) {
     const bool any_colliders = state.colliders.size() > 0;
     cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
+    cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);

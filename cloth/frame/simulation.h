@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloth/frame/cloth.h"
+#include "cloth/frame/contact_log.h"
 #include "cloth/frame/islands.h"
 #include "cloth/frame/schedule.h"
 #include "cloth/solvers/multigrid/multilevel.h"
@@ -21,6 +22,7 @@ namespace weft {
 struct Worker {
     Parallel& parallel;                    ///< of all threads, or of this one alone
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
+    ContactLog& contacts;                  ///< to be reported
 };
 
 /// One of the equal parts that a step is cut into.
@@ -62,6 +64,10 @@ struct Simulation {
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     StepReport report;
 
+    /// Of the last step.
+    [[nodiscard]] std::span<const Contact> contacts() const noexcept { return contact_reports_.list(); }
+    void clear_contacts() noexcept { contact_reports_.clear(); }
+
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
     /// Frees what the rest does not need.
@@ -99,6 +105,7 @@ struct Simulation {
                        StepEquation& equation);
     void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
     void solve_joined(Worker& worker, const Substep& substep);
+    void find_joined_impulses(Worker& worker);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                          const Substep& substep);
     void part_strays(const Substep& substep);
@@ -118,10 +125,24 @@ struct Simulation {
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
     void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
+    void reserve_collider_ids(bool reported);
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);
+
+    static void log_contact(ContactLog& log, Cloth& cloth, const Contact& contact);
+    static void add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse);
+    static void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation);
+    static void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before);
+    static void find_missing_impulses(const SolverStep& step, Cloth& cloth);
+    static void share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths);
+    static void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths);
+    static void log_avoidance(Worker& worker, Cloth& cloth, float h);
+    void find_touched_colliders(Worker& worker, Cloth& cloth) const;
+    void log_colliders(Cloth& cloth);
+    void report_contacts();
     void end(float dt);
 
+    [[nodiscard]] bool reports_contacts() const { return settings.contact_reports > 0; }
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
 
@@ -131,6 +152,8 @@ struct Simulation {
     std::vector<Bounds> boxes_;
     Islands finder_;
     Motions motions_;  // one list for each thread
+    ContactReports contact_reports_;
+    std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
 
     // Of islands, which are solved one after the other.
     std::unique_ptr<FeatureContact> together_;  // null: no two cloths have features

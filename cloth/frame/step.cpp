@@ -72,13 +72,13 @@ void Simulation::for_each_group(const Schedule& schedule, const Work& work) {
     std::atomic<std::size_t> next = 0;
     parallel.blocks(static_cast<std::uint32_t>(std::min(motions_.size(), small.size())),
                     [&](std::uint32_t thread) {
-                        Worker worker{serial_, motions_[thread]};
+                        Worker worker{serial_, motions_[thread], contact_reports_.of_thread(thread)};
                         for (std::size_t i; (i = next.fetch_add(1)) < small.size();) {
                             const auto timer = timed(Stage::cloths);
                             work(worker, small[i].cloths);
                         }
                     });
-    Worker all{parallel, motions_[0]};
+    Worker all{parallel, motions_[0], contact_reports_.of_thread(0)};
     for (const Schedule::Group& group : schedule.in_turn()) {
         const auto timer = timed(Stage::cloths);
         work(all, group.cloths);
@@ -93,10 +93,13 @@ void Simulation::for_each_cloth(const Work& work) {
 void Simulation::begin(float dt) {
     profiler.begin_step();
     report = {.step = ++state.steps, .substeps = settings.substeps};
+    contact_reports_.clear();
     present_.clear();
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+    cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
         present_.push_back(cloth.get());
+        cloth->id = id;
         cloth->unsolved = false;
+        cloth->contact_count = 0;
         move_pins(*cloth, dt);
     });
     each_.plan(present_, parallel.width());
@@ -136,6 +139,16 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
         solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
+        if (reports_contacts() && equation.pairs != nullptr) {
+            equation.pairs->take(worker.parallel, 0, std::as_const(cloth.next_velocities).span());
+            find_missing_impulses({.parallel = worker.parallel,
+                                   .profiler = profiler,
+                                   .model = cloth.model,
+                                   .settings = cloth.settings,
+                                   .equation = equation,
+                                   .velocities = cloth.next_velocities.span()},
+                                  cloth);
+        }
         advance(worker, cloth, equation, part.is_first());
         settle(worker, cloth, part.h);
         if (cloth.features) settle_features(worker, *cloth.features, alone, part);
@@ -227,6 +240,7 @@ void Simulation::take_result(Worker& worker, Cloth& cloth, const SolveResult& re
 void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first) {
     const auto timer = timed(Stage::advance);
     ClothState& now = cloth.state;
+    if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
@@ -255,6 +269,7 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
                                   cloth.settings.self_collision.search);
     }
     const auto timer = timed(Stage::self_response);
+    if (reports_contacts()) log_avoidance(worker, cloth, h);
     cloth.self_counts =
         cloth.self_contacts->respond(worker.parallel, distance, cloth.settings.self_collision.friction, h,
                                      cloth.state.positions.span(), cloth.state.velocities.span());
@@ -264,10 +279,14 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
     cloth.collider_contacts = 0;
     if (worker.motions.empty()) return;
     const auto timer = timed(Stage::colliders);
+    if (reports_contacts())
+        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
     cloth.collider_contacts =
         collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
                 std::as_const(cloth.state.held.normals).span(), cloth.state.positions.span(),
                 cloth.state.velocities.span(), cloth.partial_counts.span());
+    if (reports_contacts() && cloth.collider_contacts > 0)
+        add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
 }
 
 // Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may.
@@ -285,6 +304,7 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
 }
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {
+    if (reports_contacts()) find_touched_colliders(worker, cloth);
     const auto timer = timed(Stage::normals);
     update_normals(worker.parallel, cloth);
 }
@@ -309,12 +329,14 @@ void Simulation::add_to_report(const Cloth& cloth) {
         report.flags = report.flags | StepFlags::speed_limited;
     if (cloth.unsolved) report.flags = report.flags | StepFlags::unsolved;
     if (cloth.feature_counts.pin_lag > 0) report.flags = report.flags | StepFlags::pins_stopped;
+    if (cloth.feature_counts.crossed) report.flags = report.flags | StepFlags::crossed;
     if (cloth.self_counts.dropped > 0 || cloth.feature_counts.overflowed)
         report.flags = report.flags | StepFlags::contacts_dropped;
 }
 
 void Simulation::end(float dt) {
     for (const Cloth* cloth : present_) add_to_report(*cloth);
+    if (reports_contacts()) report_contacts();
     const Vec3& wind = settings.wind.velocity;
     const double seconds = static_cast<double>(dt);
     state.wind_path[0] += static_cast<double>(wind.x) * seconds;

@@ -257,6 +257,7 @@ const StepReport& World::step(float dt) noexcept {
     if (dt >= least_step && dt <= greatest_step) {
         impl_->simulation.parallel.lend([&] { impl_->simulation.step(dt); });
     } else {
+        impl_->simulation.clear_contacts();
         report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
     }
     return report;
@@ -264,6 +265,10 @@ const StepReport& World::step(float dt) noexcept {
 
 const StepReport& World::report() const noexcept {
     return impl_->simulation.report;
+}
+
+std::span<const Contact> World::contacts() const noexcept {
+    return impl_->simulation.contacts();
 }
 
 std::span<const StageTime> World::profile() const {

@@ -98,6 +98,11 @@ class Contacts {
     [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
         return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
     }
+    /// What colliders give such a particle at the velocity v [kg m/s].
+    [[nodiscard]] Vector3 of_colliders(std::uint32_t particle, const Vector3& v) const {
+        const AlignedBuffer<Vec4>& at_rest = has_pairs() ? of_colliders_ : rows_.impulses;
+        return xyz(at_rest[particle]) - rows_.block(particle) * v;
+    }
     [[nodiscard]] bool has_pairs() const noexcept { return touching_.size() > 0; }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return rows_.blocks.bytes() + rows_.impulses.bytes() + rows_.in_relaxation.bytes() +

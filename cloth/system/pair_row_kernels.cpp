@@ -15,6 +15,12 @@ namespace {
 
 static_assert(PairGroup::lanes == group_lanes);
 
+// A spring has its full stiffness from this part of its radius on.
+constexpr float onset_per_radius = 0.1f;
+// Of what does not slide, over the full spring: layers on a slope creep by five thousandths of a millimetre a
+// second.
+constexpr float stick_per_spring = 10;
+
 HWY_INLINE void store(Lanes v, float* to) {
     hn::Store(v, Tag(), to);
 }
@@ -102,15 +108,19 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes depth = hn::Sub(load_lanes(group.radius + lane),
                                 hn::MulAdd(set(stiffness.gamma), along, load_lanes(group.gap + lane)));
     const auto pushes = hn::Gt(depth, set(0));
-    const Lanes spring = hn::IfThenElseZero(pushes, hn::Mul(set(stiffness.spring_per_mass), mass));
-    const Lanes pressed =
-        hn::IfThenElseZero(pushes, hn::Mul(hn::Mul(spring, set(1 / stiffness.gamma)), depth));
+    // From 0 to the onset the force is that of a square; then it goes on straight.
+    const Lanes onset = hn::Mul(set(onset_per_radius), load_lanes(group.radius + lane));
+    const Lanes part = hn::IfThenElseZero(pushes, hn::Min(hn::Div(depth, onset), set(1)));
+    const Lanes full = hn::IfThenElseZero(pushes, hn::Mul(set(stiffness.spring_per_mass), mass));
+    const Lanes spring = hn::Mul(full, part);
+    const Lanes way = hn::NegMulAdd(hn::Mul(set(0.5f), part), onset, depth);
+    const Lanes pressed = hn::IfThenElseZero(pushes, hn::Mul(hn::Mul(spring, set(1 / stiffness.gamma)), way));
     const Lanes3 sliding = u - along * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     const Lanes limit = hn::Mul(friction, pressed);
-    // What does not slide creeps as the spring would let it.
-    const auto slides = hn::Lt(limit, hn::Mul(spring, speed));
-    const Lanes held = hn::IfThenElse(slides, hn::Div(limit, hn::IfThenElse(slides, speed, set(1))), spring);
+    const Lanes stick = hn::Mul(set(stick_per_spring), full);
+    const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
+    const Lanes held = hn::IfThenElse(slides, hn::Div(limit, hn::IfThenElse(slides, speed, set(1))), stick);
     const Lanes damper = hn::IfThenElseZero(hn::Gt(friction, set(0)), held);
     store(spring, group.spring + lane);
     store(damper, group.damper + lane);

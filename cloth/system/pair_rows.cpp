@@ -105,6 +105,31 @@ void PairRows::linearise(Parallel& parallel) {
     });
 }
 
+void PairRows::begin_sweeps() {
+    for (std::uint32_t k = 0; k < size_; ++k) products_[k] = {};
+}
+
+// Friction is the rows' own, as far as the normal impulse goes.
+PairRows::Push PairRows::push_of(std::uint32_t k) const {
+    const PairGroup& group = groups_[k / PairGroup::lanes];
+    const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
+    const FeaturePair& pair = list_->pairs[number];
+    const PairShape& shape = list_->shapes[number];
+    const Vector3 n = xyz(shape.normal);
+    Vector3 u = Vector3::Zero(), point = Vector3::Zero();
+    for (std::uint32_t c = 0; c < 4; ++c) {
+        const std::uint32_t i = pair.corners[c];
+        const Vector3 v = xyz(taken_[i]);
+        u += shape.weight(c) * v;
+        point += 0.5f * std::abs(shape.weight(c)) * (xyz(base_positions_[i]) + gamma_ * v);
+    }
+    const float along = products_[k].x, limit = group.friction[lane] * along;
+    Vector3 rubbed = group.damper[lane] * (u - n.dot(u) * n);
+    const float size = rubbed.norm();
+    if (size > limit) rubbed *= limit / size;
+    return {pair, shape, list_->corners_of_a(number), point, along * n - rubbed};
+}
+
 double PairRows::multiply(Parallel& parallel) {
     return parallel.reduce(
         size_, partials_.span(), untangling_.multiply(),

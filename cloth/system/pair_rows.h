@@ -2,7 +2,7 @@
 // Pairs of near features as forces in the implicit step: of one cloth with itself, and of cloths with one
 // another.
 
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -19,8 +19,9 @@ namespace weft {
 
 /// Each pair's features push each other apart along the normal that they have at the start of the step, by a
 /// stiff spring that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987),
-/// and hold each other across it by a damper that has Coulomb's limit as it is known so far. The impulse on
-/// corner i of pair k is
+/// and hold each other across it by a damper that has Coulomb's limit as it is known so far. Over the first
+/// part of its way the spring stiffens from nothing, or what rests would touch and let go by turns. The
+/// impulse on corner i of pair k is
 ///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
 /// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {
@@ -75,9 +76,9 @@ class PairRows {
 
         /// K.
         [[nodiscard]] Symmetric3 stiffness() const {
-            Symmetric3 sum;
-            sum.add(damper, std::sqrt(spring - damper) * xyz(shape.normal));
-            return sum;
+            const Vector3 n = xyz(shape.normal), across = (spring - damper) * n;
+            return {damper + across.x() * n.x(), damper + across.y() * n.y(), damper + across.z() * n.z(),
+                    across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
         }
     };
     /// visit(ActivePair) for all that push, in their order.
@@ -91,9 +92,59 @@ class PairRows {
                                  group.damper[lane]});
         }
     }
+    /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
+    /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
+    /// Gauss-Seidel. Few iterations leave the rows' own law, with its stiff springs, several times off.
+    /// missing(particle) is what it has not been given yet [kg m/s]; what is of a body that is fixed stays.
+    void begin_sweeps();
+    template <class Missing>
+    void sweep(const Missing& missing) {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k)) share_out(k, missing);
+    }
+    /// What a pair does, as shared out, at the velocities that were taken.
+    struct Push {
+        const FeaturePair& pair;
+        const PairShape& shape;
+        std::uint32_t corners_of_a;
+        Vector3 point;    ///< half way between the features, where those velocities lead [m]
+        Vector3 impulse;  ///< that side A gets, and B the opposite [kg m/s]
+    };
+    /// visit(Push) for all that have a part, in their order.
+    template <class Visit>
+    void for_each_push(const Visit& visit) const {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k) && products_[k].x > 0) visit(push_of(k));
+    }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    [[nodiscard]] bool pushes(std::uint32_t k) const {
+        return groups_[k / PairGroup::lanes].spring[k % PairGroup::lanes] > 0;
+    }
+    /// The pair's impulse along the normal is in products_[k].x.
+    template <class Missing>
+    void share_out(std::uint32_t k, const Missing& missing) {
+        const FeaturePair& pair = list_->pairs[numbers_[k]];
+        const PairShape& shape = list_->shapes[numbers_[k]];
+        const Vector3 n = xyz(shape.normal);
+        float along = 0, squares = 0;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            if (!(base_positions_[pair.corners[c]].w > 0)) continue;
+            const float b = shape.weight(c);
+            along += b * n.dot(xyz(missing(pair.corners[c])));
+            squares += b * b;
+        }
+        if (!(squares > 0)) return;
+        const float more = std::max(along / squares, -products_[k].x);
+        products_[k].x += more;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            if (!(base_positions_[pair.corners[c]].w > 0)) continue;
+            Vec4& left = missing(pair.corners[c]);
+            set_xyz(left, xyz(left) - shape.weight(c) * more * n);
+        }
+    }
+    [[nodiscard]] Push push_of(std::uint32_t k) const;
     void choose(Parallel& parallel, std::span<const PairLaw> laws);
     /// The first row of the incidence whose particle is not below this one.
     [[nodiscard]] std::uint32_t first_row(std::uint32_t particle) const;

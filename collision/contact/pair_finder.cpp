@@ -72,9 +72,10 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
-                      std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found) {
+                      std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
+                      float of_borders) {
     choose(bodies);
-    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data()};
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     place(parallel, search);
     parallel.blocks(blocks, [&](std::uint32_t block) {

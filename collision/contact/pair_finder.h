@@ -33,13 +33,14 @@ class PairFinder {
     /// Lists every pair of features that share no vertex, of bodies that may meet, with
     ///     min over A of min(n . x, n . (x + m)) - max over B of max(n . x, n . (x + m)) < reach,
     /// n being the normal of the pair's closest points at x: those that can come nearer than reach, if each
-    /// particle goes any part of its own motion m. positions[i].w is ignored. Both spans are of all bodies'
-    /// particles. Pairs whose boxes over the motion are farther apart than reach are not looked at. Features
-    /// with a coordinate that is not finite, at x or at x + m, are in no pair.
+    /// particle goes any part of its own motion m. Of pairs whose closest points are at a border
+    /// (PairShape::is_at_border) the reach is the part `of_borders`. positions[i].w is ignored. Both spans
+    /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
+    /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
     ///
     /// Precondition: the bodies' meshes are among those of the last reserve().
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-              std::span<const Vec4> motions, PairList& found);
+              std::span<const Vec4> motions, PairList& found, float of_borders = 1);
 
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
     /// edge's ends are on different sides of the triangle's plane, and the line through them meets the

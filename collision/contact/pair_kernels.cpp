@@ -41,6 +41,13 @@ HWY_INLINE void pad(Candidates& candidates) {
         for (std::uint32_t k = 0; k < part_lanes; ++k) corner[candidates.count + k] = corner[0];
 }
 
+/// PairShape::is_at_border.
+template <std::uint32_t of_a>
+HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
+    const auto in_triangle = hn::Or(hn::Eq(w.y, set(0)), hn::Or(hn::Eq(w.z, set(0)), hn::Eq(w.w, set(0))));
+    return of_a == vertex_and_triangle ? in_triangle : hn::Or(in_triangle, hn::Eq(w.x, set(0)));
+}
+
 /// Passes on, of the candidates, those that come within reach.
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candidates& candidates,
@@ -50,8 +57,9 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candida
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
         const ShapeLanes shape =
             shape_of<of_a>(gather_corners(search.positions, search.motions, candidates, k));
-        const auto listed =
-            hn::And(hn::Lt(shape.swept_gap, set(reach)), hn::FirstN(Tag(), candidates.count - k));
+        const Lanes within =
+            hn::IfThenElse(is_at_border<of_a>(shape.weights), set(reach * search.of_borders), set(reach));
+        const auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
         for (std::uint32_t rest = bits_of(listed); rest != 0; rest &= rest - 1) {
             const auto i = k + static_cast<std::uint32_t>(std::countr_zero(rest));
             const auto& c = candidates.corners;
@@ -188,6 +196,74 @@ void shapes(const Vec4* positions, bool vertex_triangle, std::span<const Feature
                     : shape<edge_and_edge>(positions, pairs, to);
 }
 
+/// Some of a list's pairs, by their numbers.
+struct Batch {
+    Candidates candidates;
+    std::uint32_t numbers[group_lanes];
+    alignas(64) float normals[3][group_lanes] = {};
+
+    void add(std::uint32_t number, const FeaturePair& pair, const Vec4& normal) {
+        const std::uint32_t k = candidates.count++;
+        numbers[k] = number;
+        for (std::uint32_t c = 0; c < 4; ++c) candidates.corners[c][k] = pair.corners[c];
+        normals[0][k] = normal.x;
+        normals[1][k] = normal.y;
+        normals[2][k] = normal.z;
+    }
+};
+
+/// Around corners over their motion.
+HWY_INLINE BoxLanes swept_box(const CornerLanes& corners, std::uint32_t first, std::uint32_t end) {
+    const Lanes3 start = corners.point[first], moved = start + corners.motion[first];
+    BoxLanes box = join({start, start}, {moved, moved});
+    for (std::uint32_t c = first + 1; c < end; ++c) {
+        const Lanes3 x = corners.point[c], y = x + corners.motion[c];
+        box = join(box, join({x, x}, {y, y}));
+    }
+    return box;
+}
+
+template <std::uint32_t of_a>
+HWY_INLINE std::uint32_t left_of(const PairNarrow& narrow, Batch& batch) {
+    pad(batch.candidates);
+    const CornerLanes corners = gather_corners(narrow.positions, narrow.motions, batch.candidates, 0);
+    const Lanes3 normal = {load_lanes(batch.normals[0]), load_lanes(batch.normals[1]),
+                           load_lanes(batch.normals[2])};
+    const Lanes reach = set(narrow.reach);
+    const Lanes3 margin = {reach, reach, reach};
+    const BoxLanes a = swept_box(corners, 0, of_a), b = swept_box(corners, of_a, 4);
+    const auto is_left = hn::And(hn::Lt(swept_gap_along<of_a>(normal, corners), reach),
+                                 overlap({a.lower - margin, a.upper + margin}, b));
+    return bits_of(hn::And(is_left, hn::FirstN(Tag(), batch.candidates.count)));
+}
+
+template <std::uint32_t of_a>
+HWY_INLINE std::uint32_t narrow_list(const PairNarrow& narrow, std::span<FeaturePair> pairs,
+                                     PairShape* shapes) {
+    Batch batch;
+    std::uint32_t kept = 0;
+    const float too_far =
+        narrow.reach + 2 * narrow.longest;  // whatever the motions, with what rounding takes
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+        if (!(shapes[k].normal.w > too_far)) batch.add(k, pairs[k], shapes[k].normal);
+        if (batch.candidates.count < part_lanes && k + 1 < pairs.size()) continue;
+        if (batch.candidates.count == 0) continue;
+        for (std::uint32_t left = left_of<of_a>(narrow, batch); left != 0; left &= left - 1) {
+            const std::uint32_t from = batch.numbers[std::countr_zero(left)];
+            pairs[kept] = pairs[from];
+            shapes[kept++] = shapes[from];
+        }
+        batch.candidates.count = 0;
+    }
+    return kept;
+}
+
+std::uint32_t narrow(const PairNarrow& to, bool vertex_triangle, std::span<FeaturePair> pairs,
+                     PairShape* shapes) {
+    return vertex_triangle ? narrow_list<vertex_and_triangle>(to, pairs, shapes)
+                           : narrow_list<edge_and_edge>(to, pairs, shapes);
+}
+
 }  // namespace
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -197,6 +273,7 @@ namespace weft {
 
 HWY_EXPORT(find);
 HWY_EXPORT(shapes);
+HWY_EXPORT(narrow);
 
 void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
     HWY_DYNAMIC_DISPATCH(find)(search, block, found);
@@ -205,6 +282,11 @@ void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
                  PairShape* to) {
     HWY_DYNAMIC_DISPATCH(shapes)(positions, vertex_triangle, pairs, to);
+}
+
+std::uint32_t narrow_pairs(const PairNarrow& to, bool vertex_triangle, std::span<FeaturePair> pairs,
+                           PairShape* shapes) {
+    return HWY_DYNAMIC_DISPATCH(narrow)(to, vertex_triangle, pairs, shapes);
 }
 
 }  // namespace weft

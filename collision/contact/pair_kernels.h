@@ -60,6 +60,7 @@ struct PairSearch {
     const FeatureBoxes* boxes;
     const Vec4* positions;
     const Vec4* motions;
+    float of_borders = 1;  ///< share of the reach that pairs nearest at a border have
 };
 
 /// Items found, as far as there is room; `count` goes on.
@@ -98,5 +99,15 @@ void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossin
 /// Shapes of pairs of one kind; `vertex_triangle`: of which.
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
                  PairShape* shapes);
+
+/// What is left of a list: see PairNarrowing::narrow.
+struct PairNarrow {
+    const Vec4* positions;
+    const Vec4* motions;
+    float reach, longest;
+};
+/// Moves the pairs that are left, and their shapes, to the front; returns how many.
+std::uint32_t narrow_pairs(const PairNarrow& narrow, bool vertex_triangle, std::span<FeaturePair> pairs,
+                           PairShape* shapes);
 
 }  // namespace weft

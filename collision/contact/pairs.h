@@ -25,6 +25,11 @@ struct PairShape {
     /// two are apart, and a plane across n is between them.
     Vec4 normal;
 
+    /// Whether the closest points are at a triangle's border or at an end of an edge: where surfaces are
+    /// smooth, features beside these are nearer.
+    [[nodiscard]] bool is_at_border() const noexcept {
+        return weights.x == 0 || weights.y == 0 || weights.z == 0 || weights.w == 0;
+    }
     [[nodiscard]] float weight(std::uint32_t corner) const noexcept {
         return std::array{weights.x, weights.y, weights.z, weights.w}[corner];
     }

@@ -39,7 +39,9 @@ void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pai
     truncation_.reserve(particles, pairs);
     relative_ = ends_ = AlignedBuffer<Vec4>(particles);
     held_ = AlignedBuffer<std::uint8_t>(pairs);
-    partials_ = AlignedBuffer<Totals>(block_count(static_cast<std::uint32_t>(particles)) + bodies);
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies;
+    partials_ = AlignedBuffer<Totals>(blocks);
+    momenta_ = AlignedBuffer<Momentum>(blocks);
     failures_ = AlignedBuffer<Failures>(block_count(static_cast<std::uint32_t>(pairs)));
 }
 
@@ -55,6 +57,8 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     truncation_.cut(parallel, island.positions, relative_.span(), pairs, exempt, settings);
     result.sweeps = truncation_.sweeps();
     result.list_was_incomplete = truncation_.list_was_incomplete();
+    if (result.list_was_incomplete && island.is_pinned) common_ = CommonMotion{};
+    given_back_ = mean_loss(parallel, island, displacements);
     for (int round = 0; pairs.size > 0 && !result.list_was_incomplete; ++round) {
         place_ends(parallel, island, displacements);
         const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result.uncertain);
@@ -64,6 +68,7 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
             break;
         }
         truncation_.cut_again(parallel, pairs, held_.span(), settings);
+        given_back_ = mean_loss(parallel, island, displacements);
         result.sweeps = truncation_.sweeps();
     }
     const Totals totals = apply(parallel, island, displacements);
@@ -75,12 +80,39 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     return result;
 }
 
+Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
+    if (!island.is_free) return Vector3::Zero();
+    const auto find_block = [&](const BlockRange& block) {
+        Momentum lost;
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const double mass = 1 / double{island.positions[i].w};
+            lost.mass += mass;
+            const float tau = truncation_.fractions()[i];
+            if (tau >= 1) continue;
+            const Vector3 wanted = xyz(displacements[i]);
+            const Vector3 way = wanted - give_back(common_, xyz(island.positions[i]), wanted, tau);
+            for (int axis = 0; axis < 3; ++axis) lost.way[axis] += mass * double{way[axis]};
+        }
+        return lost;
+    };
+    const auto add = [](Momentum a, const Momentum& b) {
+        a.mass += b.mass;
+        for (int axis = 0; axis < 3; ++axis) a.way[axis] += b.way[axis];
+        return a;
+    };
+    const Momentum lost =
+        reduce_ranges(parallel, island.particles, momenta_.span(), Momentum{}, find_block, add);
+    const Vector3 mean =
+        (Eigen::Map<const Eigen::Vector3d>(lost.way) / std::max(lost.mass, 1e-300)).cast<float>();
+    return mean.allFinite() ? mean : Vector3::Zero();
+}
+
 void Settler::place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
     for_ranges(parallel, island.particles, [&](const BlockRange& block) {
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
             const Vector3 x = xyz(island.positions[i]);
             const float tau = truncation_.fractions()[i];
-            set_xyz(ends_[i], x + give_back(common_, x, xyz(displacements[i]), tau));
+            set_xyz(ends_[i], x + (give_back(common_, x, xyz(displacements[i]), tau) + given_back_));
         }
     });
 }
@@ -128,9 +160,10 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
             const float length = wanted.norm();
             if (std::isfinite(length)) totals.wanted += double{length};
             const float tau = truncation_.fractions()[i];
-            if (tau >= 1) continue;
-            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau);
+            if (tau >= 1 && given_back_.isZero(0)) continue;
+            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau) + given_back_;
             set_xyz(displacements[i], had);
+            if (tau >= 1) continue;
             const float lost = (wanted - had).norm();
             ++totals.truncated;
             if (!std::isfinite(lost)) continue;
@@ -148,7 +181,7 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
 
 std::size_t Settler::bytes() const noexcept {
     return projection_.bytes() + fit_.bytes() + truncation_.bytes() + relative_.bytes() + ends_.bytes() +
-           held_.bytes() + partials_.bytes() + failures_.bytes();
+           held_.bytes() + partials_.bytes() + momenta_.bytes() + failures_.bytes();
 }
 
 }  // namespace weft

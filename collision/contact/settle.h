@@ -18,11 +18,17 @@ namespace weft {
 struct Island {
     std::span<const ParticleRange> particles;
     std::span<const Vec4> positions;  ///< at the start, free of crossings [m]; w = inverse mass
+    /// Nothing else holds any of its particles. Then what settling takes of its momentum all get back alike,
+    /// which brings nothing nearer.
+    bool is_free = false;
+    /// Some are at a place that is given: a common motion would draw them off it. So where the list is
+    /// incomplete, none moves.
+    bool is_pinned = false;
 };
 
 struct SettleResult {
     CommonMotionKind common = CommonMotionKind::none;
-    bool list_was_incomplete = false;   ///< all particles have the common motion, and no other
+    bool list_was_incomplete = false;   ///< all particles have the common motion, or none
     std::uint32_t truncated = 0;        ///< particles with tau < 1
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
@@ -73,10 +79,16 @@ class Settler {
         float lag = 0;
         std::uint32_t truncated = 0;
     };
+    struct Momentum {
+        double mass = 0;     // [kg]
+        double way[3] = {};  // mass times displacement [kg m]
+    };
     struct Failures {
         std::uint32_t to_hold = 0, uncertain = 0;
     };
 
+    [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const Island& island,
+                                    std::span<const Vec4> displacements);
     void place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
     std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, std::uint32_t& uncertain);
     Totals apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements);
@@ -85,10 +97,12 @@ class Settler {
     CommonMotionFit fit_;
     Truncation truncation_;
     CommonMotion common_;
+    Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
     AlignedBuffer<Vec4> relative_;
     AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step
     AlignedBuffer<std::uint8_t> held_;  // by pair: rounding took its gap
     AlignedBuffer<Totals> partials_;
+    AlignedBuffer<Momentum> momenta_;
     AlignedBuffer<Failures> failures_;
 };
 

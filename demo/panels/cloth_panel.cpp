@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <thread>
 
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
+#include "demo/rung.h"
 
 namespace weft::demo {
 namespace {
@@ -50,12 +52,14 @@ bool fabric_sliders(ClothSettings& settings) {
 
 bool self_collision_controls(ClothSettings& settings) {
     SelfCollision& self = settings.self_collision;
-    auto rung = static_cast<int>(contact_of(self));
-    bool changed = ImGui::Combo("self-collision", &rung, "off\0avoidance\0contact\0");
+    auto rung = static_cast<int>(rung_of(self));
+    std::array<const char*, rungs.size()> names;
+    std::ranges::transform(rungs, names.begin(), name_of);
+    bool changed = ImGui::Combo("self-collision", &rung, names.data(), static_cast<int>(names.size()));
     tooltip(
         "Off costs nothing. Avoidance keeps particles apart, and layers still pass through each other where "
         "they are pressed. Contact lets nothing through, and costs most.");
-    if (changed) set_contact(self, static_cast<ClothContact>(rung));
+    if (changed) set_rung(self, static_cast<Rung>(rung));
     float millimetres = 1e3f * self.distance;
     if (slider(
             "distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",

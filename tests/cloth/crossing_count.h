@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "../collision/cuts.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -39,9 +40,6 @@ class Soup {
     using Corners = std::array<std::uint32_t, 3>;
     using Ends = std::array<std::uint32_t, 2>;
 
-    [[nodiscard]] double volume(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-        return (points_[b] - points_[a]).cross(points_[c] - points_[a]).dot(points_[d] - points_[a]);
-    }
     [[nodiscard]] bool boxes_overlap(const Ends& e, const Corners& t) const {
         const Eigen::Vector3d lower = points_[e[0]].cwiseMin(points_[e[1]]),
                               upper = points_[e[0]].cwiseMax(points_[e[1]]);
@@ -54,10 +52,7 @@ class Soup {
             for (const std::uint32_t j : t)
                 if (i == j) return false;
         if (!boxes_overlap(e, t)) return false;
-        if (!(volume(t[0], t[1], t[2], e[0]) * volume(t[0], t[1], t[2], e[1]) < 0)) return false;
-        const double a = volume(e[0], e[1], t[0], t[1]), b = volume(e[0], e[1], t[1], t[2]),
-                     c = volume(e[0], e[1], t[2], t[0]);
-        return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
+        return cuts(points_[e[0]], points_[e[1]], points_[t[0]], points_[t[1]], points_[t[2]]);
     }
 
     std::vector<Eigen::Vector3d> points_;

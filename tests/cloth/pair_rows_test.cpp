@@ -20,7 +20,7 @@ using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 
 constexpr float gamma = 0.01f;
-constexpr double spring_per_mass = 50;
+constexpr double spring_per_mass = 50, onset_per_radius = 0.1, stick_per_spring = 10;
 
 Vector3d exact(const Vec4& v) {
     return xyz(v).cast<double>();
@@ -98,9 +98,12 @@ struct Reference {
         const double depth = radius - n.dot(gap) - h * n.dot(u);
         if (radius == 0 || mobility == 0 || !(depth > 0)) return;
         ++pushing;
-        const double spring = spring_per_mass / mobility, pressed = spring / h * depth;
+        const double full = spring_per_mass / mobility, onset = onset_per_radius * radius;
+        const double part = std::min(depth / onset, 1.0), spring = full * part;
+        const double pressed = spring / h * (depth - part * onset / 2);
         const Vector3d sliding = u - n.dot(u) * n;
-        const double damper = friction == 0 ? 0 : std::min(spring, friction * pressed / sliding.norm());
+        const double damper =
+            friction == 0 ? 0 : std::min(stick_per_spring * full, friction * pressed / sliding.norm());
         const Matrix3d along = n * n.transpose();
         const Matrix3d stiffness = spring * along + damper * (Matrix3d::Identity() - along);
         for (std::size_t c = 0; c < 4; ++c) {
@@ -158,7 +161,7 @@ TEST(PairRows, AreThoseOfADenseMatrix) {
 
     std::uint32_t pushing = 0;
     linearised.rows.for_each_active([&](const PairRows::ActivePair& active) {
-        EXPECT_GE(active.spring, active.damper);
+        EXPECT_GT(active.spring, 0);
         ++pushing;
     });
     EXPECT_EQ(pushing, reference.pushing);

@@ -40,7 +40,7 @@ Matrix3 turn(float angle) {
 }
 
 TEST(CommonMotion, IsFoundWhereItIsAffine) {
-    const Rows positions = random_rows(1000, 1, 1);
+    const Rows positions = random_vectors(1000, 1, 1);
     Matrix3 map;
     map << 1.3f, 0.2f, 0, -0.1f, 0.7f, 0.3f, 0.4f, 0, 1.1f;
     for (const Matrix3& m : {map, turn(2), Matrix3(turn(3) * map)}) {
@@ -54,9 +54,9 @@ TEST(CommonMotion, IsFoundWhereItIsAffine) {
 }
 
 TEST(CommonMotion, IsTheBestOfAllAffineOnes) {
-    const Rows positions = random_rows(300, 1, 2);
+    const Rows positions = random_vectors(300, 1, 2);
     Rows wanted = moved_by(turn(0.4f), positions, {0, 1, 0});
-    const Rows noise = random_rows(300, 0.3f, 3);
+    const Rows noise = random_vectors(300, 0.3f, 3);
     for (std::size_t i = 0; i < wanted.size(); ++i) set_xyz(wanted[i], xyz(wanted[i]) + xyz(noise[i]));
     const auto squares = [&](const CommonMotion& motion) {
         double sum = 0;
@@ -76,7 +76,7 @@ TEST(CommonMotion, IsTheBestOfAllAffineOnes) {
 }
 
 TEST(CommonMotion, OfAFlatSheetGoesAlongWithItsNormal) {
-    Rows positions = random_rows(400, 1, 4);
+    Rows positions = random_vectors(400, 1, 4);
     for (Vec4& x : positions) x.z = 0;
     const Matrix3 quarter = Eigen::AngleAxisf(1.5707963f, Vector3(1, 0, 0)).toRotationMatrix();
     const Rows wanted = moved_by(quarter, positions);
@@ -86,7 +86,7 @@ TEST(CommonMotion, OfAFlatSheetGoesAlongWithItsNormal) {
 }
 
 TEST(CommonMotion, DoesNotTurnInsideOutAndDoesNotFlatten) {
-    const Rows positions = random_rows(500, 1, 5);
+    const Rows positions = random_vectors(500, 1, 5);
     for (const float scale : {-1.0f, 0.0f, 0.2f, 4.0f}) {
         Matrix3 map = turn(0.5f);
         map.col(1) *= scale;
@@ -114,7 +114,7 @@ TEST(CommonMotion, OfFewParticlesOrALineIsTheirMean) {
 }
 
 TEST(CommonMotion, LeavesOutWhatIsNotFinite) {
-    Rows positions = random_rows(100, 1, 6), wanted = moved_by(turn(0.3f), positions);
+    Rows positions = random_vectors(100, 1, 6), wanted = moved_by(turn(0.3f), positions);
     positions[0].y = nan;
     wanted[50].x = std::numeric_limits<float>::infinity();
     const CommonMotion motion = fit(positions, wanted);
@@ -125,8 +125,8 @@ TEST(CommonMotion, LeavesOutWhatIsNotFinite) {
 }
 
 TEST(CommonMotion, IsThatOfItsRangesWhateverTheThreads) {
-    const Rows positions = random_rows(3000, 1, 7);
-    Rows wanted = random_rows(3000, 5, 8);
+    const Rows positions = random_vectors(3000, 1, 7);
+    Rows wanted = random_vectors(3000, 5, 8);
     const std::vector<ParticleRange> island{{100, 700}, {1000, 0}, {1500, 900}};
     const Rows shared = moved_by(turn(1), positions, {1, 1, 1});
     for (const ParticleRange& range : island) {
@@ -150,7 +150,7 @@ TEST(CommonMotion, IsThatOfItsRangesWhateverTheThreads) {
 }
 
 TEST(CommonMotion, GivenBackMakesTheImageOfWhereTheParticleWent) {
-    const Rows positions = random_rows(50, 1, 9), wanted = random_rows(50, 0.5f, 10);
+    const Rows positions = random_vectors(50, 1, 9), wanted = random_vectors(50, 0.5f, 10);
     const CommonMotion motion = fit(positions, wanted);
     Rows relative(50);
     Parallel parallel(1);

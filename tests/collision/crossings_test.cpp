@@ -9,6 +9,7 @@
 #include "../targets/targets.h"
 #include "collision/contact/pair_finder.h"
 #include "contact_reference.h"
+#include "cuts.h"
 
 namespace weft::test {
 namespace {
@@ -35,17 +36,10 @@ std::set<Five> set_of(const CrossingList& list) {
     return found;
 }
 
-long double volume(const Vec4& a, const Vec4& b, const Vec4& c, const Vec4& d) {
-    using Vector = Eigen::Matrix<long double, 3, 1>;
-    const auto at = [&](const Vec4& p) { return Vector(p.x, p.y, p.z); };
-    return (at(b) - at(a)).dot((at(c) - at(a)).cross(at(d) - at(a)));
-}
-
-/// Strictly: for scenes in which nothing touches.
+/// For scenes in which nothing touches.
 bool cross(const Vec4& p, const Vec4& q, const Vec4& a, const Vec4& b, const Vec4& c) {
-    if (volume(a, b, c, p) * volume(a, b, c, q) >= 0) return false;
-    const long double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
-    return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+    const auto at = [](const Vec4& v) { return Eigen::Matrix<long double, 3, 1>(v.x, v.y, v.z); };
+    return cuts(at(p), at(q), at(a), at(b), at(c));
 }
 
 void expect_as_reference(const ContactScene& scene, std::size_t at_least) {

@@ -7,12 +7,13 @@
 
 namespace weft::test {
 
-inline PairList pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
+inline PairList pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18,
+                         float of_borders = 1) {
     PairFinder finder;
     finder.reserve(scene.bodies);
     Parallel parallel(threads);
     PairList list(capacity);
-    finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
+    finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, of_borders);
     return list;
 }
 

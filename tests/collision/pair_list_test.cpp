@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "collision/contact/narrowing.h"
 #include "pair_finder_scenes.h"
 
 namespace weft::test {
@@ -75,6 +76,74 @@ TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
     ContactScene own;
     own.add(small.positions, small.positions, triangles, 0.3f * edge);
     expect_equal(found, pairs_of(own));
+}
+
+TEST(PairFinder, OfPairsNearestAtABorderAPartOfTheReachCounts) {
+    const ContactScene scene = crowded();
+    const PairList all = pairs_of(scene), list = pairs_of(scene, 1, 1 << 18, 0.5f);
+    const double reach = 0.5 * double{scene.bodies[0].reach};
+    std::uint32_t k = 0, left_out = 0;
+    for (std::uint32_t of_all = 0; of_all < all.size; ++of_all) {
+        const FeaturePair& pair = all.pairs[of_all];
+        const bool is_listed = k < list.size && list.pairs[k].corners == pair.corners;
+        const double gap =
+            reference_pair(pair.corners, all.corners_of_a(of_all), scene.positions, scene.motions).swept_gap;
+        if (std::abs(gap - reach) > 1e-3 * reach) {
+            EXPECT_EQ(is_listed, !all.shapes[of_all].is_at_border() || gap < reach) << of_all;
+        }
+        k += is_listed;
+        left_out += !is_listed;
+    }
+    EXPECT_EQ(k, list.size);
+    EXPECT_GT(left_out, all.size / 10);
+    EXPECT_GT(list.size, all.size / 10);
+}
+
+/// Each ends within `slack` of the way from 0 to the motion.
+std::vector<Vec4> near_these(const std::vector<Vec4>& motions, float slack) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> part(0, 1);
+    std::vector<Vec4> ends = random_vectors(motions.size(), slack / std::sqrt(3.0f), 6);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        set_xyz(ends[i], xyz(ends[i]) + part(random) * xyz(motions[i]));
+    return ends;
+}
+
+float longest_of(const std::vector<Vec4>& motions) {
+    float longest = 0;
+    for (const Vec4& m : motions) longest = std::max(longest, xyz(m).norm());
+    return longest;
+}
+
+TEST(PairNarrowing, LeavesWhatASearchWithTheShorterReachFinds) {
+    ContactScene wide = crowded();
+    PairNarrowing narrowing;
+    narrowing.reserve(1 << 18);
+    constexpr float of_borders = 0.8f;
+    for (const float reach : {0.12f, 0.16f, 0.2f}) {
+        ContactScene narrow = wide;
+        narrow.bodies[0].reach = reach * edge;
+        narrow.motions = near_these(wide.motions, 0.49f * (of_borders * wide.bodies[0].reach - reach * edge));
+        const PairList searched = pairs_of(narrow);
+        EXPECT_GT(searched.size, 10u);
+        for (const int threads : {1, 3}) {
+            PairList list = pairs_of(wide, 1, 1 << 18, of_borders);
+            EXPECT_GT(list.size, searched.size + 1000);
+            Parallel parallel(threads);
+            narrowing.narrow(parallel, narrow.positions, narrow.motions, reach * edge,
+                             longest_of(narrow.motions), list);
+            expect_equal(list, searched);
+        }
+    }
+}
+
+TEST(PairNarrowing, OfAListWithoutPairsNothingIsLeft) {
+    PairNarrowing narrowing;
+    narrowing.reserve(100);
+    PairList list(100);
+    Parallel serial(1);
+    narrowing.narrow(serial, {}, {}, 1, 0, list);
+    EXPECT_EQ(list.size, 0u);
 }
 
 }  // namespace

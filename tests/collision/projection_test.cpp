@@ -94,7 +94,7 @@ TEST(PairProjection, APairsShareIsThatOfItsBusiestCorner) {
 struct Crowd {
     Triangles mesh = folded_packet(6, 24, 8, 0.03f, 2e-3f);
     PairList pairs = all_pairs(mesh);
-    Rows wanted = random_rows(mesh.size(), 2e-3f, 4);
+    Rows wanted = random_vectors(mesh.size(), 2e-3f, 4);
     Crowd() {
         for (std::uint32_t i = 0; i < mesh.size(); ++i) mesh.positions[i].w = 1 + static_cast<float>(i % 5);
     }

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "collision/contact/pairs.h"
+#include "contact_reference.h"
+#include "cuts.h"
 #include "engine/vector.h"
 
 namespace weft::test {
@@ -144,17 +146,6 @@ inline PairList all_pairs(const Triangles& mesh) {
     return list;
 }
 
-inline double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
-    return (b - a).cross(c - a).dot(d - a);
-}
-
-/// Whether the edge pq goes through the triangle: its ends are on two sides, and the line is inside.
-inline bool cuts(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
-    if (volume(a, b, c, p) * volume(a, b, c, q) >= 0) return false;
-    const double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
-    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-}
-
 /// Edges through triangles with which they share no vertex.
 inline int crossings(const Triangles& mesh, const Points& x) {
     int count = 0;
@@ -213,15 +204,6 @@ inline Triangles folded_packet(std::uint32_t width, std::uint32_t length, std::u
         }
     }
     return mesh;
-}
-
-inline Rows random_rows(std::size_t n, float size, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> uniform(-size, size);
-    Rows rows;
-    for (std::size_t i = 0; i < n; ++i)
-        rows.push_back({uniform(random), uniform(random), uniform(random), 0});
-    return rows;
 }
 
 }  // namespace weft::test

@@ -100,7 +100,7 @@ TEST(Settle, TheCertificateHoldsBeforeRoundingIsLookedAt) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         const Triangles mesh = triangle_soup(60, 0.5f, seed);
         const PairList pairs = all_pairs(mesh);
-        Rows motions = random_rows(mesh.size(), 0.02f, seed + 50);
+        Rows motions = random_vectors(mesh.size(), 0.02f, seed + 50);
         Settled settled{{}, motions, cut(mesh, pairs, motions).fractions, {}};
         EXPECT_GT(least_gap_kept(mesh, pairs, settled, 1e-4), 0.98) << seed;
         motions[5].z = nan;
@@ -114,7 +114,7 @@ TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
         const PairList pairs = all_pairs(mesh);
         for (std::uint32_t i = 0; i < mesh.size(); i += 7) mesh.positions[i].w = 0;
         for (const float size : {0.02f, 0.3f, 3.0f}) {
-            const Rows wanted = random_rows(mesh.size(), size, seed + 100);
+            const Rows wanted = random_vectors(mesh.size(), size, seed + 100);
             EXPECT_GT(crossings(mesh, points(ends_of(mesh.positions, wanted))), 0);
             const Settled settled = settle(mesh, pairs, wanted);
             EXPECT_EQ(crossings_on_the_way(mesh, settled), 0) << seed << ' ' << size;
@@ -131,7 +131,7 @@ TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
 TEST(Settle, PlanesThatStandFromTheFirstCrossNothingAndLoseMore) {
     const Triangles mesh = triangle_soup(60, 0.5f, 3);
     const PairList pairs = all_pairs(mesh);
-    const Rows wanted = random_rows(mesh.size(), 0.1f, 4);
+    const Rows wanted = random_vectors(mesh.size(), 0.1f, 4);
     const Settled moving = settle(mesh, pairs, wanted), standing = settle(mesh, pairs, wanted, 1, {1e-4f, 0});
     EXPECT_EQ(crossings_on_the_way(mesh, standing), 0);
     EXPECT_GT(standing.result.standing_planes, 0u);
@@ -142,7 +142,7 @@ TEST(Settle, PlanesThatStandFromTheFirstCrossNothingAndLoseMore) {
 TEST(Settle, StepsOneAfterAnotherCrossNothing) {
     Triangles mesh = folded_packet(4, 16, 5, 0.05f, 0.01f);
     for (unsigned step = 0; step < 12; ++step) {
-        Rows wanted = random_rows(mesh.size(), 0.02f, step);
+        Rows wanted = random_vectors(mesh.size(), 0.02f, step);
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i].y -= 0.3f * mesh.positions[i].y + 0.1f;
         const Settled settled = settle(mesh, all_pairs(mesh), wanted);
         mesh.positions = ends_of(mesh.positions, settled.displacements);
@@ -194,7 +194,7 @@ TEST(Settle, APacketLosesNothingOfAMotionThatItsLayersShare) {
 TEST(Settle, TheSameBytesWhateverTheThreads) {
     const Triangles mesh = triangle_soup(120, 0.4f, 5);
     const PairList pairs = all_pairs(mesh);
-    const Rows wanted = random_rows(mesh.size(), 0.2f, 6);
+    const Rows wanted = random_vectors(mesh.size(), 0.2f, 6);
     const Settled one = settle(mesh, pairs, wanted, 1);
     for (const int threads : {2, 4}) {
         const Settled other = settle(mesh, pairs, wanted, threads);
@@ -213,7 +213,7 @@ TEST(Settle, FarFromTheOriginRoundingCrossesNothing) {
         for (Vec4& x : mesh.positions) x = {x.x + 1000, x.y - 500, x.z + 800, 1};
         ASSERT_EQ(crossings(mesh, points(mesh.positions)), 0);
         const PairList pairs = all_pairs(mesh);
-        Rows wanted = random_rows(mesh.size(), 0.3f, seed);
+        Rows wanted = random_vectors(mesh.size(), 0.3f, seed);
         const Matrix3 turn = Eigen::AngleAxisf(0.5f, Vector3(0, 1, 0)).toRotationMatrix();
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             const Vector3 arm = xyz(mesh.positions[i]) - Vector3(1000, -500, 800);
@@ -339,7 +339,7 @@ TEST(Settle, AnIncompleteListLeavesTheCommonMotionAlone) {
     PairList pairs = all_pairs(mesh);
     pairs.overflowed = true;
     pairs.size = 10;
-    Rows wanted = random_rows(mesh.size(), 0.3f, 8);
+    Rows wanted = random_vectors(mesh.size(), 0.3f, 8);
     for (Vec4& d : wanted) d.y -= 2;
     const Settled settled = settle(mesh, pairs, wanted);
     EXPECT_TRUE(settled.result.list_was_incomplete);
@@ -352,7 +352,7 @@ TEST(Settle, AnIncompleteListLeavesTheCommonMotionAlone) {
 
 TEST(Settle, NothingListedAndNothingThere) {
     const Triangles mesh = triangle_soup(3, 0.5f, 9);
-    const Rows wanted = random_rows(mesh.size(), 0.3f, 8);
+    const Rows wanted = random_vectors(mesh.size(), 0.3f, 8);
     const Settled settled = settle(mesh, PairList(), wanted);
     EXPECT_EQ(settled.result.truncated, 0u);
     EXPECT_EQ(std::memcmp(settled.displacements.data(), wanted.data(), wanted.size() * sizeof(Vec4)), 0);
@@ -364,7 +364,7 @@ TEST(Settle, NothingListedAndNothingThere) {
 TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
     const Triangles mesh = triangle_soup(40, 0.5f, 11);
     const PairList pairs = all_pairs(mesh);
-    Rows wanted = random_rows(mesh.size(), 0.1f, 12);
+    Rows wanted = random_vectors(mesh.size(), 0.1f, 12);
     wanted[4] = {nan, 0, 0, 0};
     wanted[50] = {0, std::numeric_limits<float>::infinity(), 0, 0};
     wanted[70] = {0, 0, 3e38f, 0};
@@ -375,7 +375,7 @@ TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
 
     Triangles broken = mesh;
     broken.positions[7].x = nan;
-    settle(broken, all_pairs(broken), random_rows(mesh.size(), 0.1f, 12));
+    settle(broken, all_pairs(broken), random_vectors(mesh.size(), 0.1f, 12));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Simulation, TakesOverrides) {
     overrides.iterations = 3;
     overrides.fabric = *Fabric::named("denim");
     overrides.substeps = 5;
-    overrides.contact = ClothContact::off;
+    overrides.contact = Rung::off;
     overrides.threads = 2;
     const Simulation simulation = small_flag(overrides);
     const WorldSettings& world = simulation.world().settings();

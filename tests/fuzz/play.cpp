@@ -31,6 +31,10 @@ std::vector<Id> ids_of(std::span<const std::optional<Id>> made) {
     return ids;
 }
 
+bool meets_cloth(const ClothSettings& settings) {
+    return settings.self_collision.enabled && settings.self_collision.method == SelfCollisionMethod::contact;
+}
+
 class Player {
   public:
     Player(const Script& script, const PlayOptions& options)
@@ -79,6 +83,7 @@ class Player {
                       const std::string& before) const;
     void check_cloth(std::size_t cloth) const;
     void check_step(const StepReport& report, std::uint64_t steps_before) const;
+    void check_contacts(const StepReport& report) const;
     void check_pins(std::size_t cloth) const;
 
     [[nodiscard]] WorldSettings with_threads(WorldSettings settings) const {
@@ -311,6 +316,7 @@ void Player::check_cloth(std::size_t cloth) const {
 void Player::check_step(const StepReport& report, std::uint64_t steps_before) const {
     check(report.step == steps_before + 1, "the report counts another number of steps");
     check(!has(report.flags, StepFlags::invalid_dt), "dt is valid, and flags say otherwise");
+    check(!has(report.flags, StepFlags::crossed), "cloth went through cloth");
     std::uint32_t cloths = 0, particles = 0;
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         if (!is_there(i)) continue;
@@ -328,14 +334,30 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
     check(report.restored_cloths <= cloths, "more cloths restored than there are");
     check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
           "the flag and the count of restored cloths differ");
+    check_contacts(report);
+}
+
+void Player::check_contacts(const StepReport& report) const {
+    const std::span<const Contact> contacts = world_.contacts();
+    const auto room = static_cast<std::size_t>(world_.settings().contact_reports);
+    const std::size_t most = std::min<std::size_t>(room, report.contacts);
+    check(contacts.size() == most || (contacts.size() < most && report.restored_cloths > 0),
+          std::to_string(contacts.size()) + " contacts of " + std::to_string(report.contacts));
+    for (const Contact& c : contacts) {
+        check(world_.cloth(c.cloth).ok(), "a contact of no cloth");
+        check(world_.cloth(c.other_cloth).ok() != world_.collider(c.collider).ok(), "a contact with nothing");
+        check(std::abs(length(Vec4{c.normal.x, c.normal.y, c.normal.z}) - 1) < 1e-4f,
+              "a contact's normal is " + text_of(c.normal));
+        for (const Vec3& v : {c.point, c.impulse})
+            check(is_finite(Vec4{v.x, v.y, v.z}), "a contact that is not finite");
+    }
 }
 
 void Player::check_pins(std::size_t cloth) const {
     const ClothView view = world_.cloth(*cloths_[cloth]).value();
     for (const auto& [i, target] : pins_[cloth]) {
         const Vec4& p = view.positions[i];
-        const SelfCollision contact = world_.cloth_settings(*cloths_[cloth])->self_collision;
-        const bool may_lag = contact.enabled && contact.method == SelfCollisionMethod::contact;
+        const bool may_lag = meets_cloth(world_.cloth_settings(*cloths_[cloth]).value());
         if (may_lag && world_.report().pin_lag > 0) continue;  // cloth was in its way
         check(p.x == target.x && p.y == target.y && p.z == target.z,
               "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +
@@ -347,10 +369,7 @@ void Player::check_pins(std::size_t cloth) const {
 std::vector<bool> can_meet(const Script& script) {
     std::vector<bool> result(script.cloths, false);
     const auto look = [&](const Operation& operation, const ClothSettings& settings) {
-        const SelfCollision& contact = settings.self_collision;
-        if (contact.enabled && contact.method == SelfCollisionMethod::contact &&
-            operation.cloth < result.size())
-            result[operation.cloth] = true;
+        if (meets_cloth(settings) && operation.cloth < result.size()) result[operation.cloth] = true;
     };
     for (const Operation& operation : script.operations) {
         if (const auto* add = std::get_if<AddCloth>(&operation.call)) look(operation, add->settings);

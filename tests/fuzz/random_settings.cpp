@@ -128,7 +128,7 @@ void spoil(Random& random, WorldSettings& s) {
     const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
     float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
                              &s.wind.drag, &s.wind.lift,        &s.max_speed};
-    const std::uint32_t choice = random.below(std::size(fields) + 4);
+    const std::uint32_t choice = random.below(std::size(fields) + 5);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
         return;
@@ -142,6 +142,9 @@ void spoil(Random& random, WorldSettings& s) {
             break;
         case 2:
             s.substeps = random.one_of({0, -1, 257});
+            break;
+        case 3:
+            s.contact_reports = random.one_of({-1, (1 << 20) + 1});
             break;
         default:
             s.threads = random.one_of({-1, 257});
@@ -251,6 +254,7 @@ Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
     s.wind.seed = static_cast<std::uint32_t>(random.next());
     s.max_speed = fields.positive(0.1f, 1000);
     s.substeps = random.whole(1, std::clamp(most_substeps, 1, 256));
+    s.contact_reports = random.one_of({0, 0, 1, 100, 10000});
     s.threads = random.one_of({0, 1, 1, 2, 2, 3, 5});
     if (random.chance(0.1)) s.executor = backwards_executor();
     if (drawn.answer == Answer::refused) spoil(random, s);

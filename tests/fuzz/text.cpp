@@ -112,8 +112,9 @@ static std::string text_of(const Executor& e) {
     return braced("Executor", {text_of(e.run != nullptr), text_of(e.width)});
 }
 std::string text_of(const WorldSettings& s) {
-    return braced("WorldSettings", {text_of(s.gravity), text_of(s.wind), text_of(s.max_speed),
-                                    text_of(s.substeps), text_of(s.threads), text_of(s.executor)});
+    return braced("WorldSettings",
+                  {text_of(s.gravity), text_of(s.wind), text_of(s.max_speed), text_of(s.substeps),
+                   text_of(s.contact_reports), text_of(s.threads), text_of(s.executor)});
 }
 
 std::string text_of(const ClothInfo& i) {

@@ -74,11 +74,15 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     const auto hinges = [](MethodCase& c) { c.cloth.finite_elements.dihedral = true; };
     const auto consistent = [](MethodCase& c) { c.cloth.finite_elements.consistent_mass = true; };
 
+    const auto reports = [](MethodCase& c) { c.world.contact_reports = 100; };
+
     add("");
     add("_mesh", mesh);
     add("_tethers", tethers);
     add("_self", self);
     add("_contact", contact);
+    add("_reports", self, reports);
+    if (std::holds_alternative<Multilevel>(method.settings.method)) add("_contact_reports", contact, reports);
     add("_gusts", gusts);
     if (!takes_elements(method.settings.method)) return add("_mesh_all", mesh, tethers, self, gusts);
     add("_elements", elements);

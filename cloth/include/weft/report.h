@@ -35,6 +35,9 @@ enum class StepFlags : std::uint32_t {
     /// A pin was stopped by cloth that it would have had to pass through, see StepReport::pin_lag: no motion
     /// of the rest makes room. Move pins slower, or another way.
     pins_stopped = 1u << 5,
+    /// By contact, something crosses that did not when the step began: a fault of Weft, please report it.
+    /// Only builds with assertions look for it, since that takes as long as a search.
+    crossed = 1u << 6,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
     return static_cast<StepFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -49,8 +52,11 @@ struct StepReport {
     int substeps = 0;
     std::uint32_t cloths = 0;
     std::uint32_t particles = 0;
-    std::uint32_t collider_contacts = 0;   ///< particles that met a collider, in the last substep
-    std::uint32_t self_contacts = 0;       ///< pairs that are close, in the last substep
+    std::uint32_t collider_contacts = 0;  ///< particles that met a collider, in the last substep
+    std::uint32_t self_contacts = 0;      ///< pairs that are close, in the last substep
+    /// All that there were, in the whole step, for World::contacts() to choose from; 0 where
+    /// WorldSettings::contact_reports is.
+    std::uint32_t contacts = 0;
     std::uint32_t peak_self_contacts = 0;  ///< most of one particle, in the last substep; by avoidance
     /// By contact: particles that went less far than was solved for, in the last substep, since they would
     /// have passed through cloth.

@@ -94,6 +94,10 @@ struct WorldSettings {
     /// cannot shoot the cloth off.
     float max_speed = 100.0f;
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
+    /// Contacts that World::contacts() has room for, 0 to 2^20. 0: none are looked for, at no cost. Each
+    /// takes 164 bytes, and 80 more for every thread but the first; besides, each particle 32
+    /// (ClothInfo::bytes).
+    int contact_reports = 0;
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
     int threads = 0;
     Executor executor{};  ///< the host's own threads instead, where `run` is set

@@ -13,7 +13,9 @@
 //       no copy
 //   }
 
+#include "weft/cloth_id.h"
 #include "weft/collider.h"
+#include "weft/contact.h"
 #include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/fabrics.h"

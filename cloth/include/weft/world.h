@@ -6,7 +6,9 @@
 #include <memory>
 #include <span>
 
+#include "weft/cloth_id.h"
 #include "weft/collider.h"
+#include "weft/contact.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
@@ -15,12 +17,6 @@
 #include "weft/types.h"
 
 namespace weft {
-
-/// Generation-checked; all-zero is null.
-struct ClothId {
-    std::uint32_t index = 0, generation = 0;
-    friend bool operator==(ClothId, ClothId) = default;
-};
 
 /// What cooking a mesh made of it.
 struct ClothInfo {
@@ -120,6 +116,18 @@ class World {
     /// call that changes it.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
+
+    /// What touched what in the last step, and how hard: the strongest that WorldSettings::contact_reports
+    /// has room for, of StepReport::contacts. Valid until the next step() or set_settings(). In the order of
+    /// cloths; of each first what it has with cloth, then with colliders by particle.
+    ///
+    /// Impulses are of the whole step. A particle and its colliders are one contact; a pair of features or
+    /// particles is one for each substep in which it pushed: what a cloth got is the sum. With colliders it
+    /// is within 2 %. What features by SelfCollisionMethod::contact, of cloths of the method Multilevel only,
+    /// get is shared out among pairs by few sweeps: a quarter of what cloths that are free pass on can go
+    /// astray, and on pinned cloth it can be many times too much. With Jacobi and ConjugateGradient, what
+    /// they leave unsolved counts, too. A cloth put back to the start of the step reports none.
+    [[nodiscard]] std::span<const Contact> contacts() const noexcept;
 
     /// Times of the stages of the step, as a tree (see StageTime), the whole step last; the percentiles are
     /// computed by this call.

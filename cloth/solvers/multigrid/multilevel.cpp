@@ -103,6 +103,8 @@ class MultilevelSolve {
     bool shorten_last_step(const ResidualOf& residual_of, const DirectionOf& direction_of,
                            bool a_pass_follows);
     void check_last_step();
+    [[nodiscard]] bool is_free(std::uint32_t particle) const;
+    [[nodiscard]] bool touches_what_is_held() const;
     void keep_momentum();
 
     std::span<const Member> members_;
@@ -225,58 +227,91 @@ void MultilevelSolve::check_last_step() {
     }
 }
 
+/// A particle of the pairs, which may be of no member: then it is where it will be.
+bool MultilevelSolve::is_free(std::uint32_t particle) const {
+    return std::ranges::any_of(members_, [&](const Member& member) {
+        const StepEquation& equation = member.step->equation;
+        const std::uint32_t i = particle - equation.first;
+        return i < equation.positions.size() && equation.positions[i].w > 0;
+    });
+}
+
+/// Such a piece has no row of its own where all of it is held.
+bool MultilevelSolve::touches_what_is_held() const {
+    bool any = false;
+    pairs_->for_each_active([&](const PairRows::ActivePair& active) {
+        any = any || !std::ranges::all_of(active.pair.corners, [&](std::uint32_t i) { return is_free(i); });
+    });
+    return any;
+}
+
 // What nothing holds keeps its momentum but for gravity and air, whatever its features do to each other; few
-// iterations leave a part of that unsolved. Of all pieces that touch, as one.
+// iterations leave a part of that unsolved. All pieces that touch are as one.
 void MultilevelSolve::keep_momentum() {
-    if (pairs_ == nullptr || pairs_->empty()) return;
-    Eigen::Vector3d missing = Eigen::Vector3d::Zero();
-    double inertia = 0;
-    for (const Member& member : members_)
-        if (!member.solver->add_missing_momentum(*member.step, missing, inertia)) return;
-    if (!(inertia > 0)) return;
-    const Vector3 shift = (missing / inertia).cast<float>();
-    for (const Member& member : members_) member.solver->move_touching_pieces(*member.step, shift);
-}
-
-/// Whether nothing holds the pieces that touch others; what momentum they miss, and what inertia they have.
-bool MultilevelSolver::add_missing_momentum(const SolverStep& step, Eigen::Vector3d& missing,
-                                            double& inertia) {
-    const StepEquation& equation = step.equation;
-    std::ranges::fill(touches_, std::uint8_t{0});
-    const auto particles = static_cast<std::uint32_t>(component_of_.size());
-    equation.pairs->for_each_particle(
-        equation.first, equation.first + particles,
-        [&](const PairRows::AtParticle& at) { touches_[component_of_[at.particle - equation.first]] = 1; });
-    for (std::uint32_t i = 0; i < particles; ++i) {
-        if (touches_[component_of_[i]] == 0) continue;
-        const ExternalRow row = external_row(equation, i);
-        if (row.row_sum == 0 || equation.contacts->presses_collider(i)) return false;
-        missing += (row.row_sum * (row.free_velocity - xyz(step.velocities[i]))).cast<double>();
-        inertia += static_cast<double>(row.row_sum);
+    if (pairs_ == nullptr) return;
+    MultilevelSolver::Piece touching;
+    for (const Member& member : members_) {
+        member.solver->weigh_pieces(*member.step);
+        for (const MultilevelSolver::Piece& piece : member.solver->pieces_) {
+            if (!piece.touches) continue;
+            touching.is_held |= piece.is_held;
+            touching.missing += piece.missing;
+            touching.inertia += piece.inertia;
+        }
     }
-    return true;
+    touching.is_held = touching.is_held || touches_what_is_held();
+    for (const Member& member : members_)
+        member.solver->move_free_pieces(*member.step, MultilevelSolver::shift_of(touching));
 }
 
-void MultilevelSolver::move_touching_pieces(const SolverStep& step, const Vector3& shift) {
-    for (std::uint32_t i = 0; i < component_of_.size(); ++i)
-        if (touches_[component_of_[i]] != 0) step.velocities[i] = to_vec4(xyz(step.velocities[i]) + shift, 0);
+void MultilevelSolver::weigh_pieces(const SolverStep& step) {
+    const StepEquation& equation = step.equation;
+    std::ranges::fill(pieces_, Piece{});
+    const auto particles = static_cast<std::uint32_t>(component_of_.size());
+    equation.pairs->for_each_particle(equation.first, equation.first + particles,
+                                      [&](const PairRows::AtParticle& at) {
+                                          pieces_[component_of_[at.particle - equation.first]].touches = true;
+                                      });
+    for (std::uint32_t i = 0; i < particles; ++i) {
+        Piece& piece = pieces_[component_of_[i]];
+        piece.is_held |= equation.positions[i].w == 0 || equation.contacts->presses_collider(i);
+        if (piece.is_held) continue;
+        const ExternalRow row = external_row(equation, i);
+        piece.missing += (row.row_sum * (row.free_velocity - xyz(step.velocities[i]))).cast<double>();
+        piece.inertia += static_cast<double>(row.row_sum);
+    }
+}
+
+Vector3 MultilevelSolver::shift_of(const Piece& piece) {
+    if (piece.is_held || !(piece.inertia > 0)) return Vector3::Zero();
+    return (piece.missing / piece.inertia).cast<float>();
+}
+
+void MultilevelSolver::move_free_pieces(const SolverStep& step, const Vector3& of_touching) {
+    for (std::uint32_t i = 0; i < component_of_.size(); ++i) {
+        const Piece& piece = pieces_[component_of_[i]];
+        const Vector3 shift = piece.touches ? of_touching : shift_of(piece);
+        if (shift.isZero(0)) continue;
+        step.velocities[i] = to_vec4(xyz(step.velocities[i]) + shift, 0);
+    }
 }
 
 void MultilevelSolver::reserve_pairs(std::size_t count) {
     if (count == 0) {
         multigrid_->reserve_pairs(0);
         component_of_ = {};
-        touches_ = {};
+        pieces_ = {};
         return;
     }
     if (!component_of_.empty()) return;
     multigrid_->reserve_pairs(count);
     const std::vector<std::uint32_t>& offsets = model_->component_offsets;
-    std::vector<std::uint32_t> component_of(model_->particle_count);
+    const auto loose = static_cast<std::uint32_t>(offsets.size() - 1);
+    std::vector<std::uint32_t> component_of(model_->particle_count, loose);
     for (std::uint32_t c = 0; c + 1 < offsets.size(); ++c)
         for (std::uint32_t k = offsets[c]; k < offsets[c + 1]; ++k)
             component_of[model_->component_particles[k]] = c;
-    touches_.assign(offsets.size(), 0);
+    pieces_.assign(offsets.size(), Piece{});
     component_of_ = std::move(component_of);
 }
 
@@ -298,9 +333,17 @@ SolveResult MultilevelSolver::solve(std::span<const Member> members, std::span<f
     return result;
 }
 
+std::span<const Vec4> MultilevelSolver::left_to_contact(const SolverStep& step) {
+    StepEquation without = step.equation;
+    without.contacts = nullptr;
+    without.pairs = nullptr;
+    system_->residual(step.parallel, without, step.velocities, vectors_.residual.span());
+    return std::as_const(vectors_.residual).span();
+}
+
 std::size_t MultilevelSolver::bytes() const noexcept {
     return system_->bytes() + multigrid_->bytes() + vectors_.bytes() + sums_.bytes() + residual_.bytes() +
-           component_of_.size() * sizeof(std::uint32_t) + touches_.size();
+           component_of_.size() * sizeof(std::uint32_t) + pieces_.size() * sizeof(Piece);
 }
 
 }  // namespace weft

@@ -32,6 +32,10 @@ class MultilevelSolver final : public Solver {
     /// written to `residuals`, if there is one for each.
     static SolveResult solve(std::span<const Member> members, std::span<float> residuals);
 
+    /// gamma f - M (v - v_base) at the velocities that were solved for, without contact, which gave the
+    /// opposite. Valid until the next solve.
+    [[nodiscard]] std::span<const Vec4> left_to_contact(const SolverStep& step);
+
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
     [[nodiscard]] bool joins() const noexcept override { return true; }
     void reserve_pairs(std::size_t count) override;
@@ -48,8 +52,16 @@ class MultilevelSolver final : public Solver {
     void build_levels(const SolverStep& step);
     void cycle(const SolverStep& step, std::span<const Vec4> right_side, std::span<Vec4> x);
 
-    bool add_missing_momentum(const SolverStep& step, Eigen::Vector3d& missing, double& inertia);
-    void move_touching_pieces(const SolverStep& step, const Vector3& shift);
+    /// A component, in the present step.
+    struct Piece {
+        bool touches = false;                               ///< another, or itself
+        bool is_held = false;                               ///< by a pin or a collider
+        Eigen::Vector3d missing = Eigen::Vector3d::Zero();  ///< momentum that the solution lacks [kg m/s]
+        double inertia = 0;                                 ///< [kg]
+    };
+    static Vector3 shift_of(const Piece& piece);
+    void weigh_pieces(const SolverStep& step);
+    void move_free_pieces(const SolverStep& step, const Vector3& of_touching);
 
     const CookedCloth* model_;
     SystemKind kind_;  // by which the system was made
@@ -60,7 +72,7 @@ class MultilevelSolver final : public Solver {
     double rest_area_;            // [m^2]
     StepResidual residual_;
     std::vector<std::uint32_t> component_of_;  // of particles, only with features
-    std::vector<std::uint8_t> touches_;        // of components, in the present step
+    std::vector<Piece> pieces_;
 };
 
 }  // namespace weft

@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "demo/study/contact/rung.h"
+#include "demo/rung.h"
 #include "weft/weft.h"
 
 namespace weft::study {
+
+using demo::name_of;
+using demo::Rung;
+using demo::rungs;
 
 /// A cloth of a scene. Where the mesh has a pattern, that is its rest shape.
 struct SceneCloth {

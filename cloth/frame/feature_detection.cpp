@@ -1,0 +1,112 @@
+// What is near what, at a substep's start and for the motion that is to be cut at its end.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloth/frame/feature_contact.h"
+#include "collision/contact/contours.h"
+
+namespace weft {
+
+void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*(reach.of_cloth);
+    finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders);
+}
+
+/// Of all particles, as they are expected to go [m].
+Vector3 FeatureContact::mean_way(Parallel& parallel) {
+    const auto add = [](const WaySum& a, const WaySum& b) {
+        return WaySum{a.x + b.x, a.y + b.y, a.z + b.z, a.count + b.count};
+    };
+    const auto sum_block = [&](const BlockRange& range) {
+        WaySum sum;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Eigen::Vector3d way = xyz(displacements_[i]).cast<double>();
+            sum = add(sum, {way.x(), way.y(), way.z(), 1});
+        }
+        return sum;
+    };
+    const WaySum all = reduce_ranges(parallel, ranges_, way_sums_.span(), WaySum{}, sum_block, add);
+    const Vector3 mean = (Eigen::Vector3d(all.x, all.y, all.z) / std::max(all.count, 1.0)).cast<float>();
+    return mean.allFinite() ? mean : Vector3::Zero();
+}
+
+// No more than the mean way is taken out: a common motion that brings layers together, which keeps them from
+// meeting but not from coming within the radius, would hide them until they are too near.
+void FeatureContact::detect(Parallel& parallel) {
+    const Vector3 mean = mean_way(parallel);
+    const auto search = [&](float part_of_way) {
+        for_ranges(parallel, ranges_, [&](const BlockRange& range) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                searched_[i] = to_vec4(part_of_way * (xyz(displacements_[i]) - mean), 0);
+        });
+        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+        has_all_near_ = !pairs_.overflowed;
+    };
+    search(1);
+    if (pairs_.overflowed) search(0);  // what is near now, where too much would come near on the way
+    if (may_cross_) find_tangles(parallel);
+    make_laws(parallel);
+}
+
+/// From the motion that was searched for to the one that is to be cut.
+struct FeatureContact::Change {
+    bool is_covered = true;  ///< no pair comes within reach that is not listed
+    float longest = 0;       ///< of the motions that are to be cut [m]
+};
+
+/// Whether each motion ends near the way that was searched: see PairNarrowing.
+FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
+    constexpr float with_rounding = 0.49f, never = -1;
+    const auto find_block = [&](const BlockRange& range) {
+        const float slack =
+            with_rounding * (of_borders * cloths_[body_of(bodies_, range.begin)].radius - reach);
+        float longest = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
+            const float length2 = way.squaredNorm();
+            const float part = length2 > 0 ? std::clamp(way.dot(end) / length2, 0.0f, 1.0f) : 0.0f;
+            if (!((end - part * way).norm() <= slack)) return never;
+            longest = std::max(longest, end.norm());
+        }
+        return longest;
+    };
+    const auto add = [&](float a, float b) { return std::min(a, b) < 0 ? never : std::max(a, b); };
+    const float longest = reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, find_block, add);
+    return {longest >= 0, longest};
+}
+
+// Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
+void FeatureContact::find_for_cut(Parallel& parallel) {
+    settler_.split(parallel, island(), displacements_.span());
+    if (std::exchange(has_all_near_, false)) {
+        float reach = 0;
+        for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
+        const Change change = change_of_motion(parallel, reach);
+        if (change.is_covered) {
+            narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
+            return;
+        }
+    }
+    find(parallel, settler_.relative(), {&ContactCloth::floor});
+}
+
+FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
+    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
+    find_for_cut(parallel);
+    float least_floor = cloths_.front().floor;
+    for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
+    Island all = island();
+    all.is_pinned = holder_ == Holder::pin;
+    all.is_free = holder_ == Holder::none && !is_pushed;
+    const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
+                                                {.floor = least_floor}, displacements_.span());
+    is_uncertain_ = result.uncertain > 0;
+    return {.truncated = result.truncated,
+            .pin_lag = result.pinned_lag,
+            .lost = result.motion_lost,
+            .overflowed = result.list_was_incomplete};
+}
+
+}  // namespace weft

@@ -1,0 +1,239 @@
+// The part of the frame that tells a host what touched what. It reads what a step does and changes none of
+// it.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "cloth/frame/simulation.h"
+#include "collision/nearest_surface.h"
+
+namespace weft {
+
+namespace {
+
+Vec3 opposite(const Vec3& v) {
+    return {-v.x, -v.y, -v.z};
+}
+
+/// The same, as the other cloth has it.
+Contact seen_from_other(const Contact& c) {
+    return {.cloth = c.other_cloth,
+            .other_cloth = c.cloth,
+            .particle = c.other_particle,
+            .other_particle = c.particle,
+            .point = c.point,
+            .normal = opposite(c.normal),
+            .impulse = opposite(c.impulse)};
+}
+
+/// The corner of the side [begin, end) that weighs most.
+std::uint32_t main_corner(const PairRows::Push& push, std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t most = begin;
+    for (std::uint32_t c = begin + 1; c < end; ++c)
+        if (std::abs(push.shape.weight(c)) > std::abs(push.shape.weight(most))) most = c;
+    return push.pair.corners[most];
+}
+
+}  // namespace
+
+// Contacts of a cloth are counted as they come; so are their places among those of the World.
+void Simulation::log_contact(ContactLog& log, Cloth& cloth, const Contact& contact) {
+    const float strength = to_vector(contact.impulse).norm();
+    if (!std::isfinite(strength)) return;
+    const std::uint64_t order = std::uint64_t{cloth.id.index} << 32 | cloth.contact_count++;
+    if (log.wants(strength)) log.add({contact, strength, order});
+}
+
+// In the equation contact acts for gamma, gives J = gamma F, and the step goes on with what the base kept of
+// the last one's change. Over the step h its force gives (h / gamma) J: at rest, and across the normal. Along
+// the normal a base that forgot the last change, as History's does where a collider holds, would have an
+// impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
+// forces over h.
+void Simulation::add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.contacts || worker.motions.empty()) return;
+    const float ratio = equation.h / equation.gamma;
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const float w = equation.positions[i].w;
+            if (!(w > 0) || !cloth.contacts->presses_collider(i)) continue;
+            const Vector3 v = xyz(cloth.next_velocities[i]), n = xyz(cloth.state.held.normals[i]);
+            const Vector3 base = xyz(equation.base_velocities[i]);
+            const Vector3 missing = base - xyz(equation.velocities[i]) - (ratio - 1) * (v - base);
+            Vector3 given = cloth.contacts->of_colliders(i, v);
+            if (equation.pairs != nullptr) given -= n.dot(given) * n;  // which is shared out later
+            add_impulse(cloth, i, ratio * given + n.dot(missing) / w * n);
+        }
+    });
+}
+
+void Simulation::add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse) {
+    Vec4& sum = cloth.collider_impulses[particle];
+    set_xyz(sum, xyz(sum) + impulse);
+}
+
+/// Afterwards: velocities have changed since they were kept in `before`.
+void Simulation::add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before) {
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(before[i]);
+            const float w = cloth.state.positions[i].w;
+            if (w > 0 && !change.isZero(0)) add_impulse(cloth, i, change / w);
+        }
+    });
+}
+
+void Simulation::find_missing_impulses(const SolverStep& step, Cloth& cloth) {
+    const std::span<const Vec4> left = static_cast<MultilevelSolver&>(*cloth.solver).left_to_contact(step);
+    step.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            cloth.missing_impulses[i] = to_vec4(-xyz(left[i]), 0);
+    });
+    cloth.impulse_ratio = step.equation.h / step.equation.gamma;
+}
+
+// Pairs and colliders by turns: what one has been found to give the others have not.
+void Simulation::share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths) {
+    constexpr int sweeps = 16;
+    space.rows().begin_sweeps();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (std::size_t k = 0; k < cloths.size(); ++k) {
+            Cloth& cloth = *cloths[k];
+            if (!cloth.contacts || cloth.impulse_ratio == 0) continue;
+            for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+                if (!cloth.contacts->presses_collider(i)) continue;
+                Vec4& left = cloth.missing_impulses[i];
+                const Vector3 n = xyz(cloth.state.held.normals[i]);
+                const float more = std::max(n.dot(xyz(left)), -left.w);
+                left = to_vec4(xyz(left) - more * n, left.w + more);
+            }
+        }
+        space.rows().sweep([&](std::uint32_t corner) -> Vec4& {
+            std::size_t k = cloths.size() - 1;
+            while (space.first(k) > corner) --k;
+            return cloths[k]->missing_impulses[corner - space.first(k)];
+        });
+    }
+}
+
+// Settled, so that what was projected and cut is in it; since it was solved the rows have stayed.
+void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) {
+    float ratio = 0;
+    for (Cloth* cloth : cloths) {
+        if (cloth->impulse_ratio == 0) continue;
+        ratio = cloth->impulse_ratio;
+        for (std::uint32_t i = 0; i < cloth->state.size(); ++i) {
+            const float w = cloth->state.positions[i].w;
+            if (!(w > 0)) continue;
+            Vec4& missing = cloth->missing_impulses[i];
+            const Vector3 change = xyz(cloth->state.velocities[i]) - xyz(cloth->next_velocities[i]);
+            set_xyz(missing, xyz(missing) + change / (w * ratio));
+        }
+    }
+    if (ratio == 0) return;
+    const auto body_of = [&](std::uint32_t corner) {
+        std::size_t k = cloths.size() - 1;
+        while (space.first(k) > corner) --k;
+        return k;
+    };
+    share_out_impulses(space, cloths);
+    for (Cloth* cloth : cloths) {
+        if (std::exchange(cloth->impulse_ratio, 0.0f) == 0 || !cloth->contacts) continue;
+        for (std::uint32_t i = 0; i < cloth->state.size(); ++i)
+            if (cloth->missing_impulses[i].w > 0)
+                add_impulse(*cloth, i,
+                            ratio * cloth->missing_impulses[i].w * xyz(cloth->state.held.normals[i]));
+    }
+    space.rows().for_each_push([&](const PairRows::Push& push) {
+        const std::uint32_t a = main_corner(push, 0, push.corners_of_a);
+        const std::uint32_t b = main_corner(push, push.corners_of_a, 4);
+        const std::size_t of_a = body_of(a), of_b = body_of(b);
+        const Contact contact{.cloth = cloths[of_a]->id,
+                              .other_cloth = cloths[of_b]->id,
+                              .particle = a - space.first(of_a),
+                              .other_particle = b - space.first(of_b),
+                              .point = to_vec3(push.point),
+                              .normal = to_vec3(xyz(push.shape.normal)),
+                              .impulse = to_vec3(Vector3(ratio * push.impulse))};
+        const bool is_first = contact.cloth.index <= contact.other_cloth.index;
+        log_contact(worker.contacts, *cloths[is_first ? of_a : of_b],
+                    is_first ? contact : seen_from_other(contact));
+    });
+}
+
+// Before the response: what it is going to take from velocities.
+void Simulation::log_avoidance(Worker& worker, Cloth& cloth, float h) {
+    const ResponseSettings settings{cloth.rest_neighbours->distance(), cloth.settings.self_collision.friction,
+                                    h};
+    const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
+    cloth.self_contacts->for_each_stopped(settings, positions, std::as_const(cloth.state.velocities).span(),
+                                          [&](std::uint32_t i, std::uint32_t j, const Vector3& change) {
+                                              const Vector3 a = xyz(positions[i]), b = xyz(positions[j]);
+                                              // At one point the response chooses a way apart.
+                                              const Vector3 apart = a == b ? change : Vector3(a - b);
+                                              log_contact(
+                                                  worker.contacts, cloth,
+                                                  {.cloth = cloth.id,
+                                                   .other_cloth = cloth.id,
+                                                   .particle = i,
+                                                   .other_particle = j,
+                                                   .point = to_vec3(Vector3(0.5f * (a + b))),
+                                                   .normal = to_vec3(apart.stableNormalized()),
+                                                   .impulse = to_vec3(Vector3(change / positions[i].w))});
+                                          });
+}
+
+/// Which collider each particle with an impulse is nearest to: w its index and one, or 0 where nothing
+/// pushes.
+void Simulation::find_touched_colliders(Worker& worker, Cloth& cloth) const {
+    const auto touched = [&](const Vector3& position, const Vector3& impulse) {
+        float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;
+        state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
+            const SurfacePoint surface = nearest_surface(slot.target, position);
+            if (!(surface.distance < least)) return;
+            least = surface.distance;
+            along = surface.normal.dot(impulse);
+            found = static_cast<float>(id.index + 1);
+        });
+        return along > 0 ? found : 0;
+    };
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            Vec4& impulse = cloth.collider_impulses[i];
+            if (xyz(impulse).isZero(0)) continue;
+            const float w = cloth.restored ? 0 : touched(xyz(cloth.state.positions[i]), xyz(impulse));
+            impulse = w > 0 ? to_vec4(xyz(impulse), w) : Vec4{};
+        }
+    });
+}
+
+void Simulation::log_colliders(Cloth& cloth) {
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vec4 impulse = std::exchange(cloth.collider_impulses[i], Vec4{});
+        if (impulse.w == 0) continue;
+        const ColliderId id = collider_ids_[static_cast<std::uint32_t>(impulse.w) - 1];
+        const SurfacePoint surface =
+            nearest_surface(state.colliders.find(id)->target, xyz(cloth.state.positions[i]));
+        log_contact(contact_reports_.of_thread(0), cloth,
+                    {.cloth = cloth.id,
+                     .collider = id,
+                     .particle = i,
+                     .point = to_vec3(surface.point),
+                     .normal = to_vec3(surface.normal),
+                     .impulse = to_vec3(xyz(impulse))});
+    }
+}
+
+void Simulation::report_contacts() {
+    collider_ids_.clear();
+    state.colliders.for_each([&](ColliderId id, const ColliderSlot&) {
+        collider_ids_.resize(id.index + 1);
+        collider_ids_.back() = id;
+    });
+    for (Cloth* cloth : present_) log_colliders(*cloth);
+    contact_reports_.gather([&](const Contact& c) { return !(*cloths.find(c.cloth))->restored; });
+    for (const Cloth* cloth : present_) report.contacts += cloth->restored ? 0 : cloth->contact_count;
+}
+
+}  // namespace weft
