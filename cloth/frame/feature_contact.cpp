@@ -42,7 +42,8 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     settler_.reserve(particles, bodies.size(), pairs);
     const std::size_t crossings = std::max(least_crossings, particles);
     crossings_ = CrossingList(crossings);
-    tangles_.reserve(bodies.size(), particles, crossings);
+    tangles_.reserve(
+        {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
     rows_.untangling().reserve(crossings);
     memory_ = AlignedBuffer<TangleMemory>(particles);
     exempt_ = AlignedBuffer<std::uint8_t>(pairs);
@@ -111,7 +112,7 @@ std::span<const TangleMemory> FeatureContact::memory(std::size_t body) const {
 
 void FeatureContact::find_tangles(Parallel& parallel) {
     finder_.find_crossings(parallel, bodies_, start_.span(), crossings_);
-    tangles_.find(bodies_, start_.span(), crossings_, h_, memory_.span());
+    tangles_.find({bodies_, start_.span(), pairs_, h_}, crossings_, memory_.span());
 }
 
 /// Which pairs of those found last are let alone; empty: none.

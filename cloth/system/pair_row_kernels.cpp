@@ -1,6 +1,7 @@
 #include "cloth/system/pair_row_kernels.h"
 
 #include <algorithm>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/system/pair_row_kernels.cpp"
@@ -87,6 +88,7 @@ void fill(const PairSources& from, const BlockRange& pairs, PairGroup* groups) {
             group.radius[i] = i < count ? law.radius : 0;
             group.friction[i] = law.friction;
             group.spring[i] = group.damper[i] = 0;
+            group.at_rest[i] = std::numeric_limits<float>::infinity();
         }
         for (std::uint32_t lane = 0; lane < group_lanes; lane += part_lanes) {
             fill_shapes(from.list->shapes.data(), numbers + lane, count, lane, group);
@@ -117,11 +119,16 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes pressed = hn::IfThenElseZero(pushes, hn::Mul(hn::Mul(spring, set(1 / stiffness.gamma)), way));
     const Lanes3 sliding = u - along * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
-    const Lanes limit = hn::Mul(friction, pressed);
+    // What the last pass gave, which balances what presses; at its end the springs' own law, being convex,
+    // has more wherever a solution is not exact, and would hold what slides.
+    const Lanes given =
+        hn::NegMulAdd(load_lanes(group.spring + lane), along, load_lanes(group.at_rest + lane));
+    const Lanes limit = hn::Mul(friction, hn::Min(pressed, hn::Max(given, set(0))));
     const Lanes stick = hn::Mul(set(stick_per_spring), full);
     const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
     const Lanes held = hn::IfThenElse(slides, hn::Div(limit, hn::IfThenElse(slides, speed, set(1))), stick);
     const Lanes damper = hn::IfThenElseZero(hn::Gt(friction, set(0)), held);
+    store(hn::MulAdd(spring, along, pressed), group.at_rest + lane);
     store(spring, group.spring + lane);
     store(damper, group.damper + lane);
 

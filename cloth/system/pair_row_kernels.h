@@ -28,6 +28,8 @@ struct alignas(64) PairGroup {
     float mass[lanes];                   // 1 / sum b^2 w [kg]; 0: nothing of it can move
     float gap[lanes];                    // at the base positions [m]
     float spring[lanes], damper[lanes];  // [kg]; spring 0: it does not push
+    float at_rest[lanes];                // impulse along the normal for features that do not move, as last
+                                         // linearised; infinity: never yet [kg m/s]
 };
 
 /// What a pair has for a corner of weight b: b times the impulse, and |b| times the matrix. In one cache

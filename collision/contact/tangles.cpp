@@ -1,6 +1,7 @@
 #include "collision/contact/tangles.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace weft {
 
@@ -8,7 +9,9 @@ namespace {
 
 // What has come apart is let alone for some steps more, lest it be caught in the next crossing.
 constexpr std::uint32_t steps_remembered = 2;
-// A contour that has not become shorter for as long is not pushed: it would only jitter.
+// A contour that has not become shorter for as long goes where votes say [s] ...
+constexpr float patience_without_votes = 0.33f;
+// ... and where it does not then, it is not pushed any more: it would only jitter.
 constexpr float patience = 1;
 
 // Room for labels, per particle: few are near more than one contour.
@@ -17,28 +20,28 @@ constexpr std::size_t corners = 5;
 
 }  // namespace
 
-void Tangles::reserve(std::size_t bodies, std::size_t particles, std::size_t crossings) {
-    contours_.reserve(bodies, crossings);
-    untangling_.reserve(crossings);
-    core_ = AlignedBuffer<Label>(corners * crossings);
-    labels_ = AlignedBuffer<Label>(labels_per_particle * particles);
-    label_ends_ = AlignedBuffer<std::uint32_t>(particles + 1);
-    names_ = marks_ = AlignedBuffer<std::uint32_t>(particles);
-    of_contours_ = AlignedBuffer<TangleMemory>(crossings);
+void Tangles::reserve(const Room& room) {
+    contours_.reserve(room.bodies, room.crossings);
+    untangling_.reserve(room.crossings);
+    side_vote_.reserve(room.particles, room.pairs);
+    core_ = AlignedBuffer<Label>(corners * room.crossings);
+    labels_ = AlignedBuffer<Label>(labels_per_particle * room.particles);
+    label_ends_ = AlignedBuffer<std::uint32_t>(room.particles + 1);
+    names_ = marks_ = AlignedBuffer<std::uint32_t>(room.particles);
+    of_contours_ = AlignedBuffer<TangleMemory>(room.crossings);
 }
 
-void Tangles::find(std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-                   const CrossingList& list, float h, std::span<TangleMemory> memory) {
+void Tangles::find(const Start& start, const CrossingList& list, std::span<TangleMemory> memory) {
     const std::size_t room = core_.size() / corners;
     const std::span<const Crossing> crossings =
         list.crossings.span().first(std::min<std::size_t>(list.size, room));
-    contours_.trace(bodies, crossings);
-    untangling_.find(bodies, positions, crossings, contours_);
+    contours_.trace(start.bodies, crossings);
+    untangling_.find(start.bodies, start.positions, crossings, contours_);
     find_core(crossings);
-    name_contours(h, memory);
-    dilate(bodies);
+    name_contours(start, crossings, memory);
+    dilate(start.bodies);
     remember(memory);
-    forget(bodies, memory);
+    forget(start.bodies, memory);
     counts_ = {.crossings = list.size, .contours = contours_.size()};
     stop_stalled();
 }
@@ -74,7 +77,9 @@ void Tangles::find_core(std::span<const Crossing> crossings) {
 }
 
 // The lowest name that any of its particles remembers, or a new one.
-void Tangles::name_contours(float h, std::span<const TangleMemory> memory) {
+void Tangles::name_contours(const Start& start, std::span<const Crossing> crossings,
+                            std::span<const TangleMemory> memory) {
+    bool has_voted = false;
     for (std::uint32_t k = 0, next; k < core_size_; k = next) {
         const std::uint32_t contour = core_[k].contour;
         TangleMemory& now = of_contours_[contour];
@@ -85,10 +90,29 @@ void Tangles::name_contours(float h, std::span<const TangleMemory> memory) {
         }
         now.name = before != nullptr ? before->name : core_[k].particle + 1;
         now.steps = steps_remembered;
-        if (before == nullptr || now.least < before->least) continue;
+        if (before == nullptr) continue;
+        const bool begins_to_vote = before->votes == 0 && before->stalled > patience_without_votes;
+        now.votes = begins_to_vote ? 1 : before->votes;
+        if (now.votes != 0) {
+            if (!std::exchange(has_voted, true)) side_vote_.begin(start.bodies, start.positions, start.near);
+            now.least += push_by_votes(contour, crossings);
+        }
+        if (begins_to_vote || now.least < before->least) continue;
         now.least = before->least;
-        now.stalled = before->stalled + h;
+        now.stalled = before->stalled + start.h;
     }
+}
+
+/// Returns how many votes lost.
+std::uint32_t Tangles::push_by_votes(std::uint32_t contour, std::span<const Crossing> crossings) {
+    const SideVote::Result result = side_vote_.of(contour, crossings, contours_);
+    const std::span<UntanglingRow> rows = untangling_.rows();
+    if (result.side == 0) return 0;
+    for (std::uint32_t k = 0; k < crossings.size(); ++k)
+        if (contours_.contour_of(k) == contour)
+            set_xyz(rows[k].direction,
+                    side_vote_.way_of(crossings[k], contours_.side_of_edge(k), result.side));
+    return result.minority;
 }
 
 // One ring around, since features next to a crossing are the next to cross.
@@ -177,8 +201,8 @@ void Tangles::exempt(Parallel& parallel, const PairList& pairs, std::span<std::u
 }
 
 std::size_t Tangles::bytes() const noexcept {
-    return contours_.bytes() + untangling_.bytes() + core_.bytes() + labels_.bytes() + label_ends_.bytes() +
-           names_.bytes() + marks_.bytes() + of_contours_.bytes();
+    return contours_.bytes() + untangling_.bytes() + side_vote_.bytes() + core_.bytes() + labels_.bytes() +
+           label_ends_.bytes() + names_.bytes() + marks_.bytes() + of_contours_.bytes();
 }
 
 }  // namespace weft

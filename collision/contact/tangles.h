@@ -8,6 +8,7 @@
 #include "collision/contact/contours.h"
 #include "collision/contact/crossings.h"
 #include "collision/contact/pairs.h"
+#include "collision/contact/side_vote.h"
 #include "collision/contact/untangling.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
@@ -19,7 +20,8 @@ namespace weft {
 struct TangleMemory {
     std::uint32_t name;   ///< of the contour: it keeps it from step to step
     std::uint32_t steps;  ///< without a contour until it is forgotten
-    std::uint32_t least;  ///< crossings that the contour had at its shortest
+    std::uint32_t least;  ///< crossings that the contour had at its shortest; see `votes`
+    std::uint32_t votes;  ///< 1: it goes where votes say, and those of the minority count as crossings
     float stalled;        ///< for how long it has not become shorter [s]
 };
 
@@ -30,12 +32,21 @@ struct TangleCounts {
 
 class Tangles {
   public:
-    void reserve(std::size_t bodies, std::size_t particles, std::size_t crossings);
+    struct Room {
+        std::size_t bodies, particles, pairs, crossings;
+    };
+    void reserve(const Room& room);
 
-    /// What crosses at these positions, in a step of h [s]. `memory` is of all bodies' particles, in and out.
-    /// Crossings must be all there are; where more are listed than reserved for, the rest stay as they are.
-    void find(std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-              const CrossingList& crossings, float h, std::span<TangleMemory> memory);
+    /// A step's start.
+    struct Start {
+        std::span<const ContactBody> bodies;
+        std::span<const Vec4> positions;
+        const PairList& near;  ///< within the reach of what pushes features apart
+        float h;               ///< of the step [s]
+    };
+    /// What crosses there. `memory` is of all bodies' particles, in and out. Crossings must be all there
+    /// are; where more are listed than reserved for, the rest stay as they are.
+    void find(const Start& start, const CrossingList& crossings, std::span<TangleMemory> memory);
     /// Without a search: what particles remember of one.
     void recall(std::span<const ContactBody> bodies, std::span<const TangleMemory> memory);
     /// Nothing crosses, or did of late.
@@ -58,7 +69,9 @@ class Tangles {
         friend auto operator<=>(const Label&, const Label&) = default;
     };
     void find_core(std::span<const Crossing> crossings);
-    void name_contours(float h, std::span<const TangleMemory> memory);
+    void name_contours(const Start& start, std::span<const Crossing> crossings,
+                       std::span<const TangleMemory> memory);
+    std::uint32_t push_by_votes(std::uint32_t contour, std::span<const Crossing> crossings);
     void dilate(std::span<const ContactBody> bodies);
     void remember(std::span<TangleMemory> memory);
     void forget(std::span<const ContactBody> bodies, std::span<TangleMemory> memory);
@@ -68,6 +81,7 @@ class Tangles {
 
     Contours contours_;
     Untangling untangling_;
+    SideVote side_vote_;
     AlignedBuffer<Label> core_;                // of crossing features: by contour, then particle
     AlignedBuffer<Label> labels_;              // with those near them: by particle
     AlignedBuffer<std::uint32_t> label_ends_;  // of particles; the first is where the one before ends

@@ -11,6 +11,9 @@ namespace {
 constexpr float depth_per_edge = 0.25f;
 // Where the edge lies in the triangle's plane as much as this, no motion along it moves the crossing.
 constexpr float least_slope = 1e-2f;
+// Where the mean of what a contour's crossings want is shorter than this, they hardly agree: a straight
+// contour has ways for its ends alone, along itself, and would send one sheet sideways off the other.
+constexpr float full_agreement = 0.05f;
 
 Vector3 unit(const Vector3& v) {
     const float squared = v.squaredNorm();
@@ -90,8 +93,9 @@ void Untangling::find(std::span<const ContactBody> bodies, std::span<const Vec4>
     for (std::uint32_t k = 0; k < size_; ++k) {
         const Vec4& mean = means_[contours.contour_of(k)];
         const float sign = contours.side_of_edge(k) == 0 ? 1.0f : -1.0f;
+        const float agreement = std::min(xyz(mean).norm() / (full_agreement * mean.w), 1.0f);
         Vec4& own = rows_[k].direction;
-        set_xyz(own, unit(xyz(own) + sign * unit(xyz(mean))));
+        own = to_vec4(unit(xyz(own) + sign * unit(xyz(mean))), agreement * own.w);
     }
 }
 

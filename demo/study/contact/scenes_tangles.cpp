@@ -73,10 +73,40 @@ ContactScene tangled_dropped(std::uint32_t particles) {
             .rests = true};
 }
 
+/// Two sheets of 0.4 m on the ground, of which this part of the one lies under the other: they cross along a
+/// straight line.
+ContactScene crossed(double part, std::uint32_t particles) {
+    constexpr double size = 0.4, turn = 0.07;
+    const Piece sheet = piece(size, size, or_else(particles, 2048) / 2);
+    const double apart = 1.2 * usual_distance(sheet.edge()), height = 0.006 + 1.5 * apart;
+    const Mesh under = level_sheet(sheet, height, 0);
+    const Mesh over = placed_sheet(sheet, [&](double u, double v) {
+        const double x = u - size / 2, z = v - size / 2;
+        return Vector3d(x * std::cos(turn) - z * std::sin(turn),
+                        height + apart * std::tanh((u - part * size) / (0.05 * size)),
+                        x * std::sin(turn) + z * std::cos(turn));
+    });
+    return {.name = "crossed " + std::to_string(std::lround(100 * part)),
+            .seconds = 6,
+            .cloths = {joined({under, over})},
+            .colliders = {ground()},
+            .world = still_air(),
+            .tangled = true,
+            .rests = true};
+}
+
+SceneMaker crossed_maker(double part, bool quick) {
+    return {"crossed " + std::to_string(std::lround(100 * part)), quick,
+            [=](std::uint32_t particles) { return crossed(part, particles); }};
+}
+
 }  // namespace
 
 std::vector<SceneMaker> tangle_scenes() {
-    return {{"tangled hung", true, tangled_hung}, {"tangled dropped", false, tangled_dropped}};
+    return {{"tangled hung", true, tangled_hung},
+            {"tangled dropped", false, tangled_dropped},
+            crossed_maker(0.2, true),
+            crossed_maker(0.42, false)};
 }
 
 }  // namespace weft::study
