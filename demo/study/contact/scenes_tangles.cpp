@@ -83,7 +83,7 @@ ContactScene crossed(double part, std::uint32_t particles) {
     const Mesh over = placed_sheet(sheet, [&](double u, double v) {
         const double x = u - size / 2, z = v - size / 2;
         return Vector3d(x * std::cos(turn) - z * std::sin(turn),
-                        height + apart * std::tanh((u - part * size) / (0.05 * size)),
+                        height + apart * std::tanh((u - part * size) / (0.1 * size)),
                         x * std::sin(turn) + z * std::cos(turn));
     });
     return {.name = "crossed " + std::to_string(std::lround(100 * part)),
