@@ -25,13 +25,13 @@ Vector3 warp_direction(const CookedCloth& model, std::uint32_t triangle, const V
 }
 
 /// One side of a triangle, as found there.
-struct Side {
+struct TriangleSide {
     std::uint32_t low, high;  ///< particles, low < high
     std::uint32_t triangle, corner;
 };
 
-std::vector<Side> sides_by_edge(const CookedCloth& model) {
-    std::vector<Side> sides;
+std::vector<TriangleSide> sides_by_edge(const CookedCloth& model) {
+    std::vector<TriangleSide> sides;
     sides.reserve(3 * model.triangles.size());
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -39,7 +39,7 @@ std::vector<Side> sides_by_edge(const CookedCloth& model) {
             sides.push_back({std::min(a, b), std::max(a, b), t, k});
         }
     }
-    std::ranges::sort(sides, [](const Side& p, const Side& q) {
+    std::ranges::sort(sides, [](const TriangleSide& p, const TriangleSide& q) {
         return std::tie(p.low, p.high, p.triangle) < std::tie(q.low, q.high, q.triangle);
     });
     return sides;
@@ -68,7 +68,7 @@ RestSide rest_side(const CookedCloth& model, std::uint32_t triangle, std::uint32
 }
 
 /// Where two triangles are wound against each other the second is seen from behind.
-Hinge make_hinge(const CookedCloth& model, const Side& one, const Side& other) {
+Hinge make_hinge(const CookedCloth& model, const TriangleSide& one, const TriangleSide& other) {
     const RestSide a = rest_side(model, one.triangle, one.corner);
     const RestSide b = rest_side(model, other.triangle, other.corner);
     const bool agree = a.start == b.end;
@@ -124,13 +124,13 @@ RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle) {
 }
 
 Bending bending_elements(const CookedCloth& model) {
-    const std::vector<Side> sides = sides_by_edge(model);
+    const std::vector<TriangleSide> sides = sides_by_edge(model);
     Bending result;
     std::vector<std::uint32_t> hinge_of_side(sides.size(), no_hinge);
     for (std::size_t s = 1; s < sides.size(); ++s) {
-        const Side &one = sides[s - 1], &other = sides[s];
+        const TriangleSide &one = sides[s - 1], &other = sides[s];
         if (one.low != other.low || one.high != other.high) continue;
-        for (const Side& side : {one, other})
+        for (const TriangleSide& side : {one, other})
             hinge_of_side[3 * side.triangle + side.corner] = static_cast<std::uint32_t>(result.hinges.size());
         result.hinges.push_back(make_hinge(model, one, other));
     }
