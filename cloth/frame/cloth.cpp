@@ -183,7 +183,7 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
     solver->reserve_pairs(0);
     substep_start = {};
     state.tangles = {};
-    state.may_cross = 0;
+    state.may_cross = state.halved = 0;
     feature_counts = {};
 }
 

@@ -52,6 +52,7 @@ struct ClothState {
     AlignedBuffer<TangleMemory> tangles;     ///< only with contact
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
+    std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)
@@ -103,6 +104,7 @@ void for_each_part(State& state, const Visit& visit) {
     if (state.tangles.size() == 0) return;
     visit(state.tangles.span());
     visit(std::span(&state.may_cross, 1));
+    visit(std::span(&state.halved, 1));
 }
 
 template <class State, class Visit>

@@ -74,6 +74,22 @@ ContactScene scene_named(const std::string& name) {
     throw std::logic_error(name + " is no scene");
 }
 
+// At the first impact more layers come together in a step than its list of pairs has room for: halves have.
+TEST(ContactRuns, LayersThatFallOnOneAnotherStayWhole) {
+    for (const SceneMaker& maker : all_contact_scenes()) {
+        if (maker.name != "folddrop") continue;
+        ContactRun run(maker.make(0), Rung::contact);
+        const EdgeStretch edges(run);
+        double worst = 0;
+        for (int frame = 0; frame < 60; ++frame) {
+            run.step();
+            worst = std::max(worst, edges.of(run).most);
+        }
+        EXPECT_LT(worst, 1.4);
+        EXPECT_EQ(count_crossings(run.soup()).all, 0u);
+    }
+}
+
 TEST(ContactMeasures, LayersAreTheScenes) {
     for (const char* name : {"stack 5", "stack 5 of cloths"}) {
         const ContactRun run(scene_named(name), Rung::off);

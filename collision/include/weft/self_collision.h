@@ -26,7 +26,8 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// start has crossed comes apart, the way that most of it lies. By Multilevel, the default; other methods
     /// solve without it and are cut and pushed apart afterwards, which crosses nothing either, but stretches
     /// or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is calm, 3 where
-    /// it lies folded. Layers that slide over each other by more than half an edge in a step are braked.
+    /// it lies folded. Cloth that meets no other, and of which much had to be cut, takes its next ten steps
+    /// in halves. Layers that slide over each other by more than half an edge in a step are braked.
     contact,
 };
 
