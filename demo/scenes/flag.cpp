@@ -6,9 +6,9 @@
 namespace weft::demo {
 namespace {
 
-constexpr float length = 1.5f, height = 1.0f;  // [m]
-constexpr float top = 2.55f;                   // of the flag's hoist, the side at the pole [m]
-constexpr float pole_radius = 0.025f;          // [m]
+constexpr float length = 1.5f, hoist = 1.0f;  // [m]
+constexpr float hoist_top = 2.55f;            // of the flag's hoist, the side at the pole [m]
+constexpr float pole_radius = 0.025f;         // [m]
 
 class Flag final : public Scene {
   public:
@@ -21,12 +21,12 @@ class Flag final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, length, height);
+        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, length, hoist);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {0, top, 0},
+                                .origin = {0, hoist_top, 0},
                                 .u = {length, 0, 0},
-                                .v = {0, -height, 0}});
+                                .v = {0, -hoist, 0}});
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
 
@@ -43,7 +43,7 @@ class Flag final : public Scene {
 
         const float axis = -1.5f * pole_radius;
         const auto pole =
-            world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.06f, 0}, pole_radius}});
+            world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, hoist_top + 0.06f, 0}, pole_radius}});
         if (!pole) return pole.error();
 
         SceneContent content;

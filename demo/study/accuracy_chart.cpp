@@ -98,14 +98,14 @@ Style style_of(const std::string& method) {
     return at == styles.end() ? Style{"#868e96", 1} : at->second;
 }
 
-struct Measured {
+struct MeasuredSetting {
     CostAndError at;
     std::string setting;
 };
 
 struct Curve {
     std::string method, label;
-    std::vector<Measured> points;
+    std::vector<MeasuredSetting> points;
 };
 
 /// All rows of one scene at one size.
@@ -119,7 +119,7 @@ std::optional<double> positive(const CsvRow& row, const std::string& column) {
 /// The rows that can be drawn; the default's once more, since it is marked.
 struct Chart {
     std::vector<Curve> curves;
-    std::vector<Measured> defaults;
+    std::vector<MeasuredSetting> defaults;
     std::vector<std::pair<std::string, double>> levels;
     std::set<std::string> diverged;
 };
@@ -135,7 +135,7 @@ Chart chart_of(const Rows& rows, const Kind& kind) {
                 if (row->at("method") == method) chart.levels.emplace_back(text, *error);
         }
         if (row->at("status") != "ok" || !error || !cost) continue;
-        const Measured measured{{*cost, *error}, row->at("setting")};
+        const MeasuredSetting measured{{*cost, *error}, row->at("setting")};
         if (row->at("default") == "yes") chart.defaults.push_back(measured);
         const auto at = std::ranges::find(chart.curves, row->at("method"), &Curve::method);
         Curve& curve = at != chart.curves.end()
@@ -144,25 +144,25 @@ Chart chart_of(const Rows& rows, const Kind& kind) {
         curve.points.push_back(measured);
     }
     for (Curve& curve : chart.curves)
-        std::ranges::sort(curve.points, {}, [](const Measured& point) { return point.at.cost; });
+        std::ranges::sort(curve.points, {}, [](const MeasuredSetting& point) { return point.at.cost; });
     return chart;
 }
 
 /// The front over all curves.
-std::vector<Measured> front_of_chart(const Chart& chart) {
-    std::vector<Measured> all;
+std::vector<MeasuredSetting> front_of_chart(const Chart& chart) {
+    std::vector<MeasuredSetting> all;
     for (const Curve& curve : chart.curves) all.insert(all.end(), curve.points.begin(), curve.points.end());
     std::vector<CostAndError> points;
-    for (const Measured& measured : all) points.push_back(measured.at);
-    std::vector<Measured> front;
+    for (const MeasuredSetting& measured : all) points.push_back(measured.at);
+    std::vector<MeasuredSetting> front;
     for (const std::size_t i : front_of(points)) front.push_back(all[i]);
     return front;
 }
 
-std::string data_block(const std::string& name, const std::vector<Measured>& points) {
+std::string data_block(const std::string& name, const std::vector<MeasuredSetting>& points) {
     std::ostringstream text;
     text << '$' << name << " << END\n";
-    for (const Measured& point : points) {
+    for (const MeasuredSetting& point : points) {
         text << point.at.cost << ' ' << point.at.error << " \"" << point.setting << "\"\n";
     }
     text << "END\n";
@@ -228,8 +228,8 @@ std::string range_of(char axis, const std::vector<double>& values) {
 
 std::string ranges_of(const Chart& chart) {
     std::vector<double> costs, errors;
-    const auto take = [&](const std::vector<Measured>& points) {
-        for (const Measured& point : points) {
+    const auto take = [&](const std::vector<MeasuredSetting>& points) {
+        for (const MeasuredSetting& point : points) {
             costs.push_back(point.at.cost);
             errors.push_back(point.at.error);
         }

@@ -19,7 +19,7 @@ constexpr std::array<unsigned, verdict_count> colours{0x58b08a, 0xf6d36b, 0xc645
 constexpr unsigned grey = 0x666666;
 
 /// In pixels.
-constexpr int columns = 5;
+constexpr int map_columns = 5;
 constexpr double map_width = 208, cell_height = 26, map_gap = 16, left = 74, top = 84, map_top = 24,
                  row_gap = 22, legend_line = 21;
 
@@ -66,7 +66,7 @@ class Picture {
           stiffness_(ticks(rows, "stiffness")),
           cell_width_(map_width / static_cast<double>(hz_.size())),
           map_height_(cell_height * static_cast<double>(stiffness_.size())),
-          canvas_(static_cast<int>(left + columns * (map_width + map_gap)),
+          canvas_(static_cast<int>(left + map_columns * (map_width + map_gap)),
                   static_cast<int>(legend_top() + 8 * legend_line + 6)) {
         write_title(start);
         for (std::size_t map = 0; map < methods_.size(); ++map) write_map(map);
@@ -78,7 +78,7 @@ class Picture {
   private:
     using Align = Canvas::Align;
 
-    [[nodiscard]] std::size_t map_rows() const { return (methods_.size() + columns - 1) / columns; }
+    [[nodiscard]] std::size_t map_rows() const { return (methods_.size() + map_columns - 1) / map_columns; }
     [[nodiscard]] double row_height() const { return map_top + map_height_ + row_gap; }
     [[nodiscard]] double legend_top() const {
         return top + static_cast<double>(map_rows()) * row_height() + 34;
@@ -96,14 +96,14 @@ class Picture {
     }
 
     void write_map(std::size_t map) {
-        const double x = left + static_cast<double>(map % columns) * (map_width + map_gap);
-        const double y = top + static_cast<double>(map / columns) * row_height() + map_top;
+        const double x = left + static_cast<double>(map % map_columns) * (map_width + map_gap);
+        const double y = top + static_cast<double>(map / map_columns) * row_height() + map_top;
         const Rows cells = rows_with(rows_, "method", methods_[map]);
         canvas_.text(x, y - 12, cells.front()->at("label"), 10, Align::left, 0x111111,
                      cells.front()->at("default") == "yes");
         for (const CsvRow* cell : cells) write_cell(x, y, *cell);
-        if (map % columns == 0) write_stiffnesses(x, y);
-        if (map + columns >= methods_.size()) write_steps(x, y + map_height_);
+        if (map % map_columns == 0) write_stiffnesses(x, y);
+        if (map + map_columns >= methods_.size()) write_steps(x, y + map_height_);
     }
 
     void write_cell(double map_x, double map_y, const CsvRow& cell) {

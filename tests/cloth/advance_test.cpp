@@ -15,7 +15,7 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60, max_speed = 1.5f;
+constexpr float max_speed = 1.5f;
 
 /// A cloth of 23 * 29 = 667 particles, the last group not full, after one substep.
 struct Substep {
@@ -110,7 +110,7 @@ TEST_P(AdvanceKernels, SurveyFindsWhatAPlainLoopFinds) {
     }
 }
 
-bool same_bytes(const ClothState& a, const ClothState& b) {
+bool same_state(const ClothState& a, const ClothState& b) {
     return std::memcmp(a.positions.data(), b.positions.data(), a.positions.bytes()) == 0 &&
            std::memcmp(a.velocities.data(), b.velocities.data(), a.velocities.bytes()) == 0;
 }
@@ -119,7 +119,7 @@ TEST_P(AdvanceKernels, SameBytesForAnyNumberOfThreads) {
     const Substep expected(serial, true);
     for (int threads = 2; threads <= 8; ++threads) {
         Parallel parallel(threads);
-        EXPECT_TRUE(same_bytes(Substep(parallel, true).cloth.state, expected.cloth.state)) << threads;
+        EXPECT_TRUE(same_state(Substep(parallel, true).cloth.state, expected.cloth.state)) << threads;
     }
 }
 

@@ -169,10 +169,6 @@ std::vector<Vec4> everything(Scene& scene, Parallel& parallel, bool gusts) {
     }
     return rows;
 }
-bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
-}
-
 TEST_P(AirKernels, SameBytesForAnyNumberOfThreads) {
     for (const Mesh& mesh :
          {sheet(31, 40), sheet(80, 16), sheet(60, 31), sheet(60, 32), loose_sheet(27, 41)}) {

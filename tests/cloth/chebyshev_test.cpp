@@ -22,8 +22,8 @@ double chebyshev_polynomial(int n, double x) {
     return x < 0 && n % 2 == 1 ? -magnitude : magnitude;
 }
 
-struct Problem {
-    explicit Problem(Cloth of, float h = 1.0f / 60)
+struct ChebyshevProblem {
+    explicit ChebyshevProblem(Cloth of, float h = 1.0f / 60)
         : cloth(std::move(of)),
           system(assembled(cloth, h)),
           reference(dense(*system)),
@@ -65,7 +65,7 @@ Cloth bipartite(float stiffness) {
 TEST(Chebyshev, ErrorIsItsPolynomialOfTheEigenvalues) {
     Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
     cloth.pin(0);
-    Problem problem(std::move(cloth));
+    ChebyshevProblem problem(std::move(cloth));
     const Modes& modes = problem.modes;
     for (const Spectrum interval : {Spectrum{0.05, 2}, Spectrum{0.3, 1.7}}) {
         const double centre = (interval.largest + interval.least) / 2;
@@ -87,7 +87,7 @@ TEST(Chebyshev, ErrorIsItsPolynomialOfTheEigenvalues) {
 }
 
 TEST(Chebyshev, ErrorKeepsItsBoundOnTheInterval) {
-    Problem problem(crumpled(sheet(6, 6), 0.02f, 1000.0f));
+    ChebyshevProblem problem(crumpled(sheet(6, 6), 0.02f, 1000.0f));
     const Spectrum interval{problem.spectrum().least, 2};
     const double ratio = (interval.largest + interval.least) / (interval.largest - interval.least);
     for (int iterations = 1; iterations <= 60; ++iterations) {
@@ -99,7 +99,7 @@ TEST(Chebyshev, ErrorKeepsItsBoundOnTheInterval) {
 }
 
 TEST(Chebyshev, DivergesWhereTheIntervalEndsBelowTheLargestEigenvalue) {
-    Problem problem(bipartite(1e4f));
+    ChebyshevProblem problem(bipartite(1e4f));
     const Spectrum spectrum = problem.spectrum();
     ASSERT_GT(spectrum.largest, 1.98);
     ASSERT_LT(spectrum.largest, 2);
@@ -123,7 +123,7 @@ TEST(ChebyshevInterval, LeastEigenvalueIsEstimatedFromAbove) {
     // As a Rayleigh quotient is an upper bound.
     for (const float stiffness : {10.0f, 1e3f, 1e5f}) {
         for (const Mesh& mesh : {sheet(8, 8), loose_sheet(8, 8)}) {
-            const Problem problem(crumpled(mesh, 0.0f, stiffness));
+            const ChebyshevProblem problem(crumpled(mesh, 0.0f, stiffness));
             double area = 0;
             for (const float a : problem.cloth.model.rest_area.span()) area += static_cast<double>(a);
             const double estimate =

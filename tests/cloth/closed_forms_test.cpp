@@ -14,7 +14,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float frame = 1.0f / 60;
 constexpr double gravity = 9.81;
 constexpr double pi = std::numbers::pi;
 constexpr float strip_width = 0.1f;
@@ -60,7 +59,7 @@ TEST(HungStrip, EveryEdgeIsStretchedByWhatHangsBelow) {
     const ClothId id = world.add_cloth(mesh, settings).value();
     (void)world.pin(id, 0);
     (void)world.pin(id, 1);
-    for (int k = 0; k < 240; ++k) world.step(frame);
+    for (int k = 0; k < 240; ++k) world.step(h);
 
     const ClothView cloth = world.cloth(id).value();
     ASSERT_LT(world.report().peak_speed, 1e-5f);
@@ -107,7 +106,7 @@ TEST(HangingChain, SwingsAtTheZerosOfBesselsFunction) {
         std::vector<double> crossings;
         double before = deflection();
         for (int k = 1; crossings.size() < 2 && k < 120; ++k) {
-            world.step(frame);
+            world.step(h);
             const double now = deflection();
             if (now * before < 0) crossings.push_back((k - now / (now - before)) / 60);
             before = now;
@@ -129,7 +128,7 @@ TEST(HangingChain, HangsAsACatenary) {
     const ClothId id =
         world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::backward_euler, 1, 4)).value();
     for (const std::uint32_t end : {0u, 1u, 2 * nodes - 2, 2 * nodes - 1}) (void)world.pin(id, end);
-    for (int k = 0; k < 400; ++k) world.step(frame);
+    for (int k = 0; k < 400; ++k) world.step(h);
 
     // Of z = a cosh(x / a), whose length over the span is 1: the smaller a, the longer.
     double least = 0.05, most = 5;
@@ -195,7 +194,7 @@ TEST(PinnedString, BackwardEulerDampsEveryModeByItsClosedForm) {
             return mode[1] * mode[1] + omega * omega * mode[0] * mode[0];
         };
         const double first = energy();
-        for (int k = 0; k < 12; ++k) string.world.step(frame);
+        for (int k = 0; k < 12; ++k) string.world.step(test::h);
         EXPECT_NEAR(energy() / first, std::pow(1 + omega * omega * h * h, -24), 0.01 * energy() / first)
             << "mode " << p;
     }
@@ -213,7 +212,7 @@ TEST(PinnedString, Bdf2SwingsByItsRecurrence) {
         Eigen::Vector2d now = (one - h * rate).lu().solve(before);
         const double amplitude = before[0];
         for (int k = 0; k < 30; ++k) {
-            string.world.step(frame);
+            string.world.step(test::h);
             if (k > 0) {
                 const Eigen::Vector2d next = (3 * one - 2 * h * rate).lu().solve(4 * now - before);
                 before = std::exchange(now, next);
@@ -230,7 +229,7 @@ TEST(PinnedString, SmallStepsSwingAtTheClosedFormsFrequency) {
         String string(p, TimeScheme::bdf2, 40);
         const double amplitude = string.mode()[0], omega = string.frequency();
         for (int k = 1; k <= 20; ++k) {
-            string.world.step(frame);
+            string.world.step(test::h);
             EXPECT_NEAR(string.mode()[0], amplitude * std::cos(omega * k / 60), 0.02 * amplitude)
                 << "mode " << p << ", frame " << k;
         }

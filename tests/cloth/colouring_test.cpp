@@ -15,7 +15,7 @@
 namespace weft::test {
 namespace {
 
-std::vector<NamedMesh> meshes() {
+std::vector<NamedMesh> coloured_meshes() {
     std::vector<NamedMesh> all = sound_meshes();
     all.push_back({"two_columns", must(make_sheet({.rows = 9, .columns = 2}))});
     if (const char* data = std::getenv("WEFT_DATA")) {
@@ -39,7 +39,7 @@ std::uint32_t most_springs(const CookedCloth& model) {
 }
 
 TEST(Colouring, HasEverySpringOnceAndNoParticleTwiceInAColour) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : coloured_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         const SpringColours colours = colour_springs(model);
         std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
@@ -63,7 +63,7 @@ TEST(Colouring, HasEverySpringOnceAndNoParticleTwiceInAColour) {
 }
 
 TEST(Colouring, NeedsFewColours) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : coloured_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         const std::uint32_t colours = colour_springs(model).colours();
         // Vizing: some colouring has at most one more than the best-connected particle has springs.
@@ -72,7 +72,7 @@ TEST(Colouring, NeedsFewColours) {
 }
 
 TEST(Fibres, HoldEverySpringOnceAndNoParticleTwice) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : coloured_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
         for (const Fibre& fibre : find_fibres(model)) {
@@ -110,7 +110,7 @@ TEST(Fibres, AreTheRowsColumnsAndDiagonalsOfAGrid) {
 }
 
 TEST(FibreSets, HaveNoParticleTwiceAndEndShorterFibresWithStandIns) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : coloured_meshes()) {
         const CookedCloth model = must(cook(named.mesh));
         const FibreSets sets = make_fibre_sets(model);
         std::size_t springs = 0;

@@ -17,8 +17,8 @@
 namespace weft::test {
 namespace {
 
-struct Problem {
-    explicit Problem(Cloth of, float h = 1.0f / 60)
+struct GradientProblem {
+    explicit GradientProblem(Cloth of, float h = 1.0f / 60)
         : cloth(std::move(of)),
           system(assembled(cloth, h)),
           reference(dense(*system)),
@@ -56,7 +56,7 @@ TEST(ConjugateGradient, IsExactAfterAsManyStepsAsUnknowns) {
     Cloth cloth = crumpled(fan(4), 0.1f, 200.0f);
     cloth.pin(0);
     const int unknowns = 3 * static_cast<int>(cloth.state.size() - 1);
-    Problem problem(std::move(cloth));
+    GradientProblem problem(std::move(cloth));
     problem.solve(unknowns);
     EXPECT_LT(problem.error(), 1e-5);
     problem.solve(3);
@@ -66,7 +66,7 @@ TEST(ConjugateGradient, IsExactAfterAsManyStepsAsUnknowns) {
 TEST(ConjugateGradient, ErrorFallsMonotonicallyInTheEnergyNorm) {
     Cloth cloth = crumpled(sheet(7, 6), 0.03f, 500.0f);
     cloth.pin(3);
-    Problem problem(std::move(cloth));
+    GradientProblem problem(std::move(cloth));
     double before = 1;
     for (int k = 1; k <= 60; ++k) {
         problem.solve(k);
@@ -78,7 +78,7 @@ TEST(ConjugateGradient, ErrorFallsMonotonicallyInTheEnergyNorm) {
 
 TEST(ConjugateGradient, IsTheBestOfItsKrylovSpace) {
     // Chebyshev's iterate lies in the same space, after one multiplication less.
-    Problem problem(crumpled(sheet(7, 6), 0.03f, 500.0f));
+    GradientProblem problem(crumpled(sheet(7, 6), 0.03f, 500.0f));
     AlignedBuffer<Vec4> dv(problem.dv.size());
     AlignedBuffer<Vec4> scratch(dv.size());
     for (const int k : {2, 4, 8, 16}) {
@@ -93,7 +93,7 @@ TEST(ConjugateGradient, IsTheBestOfItsKrylovSpace) {
 TEST(ConjugateGradient, TakesAnyPreconditionerAndNeedsOneStepOfTheExactOne) {
     Cloth cloth = crumpled(sheet(6, 6), 0.03f, 500.0f);
     cloth.pin(0);
-    Problem problem(std::move(cloth));
+    GradientProblem problem(std::move(cloth));
     const Eigen::LDLT<Eigen::MatrixXd> factors(problem.reference.matrix);
     const auto exactly = [&](std::span<const Vec4> r, std::span<Vec4> z) {
         const Eigen::VectorXf solution = factors.solve(flat(r)).cast<float>();
@@ -107,7 +107,7 @@ TEST(ConjugateGradient, TakesAnyPreconditionerAndNeedsOneStepOfTheExactOne) {
 
 TEST(ConjugateGradient, EndsWhereNothingIsLeft) {
     Cloth cloth = crumpled(sheet(5, 5), 0.03f, 60.0f);
-    Problem problem(std::move(cloth));
+    GradientProblem problem(std::move(cloth));
     int preconditioned = 0;
     const float residual = problem.solve(100000, [&](std::span<const Vec4> r, std::span<Vec4> z) {
         ++preconditioned;
@@ -123,14 +123,14 @@ TEST(ConjugateGradient, EndsWhereNothingIsLeft) {
 }
 
 TEST(ConjugateGradient, LeavesTheClothAloneWhereTheSystemIsNotANumber) {
-    Problem problem(crumpled(sheet(5, 5), 0.03f, 60.0f));
+    GradientProblem problem(crumpled(sheet(5, 5), 0.03f, 60.0f));
     problem.system->right_side()[12].x = std::numeric_limits<float>::quiet_NaN();
     problem.solve(10);
     EXPECT_EQ(flat(problem.dv.span()).norm(), 0);
 }
 
 TEST(ConjugateGradient, ReportsThePreconditionedResidualOfTheLastIterateButOne) {
-    Problem problem(crumpled(sheet(5, 5), 0.03f, 200.0f));
+    GradientProblem problem(crumpled(sheet(5, 5), 0.03f, 200.0f));
     const auto preconditioned = [&](const Eigen::VectorXd& r) {
         return (dense_preconditioner(*problem.system) * r).norm();
     };

@@ -13,9 +13,8 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-constexpr double gravity = 9.80665;
-constexpr Vec3 fall{0, -static_cast<float>(gravity), 0};
+constexpr double standard_gravity = 9.80665;
+constexpr Vec3 fall{0, -static_cast<float>(standard_gravity), 0};
 
 /// Least length b of rope beyond a rough cylinder of radius r that pulls the length a on this side over it:
 /// Euler and Eytelwein's belt, with its own weight.
@@ -113,7 +112,7 @@ TEST(ContactPhysics, ASheetOnASlopeRestsBelowTheFrictionAngle) {
 TEST(ContactPhysics, ASheetOnASlopeSlidesByCoulombsLawAboveIt) {
     const double angle = 0.5;
     const auto expected = [&](double friction) {
-        return 0.5 * gravity * (std::sin(angle) - friction * std::cos(angle));
+        return 0.5 * standard_gravity * (std::sin(angle) - friction * std::cos(angle));
     };
     EXPECT_NEAR(slides(angle, 0, 1), expected(0), 0.03 * expected(0));
     EXPECT_NEAR(slides(angle, 0.2, 1), expected(0.2), 0.08 * expected(0.2));
@@ -191,14 +190,15 @@ TEST(ContactPhysics, LetGo) {
     EXPECT_TRUE(world.add_collider({.shape = Plane{}, .friction = 1}));
     for (int step = 0; step < 20; ++step) world.step(h);
     WorldSettings upwards = world.settings();
-    upwards.gravity = {0, static_cast<float>(gravity), 0};
+    upwards.gravity = {0, static_cast<float>(standard_gravity), 0};
     EXPECT_TRUE(world.set_settings(upwards));
     constexpr int steps = 10;
     for (int step = 0; step < steps; ++step) world.step(h);
     const ClothView view = world.cloth(id).value();
     for (const Vec4& v : view.velocities) {
-        EXPECT_LE(static_cast<double>(v.y), gravity * steps / 60 + 5e-4);
-        EXPECT_GT(static_cast<double>(v.y), gravity * (steps - 1.5) / 60);  // held for no more than a step
+        EXPECT_LE(static_cast<double>(v.y), standard_gravity * steps / 60 + 5e-4);
+        EXPECT_GT(static_cast<double>(v.y),
+                  standard_gravity * (steps - 1.5) / 60);  // held for no more than a step
     }
 }
 

@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "engine/vector.h"
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test {
 namespace {
 
-constexpr float step = 1.0f / 60, gravity = 9.81f;
+constexpr float g = 9.81f;
 constexpr int room = 1 << 14;
 
-WorldSettings reporting(int reports = room, Vec3 pull = {0, -gravity, 0}) {
+WorldSettings reporting(int reports = room, Vec3 pull = {0, -g, 0}) {
     WorldSettings settings;
     settings.gravity = pull;
     settings.wind.air_density = 0;
@@ -41,7 +42,7 @@ ClothSettings with_self(SelfCollisionMethod method) {
 }
 
 /// A level sheet, turned about its middle so that its mesh does not lie over another's.
-Mesh level_sheet(float height, float size = 0.4f, float turn = 0, std::uint32_t side = 13) {
+Mesh reporting_sheet(float height, float size = 0.4f, float turn = 0, std::uint32_t side = 13) {
     const float c = size * std::cos(turn), s = size * std::sin(turn);
     return make_sheet({.rows = side,
                        .columns = side,
@@ -83,7 +84,7 @@ struct NamedCloth {
     const char* name;
     ClothSettings settings;
 };
-std::vector<NamedCloth> all_methods() {
+std::vector<NamedCloth> reporting_methods() {
     std::vector<NamedCloth> cases{{"multilevel", undamped()},
                                   {"backward Euler", undamped()},
                                   {"substeps", undamped(Multilevel{}, 3)},
@@ -99,7 +100,7 @@ std::vector<NamedCloth> all_methods() {
 }
 
 TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
-    for (const NamedCloth& with : all_methods()) {
+    for (const NamedCloth& with : reporting_methods()) {
         for (const int substeps : {1, 3}) {
             for (const bool on_ball : {false, true}) {
                 SCOPED_TRACE(std::string(with.name) + (on_ball ? ", ball, " : ", plane, ") +
@@ -110,20 +111,20 @@ TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
                 ClothSettings cloth = with.settings;
                 cloth.air_damping = 2;
                 cloth.friction = 10;
-                const ClothId id = world.add_cloth(level_sheet(0.0055f), cloth).value();
+                const ClothId id = world.add_cloth(reporting_sheet(0.0055f), cloth).value();
                 if (on_ball)
                     EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, -0.3f, 0}, 0.3f}}));
                 else
                     EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
-                for (int k = 0; k < 240; ++k) world.step(step);
+                for (int k = 0; k < 240; ++k) world.step(h);
                 Eigen::Vector3d sum = Eigen::Vector3d::Zero();
                 const Eigen::Vector3d before = momentum(world, id);
                 constexpr int steps = 120;
                 for (int k = 0; k < steps; ++k) {
-                    world.step(step);
+                    world.step(h);
                     sum += impulse(world);
                 }
-                const double of_fall = mass(world, id) * static_cast<double>(gravity * step) * steps;
+                const double of_fall = mass(world, id) * static_cast<double>(g * h) * steps;
                 const Eigen::Vector3d changed = momentum(world, id) - before;
                 // What Jacobi and conjugate gradients leave of a hanging rim's equation counts as contact's.
                 const bool leaves_more = std::holds_alternative<Jacobi>(cloth.method) ||
@@ -136,16 +137,16 @@ TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
 }
 
 TEST(ContactReports, OfAnImpactAddUpToTheMomentumThatItTakes) {
-    for (const NamedCloth& with : all_methods()) {
+    for (const NamedCloth& with : reporting_methods()) {
         SCOPED_TRACE(with.name);
         World world = World::create(reporting()).value();
-        const ClothId id = world.add_cloth(level_sheet(0.3f), with.settings).value();
+        const ClothId id = world.add_cloth(reporting_sheet(0.3f), with.settings).value();
         ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
         double sum = 0, fallen = 0, before = 0;
         for (int k = 0; k < 30; ++k) {
             before = momentum(world, id).y();
-            world.step(step);
-            fallen += mass(world, id) * static_cast<double>(gravity * step);
+            world.step(h);
+            fallen += mass(world, id) * static_cast<double>(g * h);
             sum += impulse(world).y();
         }
         EXPECT_LT(before, 1) << "it has landed";
@@ -160,8 +161,8 @@ TEST(ContactReports, SayWhereWhichColliderHoldsWhat) {
         world.add_collider({.shape = Capsule{{-0.15f, 0, -1}, {-0.15f, 0, 1}, 0.05f}}).value();
     const ColliderId right = world.add_collider({.shape = Sphere{{0.15f, -0.05f, 0}, 0.1f}}).value();
     ASSERT_TRUE(world.remove_collider(gone));
-    const ClothId id = world.add_cloth(level_sheet(0.06f), undamped()).value();
-    for (int k = 0; k < 8; ++k) world.step(step);
+    const ClothId id = world.add_cloth(reporting_sheet(0.06f), undamped()).value();
+    for (int k = 0; k < 8; ++k) world.step(h);
     const ClothView view = world.cloth(id).value();
     int of_left = 0, of_right = 0;
     for (const Contact& c : world.contacts()) {
@@ -187,19 +188,19 @@ TEST(ContactReports, HaveFrictionThatStopsASlide) {
     World world = World::create(reporting()).value();
     ClothSettings settings = undamped();
     settings.friction = 1;
-    const ClothId id = world.add_cloth(level_sheet(0.0051f), settings).value();
+    const ClothId id = world.add_cloth(reporting_sheet(0.0051f), settings).value();
     constexpr float friction = 0.3f;
     ASSERT_TRUE(world.add_collider({.shape = Plane{}, .friction = friction}));
     WorldSettings slope = world.settings();
-    slope.gravity = {gravity, -gravity, 0};
+    slope.gravity = {g, -g, 0};
     ASSERT_TRUE(world.set_settings(slope));
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 10; ++k) world.step(step);
+    for (int k = 0; k < 10; ++k) world.step(h);
     for (int k = 0; k < 20; ++k) {
-        world.step(step);
+        world.step(h);
         sum += impulse(world);
     }
-    const double of_fall = mass(world, id) * static_cast<double>(gravity * step) * 20;
+    const double of_fall = mass(world, id) * static_cast<double>(g * h) * 20;
     EXPECT_NEAR(sum.y() / of_fall, 1, 0.02);
     EXPECT_NEAR(sum.x() / of_fall, static_cast<double>(-friction), 0.03);
 }
@@ -209,19 +210,19 @@ TEST(ContactReports, OfAStackPassItsWeightOn) {
     World world = World::create(reporting()).value();
     ClothSettings settings = with_self(SelfCollisionMethod::contact);
     settings.air_damping = 2;
-    const ClothId lower = world.add_cloth(level_sheet(0.006f, 0.5f), settings).value();
-    const ClothId upper = world.add_cloth(level_sheet(0.018f, 0.4f, 0.3f), settings).value();
+    const ClothId lower = world.add_cloth(reporting_sheet(0.006f, 0.5f), settings).value();
+    const ClothId upper = world.add_cloth(reporting_sheet(0.018f, 0.4f, 0.3f), settings).value();
     ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
-    for (int k = 0; k < 120; ++k) world.step(step);
+    for (int k = 0; k < 120; ++k) world.step(h);
     double on_ground = 0, between = 0;
     constexpr int steps = 120;
     for (int k = 0; k < steps; ++k) {
-        world.step(step);
+        world.step(h);
         on_ground += impulse(world, is_with_collider).y();
         between +=
             impulse(world, [&](const Contact& c) { return c.cloth == lower && c.other_cloth == upper; }).y();
     }
-    const double fall = static_cast<double>(gravity * step) * steps;
+    const double fall = static_cast<double>(g * h) * steps;
     EXPECT_NEAR(-between / (mass(world, upper) * fall), 1, 0.3);
     EXPECT_NEAR(on_ground / ((mass(world, upper) + mass(world, lower)) * fall), 1, 0.3);
 }
@@ -231,23 +232,23 @@ TEST(ContactReports, OfTwoClothsThatMeetAreWhatChangesTheirMomentum) {
         World world = World::create(reporting()).value();
         ClothSettings settings = with_self(SelfCollisionMethod::contact);
         settings.time_scheme = scheme;
-        const ClothId lower = world.add_cloth(level_sheet(0), settings).value();
-        const ClothId upper = world.add_cloth(level_sheet(0.2f, 0.4f, 0.3f), settings).value();
+        const ClothId lower = world.add_cloth(reporting_sheet(0), settings).value();
+        const ClothId upper = world.add_cloth(reporting_sheet(0.2f, 0.4f, 0.3f), settings).value();
         // The upper one is let fall for a moment, and then there is no gravity.
         std::vector<std::uint32_t> all(world.cloth(lower)->positions.size());
         for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
         ASSERT_TRUE(world.pin(lower, all));
-        for (int k = 0; k < 6; ++k) world.step(step);
+        for (int k = 0; k < 6; ++k) world.step(h);
         ASSERT_TRUE(world.unpin(lower, all));
         ASSERT_TRUE(world.set_settings(reporting(room, {})));
         for (int k = 0; k < 6; ++k) {  // BDF2 goes on with what a push was for some steps
-            world.step(step);
+            world.step(h);
             ASSERT_TRUE(world.contacts().empty());
         }
         const Eigen::Vector3d of_lower = momentum(world, lower), of_upper = momentum(world, upper);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (int k = 0; k < 60; ++k) {
-            world.step(step);
+            world.step(h);
             sum +=
                 impulse(world, [&](const Contact& c) { return c.other_cloth == upper && c.cloth == lower; });
             EXPECT_LE(impulse(world, [](const Contact& c) { return c.other_cloth == c.cloth; }).norm(),
@@ -265,8 +266,8 @@ TEST(ContactReports, OfTwoClothsThatMeetAreWhatChangesTheirMomentum) {
 struct Layers {
     explicit Layers(float gap, const ClothSettings& settings, const WorldSettings& in = reporting())
         : world(World::create(in).value()) {
-        Mesh mesh = level_sheet(0);
-        const Mesh other = level_sheet(gap);
+        Mesh mesh = reporting_sheet(0);
+        const Mesh other = reporting_sheet(gap);
         mesh.rows = mesh.columns = 0;
         const auto count = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
@@ -287,13 +288,13 @@ TEST(ContactReports, OfLayersByAvoidanceHoldTheUpperOneUp) {
     settings.air_damping = 2;
     Layers layers(0.0251f, settings);
     World& world = layers.world;
-    for (int k = 0; k < 60; ++k) world.step(step);
+    for (int k = 0; k < 60; ++k) world.step(h);
     double up = 0;
     constexpr int steps = 60;
     const double before = momentum(world, layers.id).y();
     const ClothView view = world.cloth(layers.id).value();
     for (int k = 0; k < steps; ++k) {
-        world.step(step);
+        world.step(h);
         for (const Contact& c : world.contacts()) {
             ASSERT_EQ(c.cloth, layers.id);
             ASSERT_EQ(c.other_cloth, layers.id);
@@ -302,7 +303,7 @@ TEST(ContactReports, OfLayersByAvoidanceHoldTheUpperOneUp) {
             up += static_cast<double>(is_upper ? c.impulse.y : -c.impulse.y);
         }
     }
-    const double fall = static_cast<double>(gravity * step) * steps;
+    const double fall = static_cast<double>(g * h) * steps;
     const double changed = momentum(world, layers.id).y() - before;
     EXPECT_NEAR((up - changed) / (0.5 * mass(world, layers.id) * fall), 1, 0.05);
 }
@@ -312,10 +313,10 @@ struct Heap {
     explicit Heap(const WorldSettings& settings) : world(World::create(settings).value()) {
         const ClothSettings contact = with_self(SelfCollisionMethod::contact),
                             avoidance = with_self(SelfCollisionMethod::avoidance);
-        cloths = {world.add_cloth(level_sheet(0.12f, 0.4f, 0.3f), contact).value(),
-                  world.add_cloth(level_sheet(0.105f), contact).value(),
-                  world.add_cloth(level_sheet(0.2f, 0.3f, 0, 20), avoidance).value(),
-                  world.add_cloth(level_sheet(0.3f, 0.2f), undamped(Xpbd{}, 4)).value()};
+        cloths = {world.add_cloth(reporting_sheet(0.12f, 0.4f, 0.3f), contact).value(),
+                  world.add_cloth(reporting_sheet(0.105f), contact).value(),
+                  world.add_cloth(reporting_sheet(0.2f, 0.3f, 0, 20), avoidance).value(),
+                  world.add_cloth(reporting_sheet(0.3f, 0.2f), undamped(Xpbd{}, 4)).value()};
         EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, 0, 0}, 0.1f}}));
         EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
     }
@@ -340,7 +341,7 @@ TEST(ContactReports, AreTheSameBytesOnAnyThreadsAndChangeNothing) {
         settings.substeps = 2;
         Heap heap(settings);
         for (std::size_t k = 0; k < 50; ++k) {
-            heap.world.step(step);
+            heap.world.step(h);
             if (threads == 1 && reports > 0) {
                 expected.push_back(bytes_of(heap.world.contacts()));
                 hashes.push_back(heap.world.state_hash());
@@ -363,8 +364,8 @@ TEST(ContactReports, AreTheStrongestWhereThereIsNoRoomForAll) {
         small.threads = threads;
         Heap all(reporting()), some(small);
         for (int k = 0; k < 40; ++k) {
-            all.world.step(step);
-            some.world.step(step);
+            all.world.step(h);
+            some.world.step(h);
             ASSERT_EQ(some.world.report().contacts, all.world.contacts().size());
             const auto strength = [](const Contact& c) { return to_vector(c.impulse).norm(); };
             std::vector<Contact> best(all.world.contacts().begin(), all.world.contacts().end());
@@ -386,7 +387,7 @@ TEST(ContactReports, GoByCloths) {
     std::uint32_t last = 0;
     std::vector<bool> seen(heap.cloths.size());
     for (int k = 0; k < 60; ++k) {
-        heap.world.step(step);
+        heap.world.step(h);
         last = 0;
         for (const Contact& c : heap.world.contacts()) {
             EXPECT_GE(c.cloth.index, last);
@@ -408,22 +409,22 @@ TEST(ContactReports, CanBeSwitchedAtAnyTime) {
         settings.contact_reports = reports;
         return world.set_settings(settings);
     };
-    for (int k = 0; k < 30; ++k) world.step(step);
+    for (int k = 0; k < 30; ++k) world.step(h);
     EXPECT_TRUE(world.contacts().empty());
     ASSERT_TRUE(set_room(room));
     EXPECT_TRUE(world.contacts().empty());
     EXPECT_GT(world.cloth_info(heap.cloths[0])->bytes, without);
-    world.step(step);
+    world.step(h);
     EXPECT_FALSE(world.contacts().empty());
     ASSERT_TRUE(world.add_collider({.shape = Sphere{{0, 0.1f, 0}, 0.02f}}));
     ASSERT_TRUE(world.remove_cloth(heap.cloths[1]));
-    world.step(step);
+    world.step(h);
     for (const Contact& c : world.contacts()) EXPECT_NE(c.cloth, heap.cloths[1]);
     EXPECT_FALSE(world.contacts().empty());
     world.step(0);
     EXPECT_TRUE(world.contacts().empty()) << "of a step that was none";
     ASSERT_TRUE(set_room(0));
-    world.step(step);
+    world.step(h);
     EXPECT_TRUE(world.contacts().empty());
     EXPECT_EQ(world.cloth_info(heap.cloths[0])->bytes, without);
 }

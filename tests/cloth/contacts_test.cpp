@@ -19,8 +19,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-
 /// A crumpled cloth that lies half in a floor which rises, and slides on it.
 struct LyingCloth {
     explicit LyingCloth(bool elements = false)

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/vector.h"
+#include "fixtures.h"
 #include "meshes.h"
 
 namespace weft {
@@ -39,12 +40,6 @@ std::optional<HalfEdge> half_edge(const CookedCloth& cloth, std::uint32_t from, 
 /// Between the particles of two vertices.
 std::optional<HalfEdge> spring(const CookedCloth& cloth, std::uint32_t from, std::uint32_t to) {
     return half_edge(cloth, cloth.vertex_to_particle[from], cloth.vertex_to_particle[to]);
-}
-
-double total_rest_area(const CookedCloth& cloth) {
-    double total = 0;
-    for (const float area : cloth.rest_area.span()) total += static_cast<double>(area);
-    return total;
 }
 
 /// By Heron's formula in double precision.
@@ -111,7 +106,7 @@ TEST(Cook, RestAreasSumToTheSurface) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
         const double expected = surface_area(sample.mesh);
-        EXPECT_NEAR(total_rest_area(test::must(cook(sample.mesh))), expected, 1e-6 * expected);
+        EXPECT_NEAR(test::total_rest_area(test::must(cook(sample.mesh))), expected, 1e-6 * expected);
     }
 }
 
@@ -223,7 +218,7 @@ TEST(Cook, PatternUnfoldsAcrossASeam) {
     EXPECT_FLOAT_EQ(spring(cloth, 0, 2)->rest_length, std::sqrt(1.25f));
     EXPECT_FLOAT_EQ(spring(cloth, 0, 5)->rest_length, std::sqrt(4.25f));
     EXPECT_FLOAT_EQ(spring(cloth, 2, 5)->rest_length, 3);  // 1 m to the seam and 2 m beyond, laid flat
-    EXPECT_FLOAT_EQ(static_cast<float>(total_rest_area(cloth)), 0.5f + 1.0f);
+    EXPECT_FLOAT_EQ(static_cast<float>(test::total_rest_area(cloth)), 0.5f + 1.0f);
     EXPECT_FLOAT_EQ(cloth.rest_area[cloth.vertex_to_particle[2]], 0.5f / 3);
 }
 
@@ -270,7 +265,7 @@ TEST(Cook, UnrolledTubeIsWeldedAndKeepsItsCircumference) {
     const float turn = tube.texcoords[1].x;
     for (std::uint32_t column = 0; column < columns; ++column)
         EXPECT_NEAR(spring(cloth, column, (column + 1) % columns)->rest_length, turn, 1e-6);
-    EXPECT_NEAR(total_rest_area(cloth), 2 * columns * static_cast<double>(turn), 1e-5);
+    EXPECT_NEAR(test::total_rest_area(cloth), 2 * columns * static_cast<double>(turn), 1e-5);
 }
 
 TEST(Cook, LooseParticlesHaveNoAreaAndNoSprings) {

@@ -15,7 +15,7 @@ constexpr float size = 0.4f, radius = 0.009f;
 
 /// Level, turned by an angle; where(u) is its height, u from 0 to 1 along it.
 template <class Where>
-Mesh sheet(float turn, const Where& where) {
+Mesh crossing_sheet(float turn, const Where& where) {
     constexpr std::uint32_t side = 15;
     const float c = size * std::cos(turn), s = size * std::sin(turn);
     Mesh mesh = make_sheet({.rows = side,
@@ -42,8 +42,8 @@ struct Crossed {
             .enabled = true, .method = SelfCollisionMethod::contact, .distance = radius};
         const auto level = [](float) { return 0.025f; };
         const auto through = [&](float u) { return 0.025f + 0.008f * std::tanh(20 * (u - part)); };
-        cloths = {world.add_cloth(sheet(0, level), settings).value(),
-                  world.add_cloth(sheet(0.07f, through), settings).value()};
+        cloths = {world.add_cloth(crossing_sheet(0, level), settings).value(),
+                  world.add_cloth(crossing_sheet(0.07f, through), settings).value()};
     }
     World world = World::create({}).value();
     std::vector<ClothId> cloths;

@@ -14,9 +14,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float frame = 1.0f / 60;
-constexpr Vec3 gravity = {0, -9.81f, 0};
-
 /// Threads that hardly stretch in a cloth that shears easily: the ends of the demo's sliders.
 ClothSettings stiff_threads(const Multilevel& method) {
     ClothSettings settings;
@@ -29,7 +26,7 @@ ClothSettings stiff_threads(const Multilevel& method) {
 /// A square sheet hung by two corners.
 struct Hung {
     Hung(std::uint32_t side, const ClothSettings& settings, int threads = 1) : side(side) {
-        WorldSettings world_settings = vacuum(gravity);
+        WorldSettings world_settings = vacuum(downwards);
         world_settings.threads = threads;
         world = World::create(world_settings).value();
         id = world->add_cloth(sheet(side, side), settings).value();
@@ -60,7 +57,7 @@ TEST(Effort, HoldsThreadsThatAreAThousandTimesStifferThanShear) {
         Hung hung(side, stiff_threads({}));
         float worst = 0;
         for (int k = 0; k < 150; ++k) {
-            hung.world->step(frame);
+            hung.world->step(h);
             worst = std::max(worst, hung.stretch());
         }
         EXPECT_LT(worst, 1.12f) << side;  // 1.001 where each step is solved to the end
@@ -72,7 +69,7 @@ TEST(Effort, ManyPassesDoNotTearIt) {
         Hung hung(17, stiff_threads({.passes = passes, .iterations = 2}));
         float worst = 0;
         for (int k = 0; k < 90; ++k) {
-            hung.world->step(frame);
+            hung.world->step(h);
             worst = std::max(worst, hung.stretch());
         }
         EXPECT_LT(worst, 1.25f) << passes;
@@ -86,8 +83,8 @@ TEST(Effort, ChangesNothingWhereTheEquationIsEasy) {
     };
     Hung usual(24, settings(1.5f)), none(24, settings(1));
     for (int k = 0; k < 120; ++k) {
-        usual.world->step(frame);
-        none.world->step(frame);
+        usual.world->step(h);
+        none.world->step(h);
         ASSERT_EQ(usual.world->report().flags, StepFlags::none) << k;
     }
     EXPECT_EQ(usual.world->state_hash(), none.world->state_hash());
@@ -96,13 +93,13 @@ TEST(Effort, ChangesNothingWhereTheEquationIsEasy) {
 TEST(Effort, GivesTheSameBytesForAnyNumberOfThreads) {
     const auto hash = [](int threads) {
         Hung hung(48, stiff_threads({}), threads);
-        for (int k = 0; k < 20; ++k) hung.world->step(frame);
+        for (int k = 0; k < 20; ++k) hung.world->step(h);
         return hung.world->state_hash();
     };
     const std::uint64_t serial = hash(1);
     for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), serial) << threads;
     Hung without(48, stiff_threads({.effort = 1}));
-    for (int k = 0; k < 20; ++k) without.world->step(frame);
+    for (int k = 0; k < 20; ++k) without.world->step(h);
     EXPECT_NE(without.world->state_hash(), serial) << "the scene is hard enough to be a test";
 }
 
@@ -110,7 +107,7 @@ TEST(Effort, SaysWhatIsLeftUnsolved) {
     const auto flags = [](const Multilevel& method) {
         Hung hung(17, stiff_threads(method));
         StepFlags all = StepFlags::none;
-        for (int k = 0; k < 40; ++k) all = all | hung.world->step(frame).flags;
+        for (int k = 0; k < 40; ++k) all = all | hung.world->step(h).flags;
         return all;
     };
     EXPECT_TRUE(has(flags({.effort = 1, .tolerance = 1e-3f}), StepFlags::unsolved));
@@ -156,7 +153,7 @@ TEST(Effort, StepsBackToWhereASecantHasTheEnergyLeast) {
 }
 
 TEST(Effort, SettingsOutOfRangeAreRefusedByName) {
-    World world = World::create(vacuum(gravity)).value();
+    World world = World::create(vacuum(downwards)).value();
     const auto message = [&](const Multilevel& method) {
         const auto made = world.add_cloth(sheet(3, 3), {.method = method});
         return made ? std::string() : made.error().message;

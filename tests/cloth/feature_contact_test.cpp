@@ -7,12 +7,11 @@
 #include <cstring>
 
 #include "crossing_count.h"
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test {
 namespace {
-
-constexpr float step = 1.0f / 60;
 
 WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
     WorldSettings settings;
@@ -79,14 +78,10 @@ struct Stack {
     std::vector<ClothId> cloths;
 };
 
-bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
-}
-
 TEST(ClothOnCloth, StaysOnItInItsOrderAndCrossesNothing) {
     Stack stack(3);
     for (int k = 0; k < 90; ++k) {
-        stack.world.step(step);
+        stack.world.step(h);
         ASSERT_EQ(crossings(stack.world, stack.cloths), 0) << "in step " << k;
     }
     EXPECT_GT(mean_height(stack.world, stack.cloths[1]), mean_height(stack.world, stack.cloths[0]));
@@ -99,7 +94,7 @@ TEST(ClothOnCloth, FallsThroughWhereContactIsOffOrMasked) {
     masked.self_collision.mask = 2;
     for (const ClothSettings& settings : {ClothSettings{}, masked}) {
         Stack stack(2, settings);
-        for (int k = 0; k < 60; ++k) stack.world.step(step);
+        for (int k = 0; k < 60; ++k) stack.world.step(h);
         EXPECT_LT(mean_height(stack.world, stack.cloths[1]), -1);
     }
 }
@@ -112,14 +107,14 @@ TEST(ClothOnCloth, MeetsWhenOnlyOneOfItsLayersIsInTheOthersMask) {
     const ClothId below = world.add_cloth(level_sheet(0), one).value();
     const ClothId above = world.add_cloth(level_sheet(0.05f, 0.3f), other).value();
     ASSERT_TRUE(world.pin(below, border_of(13)));
-    for (int k = 0; k < 60; ++k) world.step(step);
+    for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_GT(mean_height(world, above), mean_height(world, below));
 }
 
 TEST(ClothOnCloth, GivesTheSameBytesOnAnyThreads) {
     const auto after = [](int threads) {
         Stack stack(4, with_contact(), threads, 0.03f);
-        for (int k = 0; k < 45; ++k) stack.world.step(step);
+        for (int k = 0; k < 45; ++k) stack.world.step(h);
         return std::pair(stack.positions(), stack.world.state_hash());
     };
     const auto expected = after(1);
@@ -139,7 +134,7 @@ TEST(ClothOnCloth, FarClothDoesNotNotice) {
             EXPECT_TRUE(world.pin(held, border_of(13)));
             EXPECT_TRUE(world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()));
         }
-        for (int k = 0; k < 20; ++k) world.step(step);
+        for (int k = 0; k < 20; ++k) world.step(h);
         const ClothView view = world.cloth(far).value();
         return std::vector<Vec4>(view.positions.begin(), view.positions.end());
     };
@@ -156,7 +151,7 @@ TEST(ClothOnCloth, KeepsTheMomentumOfBoth) {
     ASSERT_TRUE(world.pin(cloths[0], border_of(13)));
     WorldSettings pull = still_air();
     ASSERT_TRUE(world.set_settings(pull));
-    world.step(step);
+    world.step(h);
     ASSERT_TRUE(world.set_settings(still_air(1, {})));
     ASSERT_TRUE(world.unpin(cloths[0], border_of(13)));
     const auto momentum = [&] {
@@ -168,11 +163,11 @@ TEST(ClothOnCloth, KeepsTheMomentumOfBoth) {
         }
         return sum;
     };
-    for (int k = 0; k < 12; ++k) world.step(step);  // BDF2 goes on with what a push was for some steps
+    for (int k = 0; k < 12; ++k) world.step(h);  // BDF2 goes on with what a push was for some steps
     const double before = momentum();
     ASSERT_LT(before, 0);
     ASSERT_EQ(world.report().self_contacts, 0u);
-    for (int k = 0; k < 60; ++k) world.step(step);
+    for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_NEAR(momentum(), before, 1e-4 * std::abs(before));
     EXPECT_EQ(crossings(world, cloths), 0);
 }
@@ -210,7 +205,7 @@ TEST(FoldedCloth, CrossesNothingByAnyMethod) {
         Packet packet(settings);
         ASSERT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0);
         for (int k = 0; k < 60; ++k) {
-            packet.world.step(step);
+            packet.world.step(h);
             ASSERT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0) << name << " in step " << k;
         }
         EXPECT_FALSE(has(packet.world.report().flags, StepFlags::state_restored)) << name;
@@ -224,7 +219,7 @@ TEST(FoldedCloth, CrossesNothingWithSubstepsAndElements) {
             settings.finite_elements.enabled = elements;
             settings.substeps = substeps;
             Packet packet(settings);
-            for (int k = 0; k < 40; ++k) packet.world.step(step);
+            for (int k = 0; k < 40; ++k) packet.world.step(h);
             EXPECT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0) << elements << substeps;
         }
     }
@@ -233,8 +228,8 @@ TEST(FoldedCloth, CrossesNothingWithSubstepsAndElements) {
 TEST(FoldedCloth, FallsAsOneThatDoesNotTouchItself) {
     Packet packet(with_contact(), 0.004f);
     const float before = mean_height(packet.world, packet.cloth);
-    for (int k = 0; k < 6; ++k) packet.world.step(step);
-    const float fallen = before - mean_height(packet.world, packet.cloth), t = 6 * step;
+    for (int k = 0; k < 6; ++k) packet.world.step(h);
+    const float fallen = before - mean_height(packet.world, packet.cloth), t = 6 * h;
     EXPECT_NEAR(fallen, 0.5f * 9.81f * t * t, 0.1f * fallen);
 }
 
@@ -285,11 +280,11 @@ struct Slope {
 
 TEST(ClothOnCloth, RestsOnASlopeOfClothThatIsHeldEverywhere) {
     Slope slope(0.349f, 0.5f);  // 20 degrees
-    for (int k = 0; k < 120; ++k) slope.world.step(step);
+    for (int k = 0; k < 120; ++k) slope.world.step(h);
     EXPECT_GT(slope.mean(slope.up), 0.25f * Slope::edge);
     EXPECT_LT(speed_of(slope.world, slope.cloth), 2e-3);
     const float before = slope.mean(slope.down);
-    for (int k = 0; k < 60; ++k) slope.world.step(step);
+    for (int k = 0; k < 60; ++k) slope.world.step(h);
     EXPECT_NEAR(slope.mean(slope.down), before, 1e-4f);  // 1 mm in 10 s
     EXPECT_EQ(crossings(slope.world, slope.cloths), 0);
 }
@@ -302,8 +297,8 @@ TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
         Slope slope(angle, friction);
         const float before = slope.mean(slope.down);
         constexpr int steps = 20;
-        for (int k = 0; k < steps; ++k) slope.world.step(step);
-        const float seconds = steps * step;
+        for (int k = 0; k < steps; ++k) slope.world.step(h);
+        const float seconds = steps * h;
         const float way = 0.5f * 9.81f * (std::sin(angle) - friction * std::cos(angle)) * seconds * seconds;
         EXPECT_NEAR((slope.mean(slope.down) - before) / way, 1, 0.4f) << friction;
     }
@@ -314,7 +309,7 @@ TEST(ClothOnCloth, ComesToRestOnTheGround) {
     ASSERT_TRUE(world.add_collider({Plane{{0, 1, 0}, -0.02f}}));
     const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
                             world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()).value()};
-    for (int k = 0; k < 600; ++k) world.step(step);
+    for (int k = 0; k < 600; ++k) world.step(h);
     for (const ClothId id : cloths) EXPECT_LT(speed_of(world, id), 2e-3);
     EXPECT_GT(mean_height(world, cloths[1]), mean_height(world, cloths[0]) + 5e-3f);
     EXPECT_EQ(crossings(world, cloths), 0);
@@ -323,12 +318,12 @@ TEST(ClothOnCloth, ComesToRestOnTheGround) {
 TEST(FoldedCloth, StopsAPinThatWouldGoThroughItAndSaysSo) {
     Stack stack(2);
     ASSERT_TRUE(stack.world.pin(stack.cloths[1], 84));
-    for (int k = 0; k < 20; ++k) stack.world.step(step);
+    for (int k = 0; k < 20; ++k) stack.world.step(h);
     StepFlags flags = StepFlags::none;
     float lag = 0;
     for (int k = 0; k < 20; ++k) {
         ASSERT_TRUE(stack.world.move_pin(stack.cloths[1], 84, {0, -0.05f * static_cast<float>(k), 0}));
-        const StepReport& report = stack.world.step(step);
+        const StepReport& report = stack.world.step(h);
         flags = flags | report.flags;
         lag = std::max(lag, report.pin_lag);
         ASSERT_EQ(crossings(stack.world, stack.cloths), 0) << "in step " << k;
@@ -347,9 +342,9 @@ TEST(FoldedCloth, HasNoCrossingHoweverFastItIsThrown) {
         for (int k = 0; k < 12; ++k) {
             for (const std::uint32_t i : border_of(13)) {
                 const Vec4 x = world.cloth(cloths[1]).value().positions[i];
-                ASSERT_TRUE(world.move_pin(cloths[1], i, {x.x, x.y - speed * step, x.z}));
+                ASSERT_TRUE(world.move_pin(cloths[1], i, {x.x, x.y - speed * h, x.z}));
             }
-            world.step(step);
+            world.step(h);
             ASSERT_EQ(crossings(world, cloths), 0) << speed << " m/s, step " << k;
         }
     }
@@ -366,15 +361,15 @@ TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
     EXPECT_LT(world.cloth_info(cloths[0])->bytes, bytes_with);
     const ClothId plain = world.add_cloth(level_sheet(2), off).value();
     EXPECT_EQ(world.cloth_info(cloths[0])->bytes, world.cloth_info(plain)->bytes);
-    for (int k = 0; k < 5; ++k) world.step(step);
+    for (int k = 0; k < 5; ++k) world.step(h);
     ASSERT_TRUE(world.set_cloth_settings(cloths[0], with_contact()));
     ClothSettings avoidance = with_contact();
     avoidance.self_collision.method = SelfCollisionMethod::avoidance;
-    for (int k = 0; k < 5; ++k) world.step(step);
+    for (int k = 0; k < 5; ++k) world.step(h);
     ASSERT_TRUE(world.set_cloth_settings(cloths[1], avoidance));
-    for (int k = 0; k < 5; ++k) world.step(step);
+    for (int k = 0; k < 5; ++k) world.step(h);
     ASSERT_TRUE(world.remove_cloth(cloths[0]));
-    for (int k = 0; k < 5; ++k) world.step(step);
+    for (int k = 0; k < 5; ++k) world.step(h);
     EXPECT_FALSE(has(world.report().flags, StepFlags::state_restored));
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 // Cloths and dense references that several test files share.
 
+#include <cstring>
 #include <Eigen/Core>
 #include <random>
+#include <vector>
 
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/simulation.h"
@@ -13,8 +15,21 @@
 
 namespace weft::test {
 
+inline constexpr float h = 1.0f / 60;              ///< s, a step as games take it
+inline constexpr Vec3 downwards = {0, -9.81f, 0};  ///< m/s^2
+
 inline Mesh sheet(std::uint32_t rows, std::uint32_t columns) {
     return make_sheet({.rows = rows, .columns = columns}).value();
+}
+
+inline bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
+}
+
+inline double total_rest_area(const CookedCloth& cloth) {
+    double total = 0;
+    for (const float area : cloth.rest_area.span()) total += static_cast<double>(area);
+    return total;
 }
 
 /// A cloth without air, pins or damping, whose particles are displaced and moving at random: springs in

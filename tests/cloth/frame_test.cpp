@@ -21,8 +21,9 @@ float fastest(const World& world, ClothId id) {
 }
 
 /// A sheet of 1 m that hangs by two corners, at rest, in a World without air.
-struct Hung {
-    explicit Hung(const ClothSettings& settings = {}, WorldSettings of_world = vacuum({0, -9.81f, 0}))
+struct HungByCorners {
+    explicit HungByCorners(const ClothSettings& settings = {},
+                           WorldSettings of_world = vacuum({0, -9.81f, 0}))
         : world(World::create(of_world).value()),
           cloth(world
                     .add_cloth(make_sheet({.rows = 24,
@@ -42,7 +43,7 @@ struct Hung {
     ClothId cloth;
 };
 
-std::vector<Method> all_methods() {
+std::vector<Method> plain_methods() {
     return {Multilevel{}, Jacobi{}, Chebyshev{}, ConjugateGradient{}, Xpbd{}, Fibres{}, SymplecticEuler{}};
 }
 
@@ -54,11 +55,11 @@ ClothSettings with(const Method& method) {
 }
 
 TEST(MaxSpeed, HoldsWhenAColliderJumpsIntoTheCloth) {
-    for (const Method& method : all_methods()) {
+    for (const Method& method : plain_methods()) {
         for (const float jump : {10.0f, 100.0f, 1000.0f}) {
             ClothSettings settings = with(method);
             settings.self_collision.enabled = true;
-            Hung hung(settings);
+            HungByCorners hung(settings);
             const ColliderId ball = hung.world.add_collider({.shape = Sphere{{0, 0, jump}, 0.3f}}).value();
             hung.step(20);
             ASSERT_TRUE(hung.world.move_collider(ball, {.shape = Sphere{{0, 0, 0.1f}, 0.3f}}));
@@ -74,7 +75,7 @@ TEST(MaxSpeed, HoldsWhenAColliderJumpsIntoTheCloth) {
 
 TEST(PlaceCollider, PutsClothOutsideAndThrowsNothing) {
     for (const float jump : {10.0f, 1000.0f}) {
-        Hung hung;
+        HungByCorners hung;
         const ColliderId ball = hung.world.add_collider({.shape = Sphere{{0, 0, jump}, 0.3f}}).value();
         hung.step(60);
         ASSERT_TRUE(hung.world.place_collider(ball, {.shape = Sphere{{0, 0, 0.1f}, 0.3f}}));
@@ -88,7 +89,7 @@ TEST(PlaceCollider, PutsClothOutsideAndThrowsNothing) {
 }
 
 TEST(PlaceCollider, RefusesWhatMoveColliderRefuses) {
-    Hung hung;
+    HungByCorners hung;
     const ColliderId ball = hung.world.add_collider({.shape = Sphere{{0, 0, 9}, 0.3f}}).value();
     EXPECT_EQ(hung.world.place_collider(ball, {.shape = Plane{}}).error().code, ErrorCode::invalid_argument);
     EXPECT_EQ(hung.world.place_collider(ball, {.shape = Sphere{{0, NAN, 0}, 1}}).error().code,
@@ -98,7 +99,7 @@ TEST(PlaceCollider, RefusesWhatMoveColliderRefuses) {
 }
 
 TEST(Bounds, HoldPinsThatHaveMoved) {
-    Hung hung;
+    HungByCorners hung;
     ASSERT_TRUE(hung.world.move_pin(hung.cloth, 0, {9.5f, 0.5f, -3}));
     hung.step();
     const ClothView view = hung.world.cloth(hung.cloth).value();
@@ -134,18 +135,18 @@ TEST(Settle, LeavesNoParticleInsideAColliderWithSelfCollisionOn) {
 TEST(Pins, UnpinOfAFreeVertexChangesNothing) {
     ClothSettings settings;
     settings.time_scheme = TimeScheme::bdf2;
-    Hung one(settings), other(settings);
-    for (Hung* hung : {&one, &other}) hung->step(10);
+    HungByCorners one(settings), other(settings);
+    for (HungByCorners* hung : {&one, &other}) hung->step(10);
     ASSERT_TRUE(one.world.unpin(one.cloth, 300));
-    for (Hung* hung : {&one, &other}) hung->step(3);
+    for (HungByCorners* hung : {&one, &other}) hung->step(3);
     EXPECT_EQ(one.world.state_hash(), other.world.state_hash());
 }
 
 TEST(Pins, ManyAtOnceAreThoseOneByOneInAnyOrder) {
-    for (const Method& method : all_methods()) {
+    for (const Method& method : plain_methods()) {
         ClothSettings settings = with(method);
         settings.tethers.enabled = true;
-        Hung at_once(settings), one_by_one(settings);
+        HungByCorners at_once(settings), one_by_one(settings);
         std::vector<std::uint32_t> vertices;
         for (std::uint32_t v = 7; v < 576; v += 61) vertices.push_back(v);
         ASSERT_TRUE(at_once.world.pin(at_once.cloth, vertices));
@@ -160,7 +161,7 @@ TEST(Pins, ManyAtOnceAreThoseOneByOneInAnyOrder) {
 }
 
 TEST(Pins, AVertexThatDoesNotExistLeavesTheOthersFree) {
-    Hung hung;
+    HungByCorners hung;
     const std::uint64_t before = hung.world.state_hash();
     const Result<void> result = hung.world.pin(hung.cloth, std::array{5u, 576u});
     ASSERT_FALSE(result);

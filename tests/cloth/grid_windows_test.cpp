@@ -16,7 +16,7 @@
 namespace weft::test {
 namespace {
 
-struct Results {
+struct WindowResults {
     std::vector<Vec4> b, product, remainder, corrected, relaxed, residual;
     Products products;
 };
@@ -25,12 +25,12 @@ std::vector<Vec4> values(const AlignedBuffer<Vec4>& rows) {
     return {rows.data(), rows.data() + (rows.size() + 15) / 16 * 16};
 }
 
-Results everything(const SpringScene& scene, Parallel& parallel) {
+WindowResults all_of_windows(const SpringScene& scene, Parallel& parallel) {
     SpringSystem system(scene.model);
     system.linearise(parallel, scene.equation(), scene.velocities.span(), scene.about);
     const std::span<const Vec4> b = system.right_side().span(), x = scene.velocities.span();
     AlignedBuffer<Vec4> out(scene.size());
-    Results results;
+    WindowResults results;
     results.b = values(system.right_side());
     results.products = system.multiply(parallel, b, x, out.span());
     results.product = values(out);
@@ -49,10 +49,6 @@ Results everything(const SpringScene& scene, Parallel& parallel) {
     return results;
 }
 
-bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
-}
-
 struct Size {
     std::uint32_t rows, columns;
 };
@@ -64,10 +60,10 @@ TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
             SCOPED_TRACE(testing::Message() << rows << " x " << columns);
             const SpringScene scene = make_scene(sheet(rows, columns), 400, about);
             Parallel serial(1);
-            const Results expected = everything(scene, serial);
+            const WindowResults expected = all_of_windows(scene, serial);
             for (const int threads : {2, 3, 5, 256}) {
                 Parallel parallel = as_for_threads(threads);
-                const Results results = everything(scene, parallel);
+                const WindowResults results = all_of_windows(scene, parallel);
                 EXPECT_TRUE(same_bytes(results.b, expected.b)) << threads;
                 EXPECT_TRUE(same_bytes(results.product, expected.product)) << threads;
                 EXPECT_TRUE(same_bytes(results.remainder, expected.remainder)) << threads;

@@ -15,8 +15,8 @@ namespace weft::test {
 namespace {
 
 /// A cloth's assembled system, and what Jacobi iterations make of it.
-struct Problem {
-    explicit Problem(const Cloth& cloth, float h = 1.0f / 60, const Vector3& gravity = {0, -9.81f, 0})
+struct JacobiProblem {
+    explicit JacobiProblem(const Cloth& cloth, float h = 1.0f / 60, const Vector3& gravity = {0, -9.81f, 0})
         : system(assembled(cloth, h, gravity)),
           dv(cloth.model.particle_count),
           scratch(cloth.model.particle_count) {}
@@ -76,7 +76,7 @@ TEST(Jacobi, ManyIterationsEqualADenseSolve) {
     for (const std::uint32_t pinned : {0u, 3u}) {
         Cloth cloth = crumpled(sheet(6, 7), 0.03f, 60.0f);
         for (std::uint32_t p = 0; p < pinned; ++p) cloth.pin(5 * p);
-        Problem problem(cloth);
+        JacobiProblem problem(cloth);
         const DenseSystem system = dense(*problem.system);
         const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
         problem.solve(4000);
@@ -86,7 +86,7 @@ TEST(Jacobi, ManyIterationsEqualADenseSolve) {
 
 TEST(Jacobi, ErrorAfterKIterationsIsTheIterationMatrixToTheKPlusOne) {
     Cloth cloth = crumpled(sheet(5, 5), 0.03f, 200.0f);
-    Problem problem(cloth);
+    JacobiProblem problem(cloth);
     const DenseSystem system = dense(*problem.system);
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
     const Eigen::MatrixXd g = iteration_matrix(*problem.system);
@@ -124,7 +124,7 @@ TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         cloth.state.positions[i].x += ((i / 8 + i % 8) % 2 == 0 ? 1e-3f : -1e-3f);
     }
-    Problem problem(cloth, 1.0f / 60, Vector3::Zero());
+    JacobiProblem problem(cloth, 1.0f / 60, Vector3::Zero());
     const DenseSystem system = dense(*problem.system);
     const auto correction = [&](int k) {
         problem.solve(k);
@@ -137,7 +137,7 @@ TEST(Jacobi, OddCountsNeverOverCorrectAndEvenOnesDo) {
 
 TEST(MeanMotion, DoesNotChangeTheConvergedSolution) {
     Cloth cloth = crumpled(sheet(5, 6), 0.03f, 60.0f);
-    Problem problem(cloth);
+    JacobiProblem problem(cloth);
     const DenseSystem system = dense(*problem.system);
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
     Parallel serial(1);
@@ -155,7 +155,7 @@ TEST(MeanMotion, LeavesPinnedComponentsAlone) {
     Cloth cloth = crumpled(two, 0.01f, 60.0f);
     ASSERT_EQ(cloth.model.info.components, 2u);
     cloth.pin(9);
-    Problem problem(cloth);
+    JacobiProblem problem(cloth);
     Parallel serial(1);
     MeanMotion mean_motion(cloth.model);
     const AlignedBuffer<Vec4> at_rest(cloth.model.particle_count);

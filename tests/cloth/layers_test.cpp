@@ -13,7 +13,7 @@ namespace weft::test {
 namespace {
 
 constexpr std::uint32_t side = 12;
-constexpr float spacing = 0.02f, length = spacing * (side - 1), h = 1.0f / 60;
+constexpr float spacing = 0.02f, length = spacing * (side - 1);
 
 /// A horizontal square of side * side particles.
 Mesh square(std::uint32_t particles = side, float size = length) {

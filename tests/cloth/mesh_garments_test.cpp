@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cloth/mesh/cook.h"
+#include "fixtures.h"
 #include "meshes.h"
 #include "weft/mesh.h"
 
@@ -46,12 +47,6 @@ class Garments : public testing::TestWithParam<Garment> {
 
 /// Those that have a -m mesh.
 class GarmentsWithPattern : public Garments {};
-
-double total_rest_area(const CookedCloth& cloth) {
-    double total = 0;
-    for (const float area : cloth.rest_area.span()) total += static_cast<double>(area);
-    return total;
-}
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -92,7 +87,7 @@ TEST_P(GarmentsWithPattern, RestShapeIsTheFlatPattern) {
     const CookedCloth sewn = test::must(cook(mesh));
     const CookedCloth flat = test::must(cook(test::must(load_obj(file("-m")))));
     ASSERT_EQ(sewn.triangles.size(), flat.triangles.size());
-    EXPECT_NEAR(total_rest_area(sewn), total_rest_area(flat), 1e-6 * total_rest_area(flat));
+    EXPECT_NEAR(test::total_rest_area(sewn), test::total_rest_area(flat), 1e-6 * test::total_rest_area(flat));
 
     // Sewing maps each of the pattern's edges to one of the garment's; a seam has two.
     const std::map<Pair, float> sewn_lengths = structural_lengths(sewn),

@@ -78,7 +78,7 @@ TEST(MultilevelSolver, GivesTheSameBytesForAnyNumberOfThreads) {
     for (const int threads : {2, 3, 8}) EXPECT_EQ(one, stepped(cloth, {.iterations = 3}, threads));
 }
 
-WorldSettings still_air() {
+WorldSettings still_world() {
     WorldSettings settings;
     settings.wind.air_density = 0;
     return settings;
@@ -87,7 +87,7 @@ WorldSettings still_air() {
 TEST(MultilevelSolver, FollowsPinsThatComeAndGo) {
     ClothSettings settings = stiff();
     settings.method = Multilevel{};
-    World world = World::create(still_air()).value();
+    World world = World::create(still_world()).value();
     const ClothId id = world.add_cloth(sheet(24, 24), settings).value();
     ASSERT_TRUE(world.pin(id, 0).ok());
     ASSERT_TRUE(world.pin(id, 23).ok());
@@ -122,7 +122,7 @@ TEST(MultilevelSolver, FollowsPinsThatComeAndGo) {
 std::vector<Vector3> swung(std::uint32_t count) {
     ClothSettings settings = stiff();
     settings.method = Multilevel{};
-    World world = World::create(still_air()).value();
+    World world = World::create(still_world()).value();
     const ClothId id = world.add_cloth(many(loose_sheet(2, 2), count), settings).value();
     for (std::uint32_t k = 0; k < count; ++k) EXPECT_TRUE(world.pin(id, 4 * k));
     for (int k = 0; k < 30; ++k) world.step(h);
@@ -184,7 +184,7 @@ TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
 TEST(MultilevelSolver, TakesTheSmallestCloth) {
     ClothSettings settings = stiff();
     settings.method = Multilevel{};
-    World world = World::create(still_air()).value();
+    World world = World::create(still_world()).value();
     const ClothId id = world.add_cloth(sheet(2, 2), settings).value();
     ASSERT_TRUE(world.pin(id, 0).ok());
     for (int k = 0; k < 60; ++k) world.step(h);

@@ -28,12 +28,12 @@ Vector3d exact(const Vec4& v) {
 
 /// Pairs of particles near the origin, some pinned, some pairs without a radius, some at rest, some far
 /// apart.
-struct Scene {
+struct PairScene {
     std::vector<Vec4> positions, velocities;
     PairList pairs;
     std::vector<PairLaw> laws;
 
-    explicit Scene(std::uint32_t particles, std::uint32_t count, std::uint32_t pinned_every = 7)
+    explicit PairScene(std::uint32_t particles, std::uint32_t count, std::uint32_t pinned_every = 7)
         : positions(particles), velocities(particles), pairs(count), laws(count) {
         std::mt19937 random(3);
         std::uniform_real_distribution<float> in_box(-1, 1);
@@ -70,18 +70,18 @@ struct Reference {
     Eigen::VectorXd impulses;
     std::uint32_t pushing = 0;
 
-    explicit Reference(const Scene& scene)
+    explicit Reference(const PairScene& scene)
         : matrix(Eigen::MatrixXd::Zero(size(scene), size(scene))),
           impulses(Eigen::VectorXd::Zero(size(scene))) {
         for (std::uint32_t k = 0; k < scene.pairs.size; ++k) add(scene, k);
     }
 
   private:
-    static Eigen::Index size(const Scene& scene) {
+    static Eigen::Index size(const PairScene& scene) {
         return 3 * static_cast<Eigen::Index>(scene.positions.size());
     }
 
-    void add(const Scene& scene, std::uint32_t k) {
+    void add(const PairScene& scene, std::uint32_t k) {
         const auto& corners = scene.pairs.pairs[k].corners;
         const PairShape& shape = scene.pairs.shapes[k];
         const Vector3d n = exact(shape.normal);
@@ -122,7 +122,7 @@ struct Linearised {
     Parallel parallel;
     PairRows rows;
 
-    explicit Linearised(const Scene& scene, int threads = 1) : parallel(as_for_threads(threads)) {
+    explicit Linearised(const PairScene& scene, int threads = 1) : parallel(as_for_threads(threads)) {
         rows.reserve(scene.positions.size(), scene.pairs.size);
         rows.begin(parallel, scene.pairs, scene.laws, scene.positions, gamma);
         rows.take(parallel, 0, scene.velocities);
@@ -151,7 +151,7 @@ Eigen::VectorXd flat(std::span<const Vec4> rows) {
 }
 
 TEST(PairRows, AreThoseOfADenseMatrix) {
-    const Scene scene(61, 333);
+    const PairScene scene(61, 333);
     const Reference reference(scene);
     ASSERT_GT(reference.pushing, 50u);
     ASSERT_LT(reference.pushing, 250u);
@@ -171,7 +171,7 @@ TEST(PairRows, AreThoseOfADenseMatrix) {
     const double sum = linearised.multiply(scene.velocities, product);
     const Eigen::VectorXd expected = reference.matrix * x;
     EXPECT_LT((flat(product) - before - expected).norm(), 1e-4 * expected.norm());
-    const Scene free(61, 333, 1000);  // where no rows are left out, x . C x is that of the matrix
+    const PairScene free(61, 333, 1000);  // where no rows are left out, x . C x is that of the matrix
     const Reference of_free(free);
     Linearised of_free_rows(free);
     // Its first particle is pinned: still, it has no part in the product of rows.
@@ -184,7 +184,7 @@ TEST(PairRows, AreThoseOfADenseMatrix) {
 }
 
 TEST(PairRows, AreSymmetricAndKeepMomentum) {
-    Scene scene(24, 120, 1000);
+    PairScene scene(24, 120, 1000);
     scene.positions[0].w = 200;  // none is pinned
     Linearised linearised(scene);
     const std::size_t count = scene.positions.size();
@@ -214,7 +214,7 @@ TEST(PairRows, AreSymmetricAndKeepMomentum) {
 }
 
 TEST(PairRows, LeavePinnedParticlesAlone) {
-    const Scene scene(61, 333);
+    const PairScene scene(61, 333);
     Linearised linearised(scene);
     std::vector<Vec4> product(scene.positions.size());
     linearised.multiply(scene.velocities, product);
@@ -225,7 +225,7 @@ TEST(PairRows, LeavePinnedParticlesAlone) {
 }
 
 TEST(PairRows, AreTheSameOnAnyNumberOfThreads) {
-    const Scene scene(900, 5003);
+    const PairScene scene(900, 5003);
     std::vector<std::vector<Vec4>> results;
     std::vector<double> sums;
     for (const int threads : {1, 2, 4}) {
@@ -242,7 +242,7 @@ TEST(PairRows, AreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(PairRows, AreEmptyWithoutPairsThatHaveARadius) {
-    Scene scene(20, 50);
+    PairScene scene(20, 50);
     std::ranges::fill(scene.laws, PairLaw{.radius = 0, .friction = 1});
     Linearised linearised(scene);
     EXPECT_TRUE(linearised.rows.empty());

@@ -10,8 +10,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-
 ClothSettings undamped(float stretch, int iterations) {
     ClothSettings settings;
     settings.fabric = {

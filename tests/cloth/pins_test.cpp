@@ -59,37 +59,37 @@ Mesh square(std::uint32_t side, bool grid) {
     return grid ? sheet(side, side) : loose_sheet(side, side);
 }
 
-struct NamedMethod {
+struct PinnedMethod {
     std::string name;
     Method method;
     float h = 1.0f / 60;
     std::uint32_t largest = 33;  ///< side of the squares
     void (*set)(ClothSettings&) = [](ClothSettings&) {};
 };
-void PrintTo(const NamedMethod& method, std::ostream* out) {
+void PrintTo(const PinnedMethod& method, std::ostream* out) {
     *out << method.name;
 }
 
-class PinsOf : public testing::TestWithParam<NamedMethod> {};
+class PinsOf : public testing::TestWithParam<PinnedMethod> {};
 INSTANTIATE_TEST_SUITE_P(
     Methods, PinsOf,
     testing::Values(
-        NamedMethod{"multilevel", Multilevel{}, 1.0f / 60, 64},
-        NamedMethod{"multilevel_elements", Multilevel{}, 1.0f / 60, 33,
-                    [](ClothSettings& s) { s.finite_elements.enabled = true; }},
-        NamedMethod{"multilevel_dihedral", Multilevel{}, 1.0f / 60, 17,
-                    [](ClothSettings& s) { s.finite_elements.enabled = s.finite_elements.dihedral = true; }},
-        NamedMethod{"multilevel_stiff_bending", Multilevel{}, 1.0f / 60, 17,
-                    [](ClothSettings& s) { s.fabric.bending = 1e-3f; }},
-        NamedMethod{"multilevel_bdf2", Multilevel{}, 1.0f / 60, 17,
-                    [](ClothSettings& s) { s.time_scheme = TimeScheme::bdf2; }},
-        NamedMethod{"jacobi", Jacobi{}}, NamedMethod{"chebyshev", Chebyshev{}},
-        NamedMethod{"conjugate_gradient", ConjugateGradient{}}, NamedMethod{"xpbd", Xpbd{}},
-        NamedMethod{"fibres", Fibres{}}, NamedMethod{"symplectic_euler", SymplecticEuler{}, 2e-5f}),
+        PinnedMethod{"multilevel", Multilevel{}, 1.0f / 60, 64},
+        PinnedMethod{"multilevel_elements", Multilevel{}, 1.0f / 60, 33,
+                     [](ClothSettings& s) { s.finite_elements.enabled = true; }},
+        PinnedMethod{"multilevel_dihedral", Multilevel{}, 1.0f / 60, 17,
+                     [](ClothSettings& s) { s.finite_elements.enabled = s.finite_elements.dihedral = true; }},
+        PinnedMethod{"multilevel_stiff_bending", Multilevel{}, 1.0f / 60, 17,
+                     [](ClothSettings& s) { s.fabric.bending = 1e-3f; }},
+        PinnedMethod{"multilevel_bdf2", Multilevel{}, 1.0f / 60, 17,
+                     [](ClothSettings& s) { s.time_scheme = TimeScheme::bdf2; }},
+        PinnedMethod{"jacobi", Jacobi{}}, PinnedMethod{"chebyshev", Chebyshev{}},
+        PinnedMethod{"conjugate_gradient", ConjugateGradient{}}, PinnedMethod{"xpbd", Xpbd{}},
+        PinnedMethod{"fibres", Fibres{}}, PinnedMethod{"symplectic_euler", SymplecticEuler{}, 2e-5f}),
     [](const auto& info) { return info.param.name; });
 
 /// All patterns of one size side by side in a World: three steps with pins that move and one without.
-void hold(const NamedMethod& method, std::uint32_t side, bool grid) {
+void hold(const PinnedMethod& method, std::uint32_t side, bool grid) {
     const std::vector<Pattern> all = patterns(side);
     World world = World::create(vacuum({0, -9.81f, 0})).value();
     ClothSettings settings;

@@ -12,30 +12,30 @@
 namespace weft::test {
 namespace {
 
-struct Case {
+struct SavedCase {
     std::string name;
     ClothSettings settings;
     bool grid = true;
 };
 
-std::vector<Case> cases() {
-    std::vector<Case> result;
+std::vector<SavedCase> saved_cases() {
+    std::vector<SavedCase> result;
     const auto add = [&](const char* name, const Method& method, const auto& change) {
-        Case made{.name = name, .settings = {}};
+        SavedCase made{.name = name, .settings = {}};
         made.settings.method = method;
         change(made);
         result.push_back(made);
     };
-    const auto plain = [](Case&) {};
-    const auto bdf2 = [](Case& c) { c.settings.time_scheme = TimeScheme::bdf2; };
-    const auto mesh = [](Case& c) { c.grid = false; };
-    const auto all = [](Case& c) {
+    const auto plain = [](SavedCase&) {};
+    const auto bdf2 = [](SavedCase& c) { c.settings.time_scheme = TimeScheme::bdf2; };
+    const auto mesh = [](SavedCase& c) { c.grid = false; };
+    const auto all = [](SavedCase& c) {
         c.settings.time_scheme = TimeScheme::bdf2;
         c.settings.tethers.enabled = true;
         c.settings.self_collision.enabled = true;
         c.settings.substeps = 2;
     };
-    const auto elements = [](Case& c) {
+    const auto elements = [](SavedCase& c) {
         c.settings.finite_elements.enabled = true;
         c.settings.finite_elements.dihedral = true;
     };
@@ -43,7 +43,7 @@ std::vector<Case> cases() {
     add("MultilevelMesh", Multilevel{}, mesh);
     add("MultilevelAll", Multilevel{}, all);
     add("MultilevelElements", Multilevel{}, elements);
-    add("MultilevelContact", Multilevel{}, [](Case& c) {
+    add("MultilevelContact", Multilevel{}, [](SavedCase& c) {
         c.settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
     });
     add("Jacobi", Jacobi{}, plain);
@@ -51,13 +51,13 @@ std::vector<Case> cases() {
     add("ConjugateGradient", ConjugateGradient{}, bdf2);
     add("Xpbd", Xpbd{}, plain);
     add("Fibres", Fibres{}, plain);
-    add("SymplecticEuler", SymplecticEuler{}, [](Case& c) { c.settings.substeps = 64; });
+    add("SymplecticEuler", SymplecticEuler{}, [](SavedCase& c) { c.settings.substeps = 64; });
     return result;
 }
 
 /// A sheet in gusty wind that is lowered onto a turning capsule and a rough plane.
-struct Scene {
-    explicit Scene(const Case& of) : simulation(world_settings()) {
+struct SavedScene {
+    explicit SavedScene(const SavedCase& of) : simulation(world_settings()) {
         Mesh mesh = make_sheet({.rows = 14,
                                 .columns = 15,
                                 .origin = {-0.3f, 0.62f, 0},
@@ -105,12 +105,12 @@ struct Scene {
     Cloth* cloth;
 };
 
-class SavedState : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(, SavedState, testing::ValuesIn(cases()),
+class SavedState : public testing::TestWithParam<SavedCase> {};
+INSTANTIATE_TEST_SUITE_P(, SavedState, testing::ValuesIn(saved_cases()),
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(SavedState, PutBackGoesOnWithTheSameBytes) {
-    Scene scene(GetParam());
+    SavedScene scene(GetParam());
     scene.run(25);
     ASSERT_GT(scene.simulation.report.collider_contacts, 0u);
     const WorldState world = scene.simulation.state;
@@ -129,7 +129,7 @@ TEST_P(SavedState, PutBackGoesOnWithTheSameBytes) {
 }
 
 TEST_P(SavedState, GoesOnInAnotherWorld) {
-    Scene scene(GetParam()), other(GetParam());
+    SavedScene scene(GetParam()), other(GetParam());
     scene.run(25);
     other.run(3);
     other.simulation.state = scene.simulation.state;
@@ -140,7 +140,7 @@ TEST_P(SavedState, GoesOnInAnotherWorld) {
 }
 
 TEST_P(SavedState, IsReadBackPartByPart) {
-    Scene scene(GetParam());
+    SavedScene scene(GetParam());
     scene.run(25);
     const std::vector<std::byte> written = scene.bytes();
     ClothState blank = scene.cloth->state;
@@ -154,7 +154,7 @@ TEST_P(SavedState, IsReadBackPartByPart) {
     EXPECT_EQ(at, written.size());
     scene.run(5);
     const std::vector<std::byte> expected = scene.bytes();
-    Scene other(GetParam());
+    SavedScene other(GetParam());
     other.run(25);
     other.cloth->restore(blank);
     other.run(5);
@@ -185,7 +185,7 @@ std::vector<ClothSettings> detours(const ClothSettings& from) {
 }
 
 TEST_P(SavedState, NoHistoryOfSettingsShows) {
-    Scene plain(GetParam());
+    SavedScene plain(GetParam());
     plain.run(5);
     const WorldState world = plain.simulation.state;
     const ClothState cloth = plain.cloth->state;
@@ -193,7 +193,7 @@ TEST_P(SavedState, NoHistoryOfSettingsShows) {
     const std::vector<std::byte> expected = plain.bytes();
     const std::vector<ClothSettings> ways = detours(GetParam().settings);
     for (std::size_t k = 0; k < ways.size(); ++k) {
-        Scene scene(GetParam());
+        SavedScene scene(GetParam());
         scene.cloth->apply(ways[k]);
         scene.run(2);
         scene.cloth->apply(GetParam().settings);
@@ -202,6 +202,22 @@ TEST_P(SavedState, NoHistoryOfSettingsShows) {
         scene.run(5);
         EXPECT_TRUE(scene.bytes() == expected) << "detour " << k;
     }
+}
+
+TEST(SavedState, OfContactHasWhetherStepsAreHalved) {
+    ClothState state(4);
+    state.tangles = AlignedBuffer<TangleMemory>(4);
+    const auto bytes = [&] {
+        std::vector<std::byte> all;
+        for_each_part(std::as_const(state), [&](auto part) {
+            const auto more = std::as_bytes(std::span(part));
+            all.insert(all.end(), more.begin(), more.end());
+        });
+        return all;
+    };
+    const std::vector<std::byte> before = bytes();
+    state.halved = 3;
+    EXPECT_NE(bytes(), before);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace weft::test {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float infinite_setting = std::numeric_limits<float>::infinity();
 
 struct Settings {
     WorldSettings world{.threads = 1};
@@ -58,11 +58,11 @@ std::vector<Knob> knobs() {
     };
 }
 
-struct NamedMethod {
+struct ChosenMethod {
     const char* name;
     void (*choose)(ClothSettings&);
 };
-constexpr NamedMethod methods[] = {
+constexpr ChosenMethod methods[] = {
     {"multilevel", [](ClothSettings&) {}},
     {"bdf2", [](ClothSettings& s) { s.time_scheme = TimeScheme::bdf2; }},
     {"jacobi", [](ClothSettings& s) { s.method = Jacobi{}; }},
@@ -94,7 +94,7 @@ void expect_sound_steps(const Settings& settings) {
     EXPECT_TRUE(std::isfinite(must(world.cloth_info(id)).mass));
 }
 
-Settings with_everything_on(const NamedMethod& method) {
+Settings with_everything_on(const ChosenMethod& method) {
     Settings settings;
     settings.world.wind = {.velocity = {1, 0, 2}, .gust = 0.5f};
     settings.cloth.self_collision.enabled = true;
@@ -103,7 +103,7 @@ Settings with_everything_on(const NamedMethod& method) {
 }
 
 TEST(SettingRanges, NeitherEndOfAnyBreaksAStep) {
-    for (const NamedMethod& method : methods) {
+    for (const ChosenMethod& method : methods) {
         for (const Knob& knob : knobs()) {
             for (const float value : {knob.least, knob.greatest}) {
                 SCOPED_TRACE(std::string(method.name) + ", " + knob.name + " " + std::to_string(value));
@@ -118,7 +118,7 @@ TEST(SettingRanges, NeitherEndOfAnyBreaksAStep) {
 
 TEST(SettingRanges, EndsOfManyAtOnceBreakNoStep) {
     std::mt19937 random(19);
-    for (const NamedMethod& method : methods) {
+    for (const ChosenMethod& method : methods) {
         for (int trial = 0; trial < 30; ++trial) {
             Settings settings = with_everything_on(method);
             std::string set;
@@ -146,9 +146,9 @@ std::string refusal(const Settings& settings) {
 
 TEST(SettingRanges, WhatLiesOutsideIsRefusedByNameWithTheRange) {
     for (const Knob& knob : knobs()) {
-        const std::vector<float> outside{std::nextafter(knob.least, -infinity),
-                                         infinity,
-                                         -infinity,
+        const std::vector<float> outside{std::nextafter(knob.least, -infinite_setting),
+                                         infinite_setting,
+                                         -infinite_setting,
                                          std::numeric_limits<float>::quiet_NaN(),
                                          knob.greatest * 1.1f + 0.01f,
                                          std::numeric_limits<float>::max()};

@@ -17,15 +17,13 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-
-struct NamedMethod {
+struct SteppedMethod {
     const char* name;
     Method method;
     int substeps = 1;
 };
 
-std::vector<NamedMethod> all_methods() {
+std::vector<SteppedMethod> all_methods() {
     return {{"Multilevel", Multilevel{}},
             {"Jacobi", Jacobi{}},
             {"Chebyshev", Chebyshev{}},
@@ -35,14 +33,14 @@ std::vector<NamedMethod> all_methods() {
             {"SymplecticEuler", SymplecticEuler{}, 64}};
 }
 
-ClothSettings settings_of(const NamedMethod& method) {
+ClothSettings settings_of(const SteppedMethod& method) {
     ClothSettings settings;
     settings.method = method.method;
     settings.substeps = method.substeps;
     return settings;
 }
 
-class EachMethod : public testing::TestWithParam<NamedMethod> {};
+class EachMethod : public testing::TestWithParam<SteppedMethod> {};
 INSTANTIATE_TEST_SUITE_P(, EachMethod, testing::ValuesIn(all_methods()),
                          [](const auto& info) { return std::string(info.param.name); });
 
@@ -145,7 +143,7 @@ TEST(Residual, IsSmallOnGarmentsThatHang) {
     }
 }
 
-float mean_height(const World& world, ClothId id) {
+float height_of(const World& world, ClothId id) {
     double sum = 0;
     const auto positions = world.cloth(id)->positions;
     for (const Vec4& x : positions) sum += static_cast<double>(x.y);
@@ -161,7 +159,7 @@ std::pair<float, float> hung(float damping) {
     const ClothId id = world.add_cloth(sheet(24, 24), settings).value();
     EXPECT_TRUE(world.pin(id, 0) && world.pin(id, 23));
     for (int frame = 0; frame < 600; ++frame) world.step(h);
-    return {mean_height(world, id), world.report().peak_speed};
+    return {height_of(world, id), world.report().peak_speed};
 }
 
 TEST(SpringDamping, DoesNotChangeWhereClothHangsHoweverStiff) {
@@ -191,7 +189,7 @@ TEST_P(EachMethod, LandsFlatOnAPlaneAndStaysThere) {
             for (const Vec4& v : view.velocities) up = std::max(up, v.y);
         }
         EXPECT_LT(up, 0.5f) << "from " << height << " m: it landed at " << std::sqrt(2 * 9.81f * height);
-        EXPECT_NEAR(mean_height(world, id), 0.005f, 0.01f);
+        EXPECT_NEAR(height_of(world, id), 0.005f, 0.01f);
     }
 }
 
@@ -275,7 +273,7 @@ TEST_P(EachMethod, DoesNotDependOnThePathThatSettingsAndPinsTook) {
 
 TEST_P(EachMethod, ServesWhatItWasMadeForAlone) {
     const Cloth cloth(cook(sheet(6, 6)).value(), settings_of(GetParam()));
-    for (const NamedMethod& other : all_methods())
+    for (const SteppedMethod& other : all_methods())
         EXPECT_EQ(cloth.solver->serves(settings_of(other)), std::string(other.name) == GetParam().name);
     ClothSettings settings = cloth.settings;
     settings.friction = 0.3f;

@@ -19,12 +19,12 @@
 namespace weft::test {
 namespace {
 
-struct Case {
+struct SpringCase {
     std::string name;
     std::function<SpringScene()> scene;
 };
 
-std::vector<Case> cases() {
+std::vector<SpringCase> spring_cases() {
     const auto grid = [](LinearisedAbout about) { return make_scene(sheet(11, 13), 400, about); };
     const auto irregular = [] {
         return joined(sphere(2), joined(fan(20), loose_sheet(5, 7), {3, 0, 0}), {5, 0, 0});
@@ -65,7 +65,7 @@ class SpringKernels : public testing::TestWithParam<std::int64_t> {
 constexpr double rounding = 6e-8;
 
 TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringReference reference(scene);
@@ -96,7 +96,7 @@ TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
 }
 
 TEST_P(SpringKernels, MultiplyReturnsTheProductsOnItsWay) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
@@ -116,7 +116,7 @@ TEST_P(SpringKernels, MultiplyReturnsTheProductsOnItsWay) {
 }
 
 TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringReference reference(scene);
@@ -157,7 +157,7 @@ TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
 }
 
 TEST_P(SpringKernels, StepsOfACycleAreThoseOneByOne) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
@@ -186,7 +186,7 @@ TEST_P(SpringKernels, StepsOfACycleAreThoseOneByOne) {
 }
 
 TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
@@ -210,7 +210,7 @@ TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
 }
 
 TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         SpringScene scene = c.scene();
         for (Vec4& x : scene.positions.span()) x.w = 100;  // rows of pinned particles may hold anything
@@ -231,7 +231,7 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
 }
 
 TEST_P(SpringKernels, MatrixIsSymmetric) {
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringSystem system(scene.model);
@@ -304,7 +304,7 @@ TEST(SpringKernelWidths, SameBytesOnWideAndNarrowVectors) {
     const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
     if ((usable & HWY_AVX2) == 0 || (usable & HWY_AVX3) == 0) GTEST_SKIP() << "needs AVX2 and AVX-512";
     Parallel serial(1);
-    for (const Case& c : cases()) {
+    for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         hwy::SetSupportedTargetsForTest(HWY_AVX2);

@@ -15,7 +15,7 @@
 namespace weft::test {
 namespace {
 
-constexpr double step = 1e-3;
+constexpr double short_step = 1e-3;
 
 /// The force on particle i at `x`, from the energy k/2 (|d| - L)^2, in double precision.
 Eigen::Vector3d exact_force(const Eigen::Vector3d& separation, double rest_length, double stiffness) {
@@ -147,7 +147,7 @@ TEST(Assembly, SystemIsKangsForTheExactJacobianInTension) {
     Cloth cloth = crumpled(sheet(5, 6), 0.005f, 40.0f);
     cloth.settings.fabric.damping = 0;
     stretch(cloth);
-    const double h = step;
+    const double h = short_step;
     const DenseSystem system = dense(*assembled(cloth, static_cast<float>(h), Vector3::Zero()));
 
     const Eigen::VectorXd x = flat(cloth.state.positions.span()), v = flat(cloth.state.velocities.span());

@@ -14,9 +14,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float frame = 1.0f / 60;
-constexpr Vec3 gravity = {0, -9.81f, 0};
-
 ClothSettings undamped(float stretch, const Method& method, TimeScheme scheme, int substeps = 1) {
     ClothSettings settings;
     settings.fabric = {
@@ -32,7 +29,8 @@ const Method converged = ConjugateGradient{.iterations = 300};
 
 /// A sheet of `n` by `n`, stretched by a fifth and pinned all around.
 struct Membrane {
-    Membrane(std::uint32_t n, const ClothSettings& settings) : world(World::create(vacuum(gravity)).value()) {
+    Membrane(std::uint32_t n, const ClothSettings& settings)
+        : world(World::create(vacuum(downwards)).value()) {
         Mesh mesh = sheet(n, n);
         mesh.pattern = mesh.texcoords;
         for (Vec3& x : mesh.positions) x = {1.2f * x.x, 0, 1.2f * x.z};
@@ -50,7 +48,7 @@ struct Membrane {
                 const Vec4 x = world.cloth(id)->positions[i];
                 (void)world.move_pin(id, i, {x.x + pull.x, x.y + pull.y, x.z + pull.z});
             }
-            world.step(frame);
+            world.step(h);
         }
     }
     [[nodiscard]] Eigen::VectorXd positions() const { return flat(world.cloth(id)->positions); }
@@ -98,25 +96,25 @@ TEST_P(InTension, BackwardEulerIsOfFirstOrderAndBdf2OfSecond) {
 
 TEST(Bdf2, FallsAheadOfTheTruthByNoMoreThanItsFirstStep) {
     // Backward Euler starts it, with an error of g h^2 / 2 that neither grows nor fades.
-    World world = World::create(vacuum(gravity)).value();
+    World world = World::create(vacuum(downwards)).value();
     const ClothId id = world.add_cloth(sheet(5, 5), undamped(400, converged, TimeScheme::bdf2)).value();
     for (int k = 1; k <= 60; ++k) {
-        world.step(frame);
-        const float t = static_cast<float>(k) * frame;
+        world.step(h);
+        const float t = static_cast<float>(k) * h;
         EXPECT_NEAR(world.cloth(id)->velocities[7].y, -9.81f * t, 1e-4f) << k;
-        EXPECT_NEAR(world.cloth(id)->positions[7].y, -0.5f * 9.81f * t * t, 9.81f * frame * frame) << k;
+        EXPECT_NEAR(world.cloth(id)->positions[7].y, -0.5f * 9.81f * t * t, 9.81f * h * h) << k;
     }
 }
 
 TEST(Bdf2, ReleasedClothFallsAtOnceWithItsFullWeight) {
-    World world = World::create(vacuum(gravity)).value();
+    World world = World::create(vacuum(downwards)).value();
     const ClothId id = world.add_cloth(sheet(5, 5), undamped(400, converged, TimeScheme::bdf2)).value();
     for (std::uint32_t i = 0; i < 25; ++i) ASSERT_TRUE(world.pin(id, i).ok());
-    for (int k = 0; k < 5; ++k) world.step(frame);
+    for (int k = 0; k < 5; ++k) world.step(h);
     for (std::uint32_t i = 0; i < 25; ++i) ASSERT_TRUE(world.unpin(id, i).ok());
     for (int k = 1; k <= 20; ++k) {
-        world.step(frame);
-        EXPECT_NEAR(world.cloth(id)->velocities[7].y, -9.81f * frame * static_cast<float>(k), 1e-4f) << k;
+        world.step(h);
+        EXPECT_NEAR(world.cloth(id)->velocities[7].y, -9.81f * h * static_cast<float>(k), 1e-4f) << k;
     }
 }
 
@@ -127,7 +125,7 @@ TEST(Bdf2, PinsReachTheirTargetsWhateverTheSubsteps) {
         for (int k = 0; k < 4; ++k) {
             target.x += 0.01f;
             ASSERT_TRUE(membrane.world.move_pin(membrane.id, 24, target).ok());
-            membrane.world.step(frame);
+            membrane.world.step(h);
             const Vec4 there = membrane.world.cloth(membrane.id)->positions[24];
             EXPECT_EQ(Vector3(there.x, there.y, there.z), to_vector(target));
         }
@@ -159,7 +157,8 @@ TEST(Bdf2, TakesItsSecondOrderUpAgainAfterAChangeOfStep) {
 
 /// A flat sheet above the plane y = 0, which it keeps 5 mm away from.
 struct Landing {
-    Landing(TimeScheme scheme, float height, float friction) : world(World::create(vacuum(gravity)).value()) {
+    Landing(TimeScheme scheme, float height, float friction)
+        : world(World::create(vacuum(downwards)).value()) {
         Mesh mesh = sheet(6, 6);
         for (Vec3& x : mesh.positions) x.y = height;
         ClothSettings settings = undamped(100, converged, scheme);
@@ -175,7 +174,7 @@ TEST(Bdf2, ComesToRestOnTheGroundWithoutABounce) {
     Landing landing(TimeScheme::bdf2, 0.3f, 1);
     float lowest = 1;
     for (int k = 0; k < 120; ++k) {
-        landing.world.step(frame);
+        landing.world.step(h);
         const float y = landing.world.cloth(landing.id)->positions[14].y;
         EXPECT_LT(y, lowest + 1e-4f) << "never up again, step " << k;
         lowest = std::min(lowest, y);
@@ -191,7 +190,7 @@ TEST(Bdf2, ClothThatMeetsTheGroundForgetsHowItFell) {
     for (const TimeScheme scheme : {TimeScheme::backward_euler, TimeScheme::bdf2}) {
         Landing landing(scheme, 0.25f, 0);
         for (int k = 0; k < 40; ++k) {
-            landing.world.step(frame);
+            landing.world.step(h);
             const ClothView cloth = landing.world.cloth(landing.id).value();
             for (const Vec4& x : cloth.positions) ASSERT_GE(x.y, 0.005f - 1e-5f) << k;
             EXPECT_NEAR(cloth.positions[35].x - cloth.positions[0].x, 1, 1e-4f) << k;
@@ -207,20 +206,20 @@ TEST(Bdf2, DampsNoiseOfStiffCloth) {
     std::uniform_real_distribution<float> offset(-1e-4f, 1e-4f);
     for (Vec3& x : mesh.positions) x = {x.x + offset(random), 0, x.z + offset(random)};
     (void)world.add_cloth(mesh, undamped(4e4f, converged, TimeScheme::bdf2)).value();
-    world.step(frame);
+    world.step(h);
     const float first = world.report().peak_speed;
-    for (int k = 0; k < 60; ++k) world.step(frame);
+    for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_LT(world.report().peak_speed, 0.1f * first);
 }
 
 TEST(TimeSchemes, DoNotDependOnTheNumberOfThreads) {
     const auto hash = [](const Method& method, int threads) {
-        WorldSettings world_settings = vacuum(gravity);
+        WorldSettings world_settings = vacuum(downwards);
         world_settings.threads = threads;
         World world = World::create(world_settings).value();
         const ClothId id = world.add_cloth(sheet(30, 31), undamped(20, method, TimeScheme::bdf2, 8)).value();
         (void)world.pin(id, 3);
-        for (int k = 0; k < 6; ++k) world.step(frame);
+        for (int k = 0; k < 6; ++k) world.step(h);
         return world.state_hash();
     };
     for (const Method& method : {Method(ConjugateGradient{.iterations = 5}),
@@ -266,16 +265,16 @@ TEST(SymplecticEuler, IsStableJustInsideItsBoundAndFailsJustOutside) {
 }
 
 TEST(SymplecticEuler, FallsAsItMust) {
-    World world = World::create(vacuum(gravity)).value();
+    World world = World::create(vacuum(downwards)).value();
     ClothSettings settings = undamped(0, SymplecticEuler{}, TimeScheme::backward_euler);
     settings.air_damping = 0.5f;
     const ClothId id = world.add_cloth(sheet(3, 3), settings).value();
     double v = 0, y = 0;
-    constexpr double h = static_cast<double>(frame);
+    constexpr double dt = static_cast<double>(h);
     for (int k = 0; k < 60; ++k) {
-        world.step(frame);
-        v = (v - 9.81 * h) / (1 + 0.5 * h);
-        y += h * v;
+        world.step(h);
+        v = (v - 9.81 * dt) / (1 + 0.5 * dt);
+        y += dt * v;
     }
     EXPECT_NEAR(static_cast<double>(world.cloth(id)->velocities[4].y), v, 1e-4);
     EXPECT_NEAR(static_cast<double>(world.cloth(id)->positions[4].y), y, 1e-4);

@@ -13,7 +13,7 @@ namespace weft {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 std::uint32_t components(const Topology& topology) {
     return static_cast<std::uint32_t>(topology.component_offsets.size() - 1);
@@ -200,14 +200,14 @@ TEST(Topology, RefusesPointsThatAreNotFinite) {
     Mesh mesh = test::fan(3);
     mesh.positions[2].y = nan;
     expect_named(refusal(mesh), {"positions[2]", "nan", "finite"});
-    mesh.positions[2].y = -infinity;
+    mesh.positions[2].y = -infinite;
     expect_named(refusal(mesh), {"positions[2]", "-inf"});
     mesh.positions[2].y = 3e5f;
     expect_named(refusal(mesh), {"positions[2]", "300000", "within 100000 m"});
 
     mesh = test::loose_sheet(2, 2);
     mesh.pattern = mesh.texcoords;
-    mesh.pattern[3].x = infinity;
+    mesh.pattern[3].x = infinite;
     expect_named(refusal(mesh), {"pattern[3]", "(inf, 1)", "finite"});
 }
 

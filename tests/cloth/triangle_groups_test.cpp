@@ -15,7 +15,7 @@
 namespace weft::test {
 namespace {
 
-constexpr std::uint32_t lanes = TriangleGroups::lanes;
+constexpr std::uint32_t group_lanes = TriangleGroups::lanes;
 
 std::uint32_t row_at(std::uint32_t offset) {
     EXPECT_EQ(offset % sizeof(Vec4), 0u);
@@ -25,9 +25,9 @@ std::uint32_t row_at(std::uint32_t offset) {
 std::vector<Triangle> triangles_in(const TriangleGroups& groups) {
     std::vector<Triangle> rows(groups.rows);
     for (std::uint32_t row = 0; row < groups.rows; ++row) {
-        const std::uint32_t lane = row % lanes;
+        const std::uint32_t lane = row % group_lanes;
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t source = groups.corner_sources[row / lanes * 3 + k];
+            const std::uint32_t source = groups.corner_sources[row / group_lanes * 3 + k];
             rows[row][k] = source < TriangleGroups::listed
                                ? source + lane
                                : row_at(groups.corner_lists[source - TriangleGroups::listed + lane]);
@@ -38,13 +38,13 @@ std::vector<Triangle> triangles_in(const TriangleGroups& groups) {
 
 /// What particle i sums, in order.
 std::vector<std::uint32_t> rows_summed_by(const TriangleGroups& groups, std::uint32_t i) {
-    const std::uint32_t group = i / lanes, lane = i % lanes;
-    const std::uint32_t own = TriangleGroups::own_rows(group * lanes) + lane;
-    std::vector<std::uint32_t> rows = {own, own + lanes};
+    const std::uint32_t group = i / group_lanes, lane = i % group_lanes;
+    const std::uint32_t own = TriangleGroups::own_rows(group * group_lanes) + lane;
+    std::vector<std::uint32_t> rows = {own, own + group_lanes};
     for (std::uint32_t k = groups.first_runs[group]; k < groups.first_runs[group + 1]; ++k)
         rows.push_back(groups.sum_runs[k] + lane);
     for (std::uint32_t k = groups.first_lists[group]; k < groups.first_lists[group + 1]; ++k)
-        rows.push_back(row_at(groups.sum_lists[k * lanes + lane]));
+        rows.push_back(row_at(groups.sum_lists[k * group_lanes + lane]));
     return rows;
 }
 
@@ -58,7 +58,7 @@ Triangle turned(const Triangle& t) {
     return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
 }
 
-std::vector<NamedMesh> meshes() {
+std::vector<NamedMesh> grouped_meshes() {
     std::vector<NamedMesh> all = sound_meshes();
     all.push_back({"whole groups", sheet(8, 32)});
     all.push_back({"many triangles at a particle", fan(40)});
@@ -66,7 +66,7 @@ std::vector<NamedMesh> meshes() {
 }
 
 TEST(TriangleGroups, HoldEveryTriangleOnceWoundAsItWas) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : grouped_meshes()) {
         SCOPED_TRACE(named.name);
         const CookedCloth model = must(cook(named.mesh));
         std::map<Triangle, int> expected, found;
@@ -79,13 +79,14 @@ TEST(TriangleGroups, HoldEveryTriangleOnceWoundAsItWas) {
 }
 
 TEST(TriangleGroups, ParticlesSumTheirTrianglesOnceAndElseFlatOnes) {
-    for (const NamedMesh& named : meshes()) {
+    for (const NamedMesh& named : grouped_meshes()) {
         SCOPED_TRACE(named.name);
         const CookedCloth model = must(cook(named.mesh));
         const TriangleGroups groups(model);
         const std::vector<Triangle> rows = triangles_in(groups);
         EXPECT_TRUE(is_flat(rows.back()));
-        for (std::uint32_t i = 0; i < (model.particle_count + lanes - 1) / lanes * lanes; ++i) {
+        for (std::uint32_t i = 0; i < (model.particle_count + group_lanes - 1) / group_lanes * group_lanes;
+             ++i) {
             std::vector<Triangle> found, expected;
             for (const std::uint32_t row : rows_summed_by(groups, i)) {
                 ASSERT_LT(row, groups.rows);
@@ -106,7 +107,8 @@ TEST(TriangleGroups, ShareTrianglesOutEvenly) {
     const CookedCloth model = must(cook(loose_sheet(60, 70)));
     const TriangleGroups groups(model);
     // Where a window's particles lie in another order than its triangles, a few are left over.
-    const std::uint32_t own = TriangleGroups::own_rows((model.particle_count + lanes - 1) / lanes * lanes);
+    const std::uint32_t own =
+        TriangleGroups::own_rows((model.particle_count + group_lanes - 1) / group_lanes * group_lanes);
     EXPECT_LE(groups.rows, own + own / 50);
 }
 

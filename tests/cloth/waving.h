@@ -12,8 +12,6 @@
 
 namespace weft::test {
 
-inline constexpr float h = 1.0f / 60;
-
 inline ClothSettings stiff(float stretch = 400) {
     ClothSettings settings;
     settings.fabric = {.areal_density = 0.2f,

@@ -11,7 +11,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 World make_world() {

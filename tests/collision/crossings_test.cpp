@@ -65,13 +65,13 @@ void expect_as_reference(const ContactScene& scene, std::size_t at_least) {
     EXPECT_EQ(set_of(crossings_of(scene)), expected);
 }
 
-std::vector<Vec4> flat(std::uint32_t side) {
+std::vector<Vec4> level_grid(std::uint32_t side) {
     return grid_positions(side, side, [](float u, float v) { return Vec4{0.01f * u, 0, 0.01f * v, 0}; });
 }
 
 ContactScene crumpled(std::uint32_t side) {
     ContactScene scene;
-    scene.add(flat(side), flat(side), grid_triangles(side, side), 0.003f);
+    scene.add(level_grid(side), level_grid(side), grid_triangles(side, side), 0.003f);
     scene.jitter(0.015f);
     return scene;
 }
@@ -97,7 +97,7 @@ TEST(Crossings, AsReference) {
 TEST(Crossings, OfBodiesThatMeet) {
     ContactScene scene;
     for (std::uint32_t k = 0; k < 3; ++k) {
-        scene.add(flat(12), flat(12), grid_triangles(12, 12), 0.003f);
+        scene.add(level_grid(12), level_grid(12), grid_triangles(12, 12), 0.003f);
         scene.bodies[k].meets_itself = k != 1;
     }
     scene.jitter(0.008f);
@@ -110,15 +110,15 @@ TEST(Crossings, OfBodiesThatMeet) {
 TEST(Crossings, WhatLiesInAPlaneDoesNotCross) {
     ContactScene scene;
     for (int k = 0; k < 2; ++k) {
-        std::vector<Vec4> now = flat(12);
+        std::vector<Vec4> now = level_grid(12);
         for (Vec4& p : now) p.x += 0.0037f * float(k);
-        scene.add(flat(12), now, grid_triangles(12, 12), 0.003f);
+        scene.add(level_grid(12), now, grid_triangles(12, 12), 0.003f);
     }
     EXPECT_EQ(crossings_of(scene).size, 0u);
 }
 
 TEST(Crossings, ALineThroughSidesAndCornersIsSeen) {
-    const std::vector<Vec4> sheet = flat(6);
+    const std::vector<Vec4> sheet = level_grid(6);
     for (const auto& [x, z] : {std::pair(0.02f, 0.02f), {0.025f, 0.02f}, {0.02f, 0.035f}, {0.025f, 0.025f}}) {
         ContactScene scene;
         scene.add(sheet, sheet, grid_triangles(6, 6), 0.003f);

@@ -58,7 +58,7 @@ void for_each_pair(const ContactScene& scene, const Visit& visit) {
 /// be sure, relative to it.
 constexpr double margin = 1e-4, sure = 2e-3;
 
-void expect_as_reference(const ContactScene& scene, std::size_t at_least = 0) {
+void expect_same_pairs(const ContactScene& scene, std::size_t at_least = 0) {
     const PairList list = pairs_of(scene);
     ASSERT_FALSE(list.overflowed);
     EXPECT_GE(list.size, at_least);
@@ -109,26 +109,26 @@ TEST(PairFinder, CalmSheetHasNoPairs) {
 TEST(PairFinder, WavingSheetsAsReference) {
     for (const float height : {0.0f, 1.0f, 3.0f, 20.0f}) {
         ContactScene scene = waving(21, height);
-        expect_as_reference(scene);
+        expect_same_pairs(scene);
         scene.jitter(0.2f * edge);
         scene.bodies[0].reach = 0.6f * edge;
-        expect_as_reference(scene);
+        expect_same_pairs(scene);
     }
 }
 
 TEST(PairFinder, FoldedSheetsAsReference) {
-    for (const float gap : {0.1f, 0.3f, 1.0f}) expect_as_reference(folded(24, gap), gap < 0.5f ? 100 : 0);
+    for (const float gap : {0.1f, 0.3f, 1.0f}) expect_same_pairs(folded(24, gap), gap < 0.5f ? 100 : 0);
 }
 
 TEST(PairFinder, MovingSheetsAsReference) {
     for (const float size : {0.1f, 1.0f, 5.0f}) {
         ContactScene scene = folded(20, 0.5f);
         scene.add_motions(random_vectors(scene.positions.size(), size * edge, 7));
-        expect_as_reference(scene, 10);
+        expect_same_pairs(scene, 10);
     }
     ContactScene falling = waving(17, 1);
     for (Vec4& m : falling.motions) m = {0.003f, -0.05f, 0.001f, 0};
-    expect_as_reference(falling);
+    expect_same_pairs(falling);
 }
 
 /// A sheet that a smooth map lays down, the harder the larger `strength`.
@@ -156,10 +156,10 @@ TEST(PairFinder, SmoothSheetsAsReference) {
         for (const float strength : {0.2f, 0.5f, 0.8f, 1.2f}) {
             ContactScene scene =
                 sheet(side, 0.3f * edge * float(seed % 3 + 1), smoothly(flat(side, side), strength, seed));
-            expect_as_reference(scene);
+            expect_same_pairs(scene);
             for (Vec4& m : scene.motions) m = {0, 0.2f * edge, 0.1f * edge, 0};
             scene.add_motions(random_vectors(scene.motions.size(), 0.05f * edge * float(seed), seed));
-            expect_as_reference(scene);
+            expect_same_pairs(scene);
         }
 }
 
@@ -167,7 +167,7 @@ TEST(PairFinder, CrushedSheetsAsReference) {
     for (const float width : {0.9f, 0.6f, 0.45f, 0.4f, 0.3f, 0.1f, 0.0f}) {
         std::vector<Vec4> now = flat(14, 14);
         for (Vec4& p : now) p = {width * p.x + 0.5f * p.z, 0.1f * p.x, p.z, 0};
-        expect_as_reference(sheet(14, 0.3f * edge, now));
+        expect_same_pairs(sheet(14, 0.3f * edge, now));
     }
 }
 
@@ -199,11 +199,11 @@ TEST(PairFinder, SheetsWithHolesSlitsAndFoldsAtRestAsReference) {
     for (const auto& [rest, triangles] : rests) {
         ContactScene at_rest;
         at_rest.add(rest, rest, triangles, 0.6f * edge);
-        expect_as_reference(at_rest);
+        expect_same_pairs(at_rest);
         for (std::uint32_t seed = 1; seed <= 2; ++seed) {
             ContactScene scene;
             scene.add(rest, smoothly(rest, 0.4f, seed), triangles, 0.6f * edge);
-            expect_as_reference(scene);
+            expect_same_pairs(scene);
         }
     }
     std::vector<Vec4> closed = flat(side, side);  // the slit's sides on one another
@@ -211,13 +211,13 @@ TEST(PairFinder, SheetsWithHolesSlitsAndFoldsAtRestAsReference) {
         if (p.x > 7.5f * edge) p.x -= 0.9f * edge;
     ContactScene scene;
     scene.add(rests[1].first, closed, rests[1].second, 0.3f * edge);
-    expect_as_reference(scene, 20);
+    expect_same_pairs(scene, 20);
 }
 
 TEST(PairFinder, MotionsOfMetresAsReference) {
     ContactScene scene = waving(12, 1);
     scene.add_motions(random_vectors(scene.positions.size(), 3, 3));
-    expect_as_reference(scene, 1000);
+    expect_same_pairs(scene, 1000);
 }
 
 TEST(PairFinder, RandomTrianglesAsReference) {
@@ -229,9 +229,9 @@ TEST(PairFinder, RandomTrianglesAsReference) {
             for (std::uint32_t& i : t) i = std::uint32_t(random() % points.size());
         ContactScene scene;
         scene.add(points, points, triangles, 0.05f);
-        expect_as_reference(scene, 100);
+        expect_same_pairs(scene, 100);
         scene.add_motions(random_vectors(points.size(), 0.1f, seed + 10));
-        expect_as_reference(scene, 100);
+        expect_same_pairs(scene, 100);
     }
 }
 
@@ -242,7 +242,7 @@ TEST(PairFinder, ClustersAsReference) {
         const float at = i % 3 == 0 ? 0.5f : 0.0f;
         scene.positions[i] = {at + near[i].x, near[i].y, near[i].z, 0};
     }
-    expect_as_reference(scene, 1000);
+    expect_same_pairs(scene, 1000);
 }
 
 TEST(PairFinder, IrregularMeshesAsReference) {
@@ -263,7 +263,7 @@ TEST(PairFinder, IrregularMeshesAsReference) {
     ContactScene scene;
     scene.add(at_rest, now, triangles, 0.3f * edge);
     scene.jitter(0.3f * edge);
-    expect_as_reference(scene, 100);
+    expect_same_pairs(scene, 100);
 }
 
 TEST(PairFinder, AFanOfVeryManyTrianglesAsReference) {
@@ -276,7 +276,7 @@ TEST(PairFinder, AFanOfVeryManyTrianglesAsReference) {
     }
     ContactScene scene;
     scene.add(points, points, triangles, 0.05f);
-    expect_as_reference(scene, 100);
+    expect_same_pairs(scene, 100);
 }
 
 TEST(PairFinder, CoincidentLayersAsReference) {
@@ -287,7 +287,7 @@ TEST(PairFinder, CoincidentLayersAsReference) {
     std::vector<Vec4> shifted = rest;
     for (Vec4& p : shifted) p.x += 0.37f * edge;
     scene.add(rest, shifted, grid_triangles(10, 10), 0.3f * edge);
-    expect_as_reference(scene, 1000);
+    expect_same_pairs(scene, 1000);
     // What touches has distance 0 to rounding, is listed, and has a normal across.
     const PairList list = pairs_of(scene);
     std::map<Corners, std::uint32_t> listed[2];
@@ -309,7 +309,7 @@ TEST(PairFinder, FarFromTheOriginAsReference) {
     ContactScene scene = folded(20, 0.3f);
     scene.add_motions(random_vectors(scene.positions.size(), 0.2f * edge, 5));
     for (Vec4& p : scene.positions) p = {p.x + 1000, p.y - 700, p.z + 500, 0};
-    expect_as_reference(scene, 100);
+    expect_same_pairs(scene, 100);
 }
 
 TEST(PairFinder, BodiesMeetAsTheirMasksSayAtTheMeanOfTheirReach) {
@@ -324,12 +324,12 @@ TEST(PairFinder, BodiesMeetAsTheirMasksSayAtTheMeanOfTheirReach) {
         scene.add(at_rest, now, grid_triangles(9, 9, 3), edge * (0.1f + 0.1f * float(k)));
     }
     scene.jitter(0.03f * edge);
-    expect_as_reference(scene, 1000);
+    expect_same_pairs(scene, 1000);
     scene.bodies[0].layer = 2;
     scene.bodies[1].mask = 2;
     scene.bodies[2].meets_itself = false;
     scene.bodies[3].mask = ~2u;
-    expect_as_reference(scene, 500);
+    expect_same_pairs(scene, 500);
 }
 
 TEST(PairFinder, LooseParticlesAndEmptyMeshesListNothing) {
@@ -382,7 +382,7 @@ TEST(PairFinder, AsReferenceOnEveryVectorTarget) {
     scene.add_motions(random_vectors(scene.positions.size(), 0.2f * edge, 7));
     for (const std::int64_t target : vector_targets()) {
         use_target(target);
-        expect_as_reference(scene, 100);
+        expect_same_pairs(scene, 100);
     }
     use_target(0);
 }

@@ -72,7 +72,7 @@ void expect_exact(const std::vector<Vec4>& positions, const RestFilter& filter, 
         << "distance " << distance;
 }
 
-std::vector<Vec4> random_cloud(std::uint32_t n, float size, std::uint32_t seed) {
+std::vector<Vec4> random_particles(std::uint32_t n, float size, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(-size, size);
     std::vector<Vec4> cloud(n);
@@ -92,13 +92,13 @@ TEST(SelfContacts, ExactEqualsBruteForceOnCrumpledSheets) {
 
 TEST(SelfContacts, ExactEqualsBruteForceOnRandomClouds) {
     for (const float distance : {0.001f, 0.02f, 0.1f, 0.15f})
-        expect_exact(random_cloud(1500, 1, 5), {}, distance);
+        expect_exact(random_particles(1500, 1, 5), {}, distance);
 }
 
 TEST(SelfContacts, ExactEqualsBruteForceForFewParticlesWhoseRowsShareBuckets) {
     std::size_t contacts = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
-        const std::vector<Vec4> cloud = random_cloud(2 + seed % 15, 1, seed);
+        const std::vector<Vec4> cloud = random_particles(2 + seed % 15, 1, seed);
         expect_exact(cloud, {}, 0.9f);
         contacts += entries(brute_force(cloud, {}, 0.9f));
     }
@@ -118,7 +118,7 @@ TEST(SelfContacts, ExactEqualsBruteForceOnLinesAlongEveryAxis) {
 }
 
 TEST(SelfContacts, ExactEqualsBruteForceOnCoincidentClusters) {
-    std::vector<Vec4> clusters = random_cloud(200, 1, 9);
+    std::vector<Vec4> clusters = random_particles(200, 1, 9);
     for (std::size_t copy = 0; copy < 5; ++copy) {
         for (std::size_t i = 0; i < 200; ++i) clusters.push_back(clusters[i]);
     }
@@ -126,7 +126,7 @@ TEST(SelfContacts, ExactEqualsBruteForceOnCoincidentClusters) {
 }
 
 TEST(SelfContacts, ExactEqualsBruteForceForHugeCoordinates) {
-    std::vector<Vec4> cloud = random_cloud(500, 1, 4);
+    std::vector<Vec4> cloud = random_particles(500, 1, 4);
     cloud[3] = {3e38f, 3e38f, -3e38f, 1};
     cloud[4] = cloud[3];
     cloud[7] = {-3e38f, 1e20f, 0, 1};
@@ -139,7 +139,7 @@ TEST(SelfContacts, ExactEqualsBruteForceForHugeCoordinates) {
 TEST(SelfContacts, ParticlesThatAreNotFiniteHaveNoContacts) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                     inf = std::numeric_limits<float>::infinity();
-    std::vector<Vec4> cloud = random_cloud(500, 1, 4);
+    std::vector<Vec4> cloud = random_particles(500, 1, 4);
     for (std::size_t i = 0; i < 500; i += 7) cloud[i].y = nan;
     for (std::size_t i = 3; i < 500; i += 7) cloud[i].z = -inf;
     expect_exact(cloud, {}, 0.1f);
@@ -284,8 +284,8 @@ TEST(SelfContacts, ExactWhereACrowdLiesInACalmSheet) {
 }
 
 TEST(SelfContacts, BytesGrowWithTheNumberOfParticles) {
-    const std::size_t small = SelfContacts(random_cloud(4096, 1, 1)).bytes(),
-                      large = SelfContacts(random_cloud(16384, 1, 1)).bytes();
+    const std::size_t small = SelfContacts(random_particles(4096, 1, 1)).bytes(),
+                      large = SelfContacts(random_particles(16384, 1, 1)).bytes();
     EXPECT_GE(small, 4096 * SelfContacts::capacity * sizeof(std::uint32_t));
     EXPECT_NEAR(static_cast<double>(large), 4.0 * static_cast<double>(small),
                 0.01 * static_cast<double>(large));

@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr TruncationSettings settings{1e-4f, 30};
 
 struct Settled {
@@ -103,7 +103,7 @@ TEST(Settle, TheCertificateHoldsBeforeRoundingIsLookedAt) {
         Rows motions = random_vectors(mesh.size(), 0.02f, seed + 50);
         Settled settled{{}, motions, cut(mesh, pairs, motions).fractions, {}};
         EXPECT_GT(least_gap_kept(mesh, pairs, settled, 1e-4), 0.98) << seed;
-        motions[5].z = nan;
+        motions[5].z = not_a_number;
         EXPECT_EQ(cut(mesh, pairs, motions).fractions[5], 0.0f);
     }
 }
@@ -365,7 +365,7 @@ TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
     const Triangles mesh = triangle_soup(40, 0.5f, 11);
     const PairList pairs = all_pairs(mesh);
     Rows wanted = random_vectors(mesh.size(), 0.1f, 12);
-    wanted[4] = {nan, 0, 0, 0};
+    wanted[4] = {not_a_number, 0, 0, 0};
     wanted[50] = {0, std::numeric_limits<float>::infinity(), 0, 0};
     wanted[70] = {0, 0, 3e38f, 0};
     const Settled settled = settle(mesh, pairs, wanted);
@@ -374,7 +374,7 @@ TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
     EXPECT_EQ(crossings(mesh, points(ends_of(mesh.positions, settled.displacements))), 0);
 
     Triangles broken = mesh;
-    broken.positions[7].x = nan;
+    broken.positions[7].x = not_a_number;
     settle(broken, all_pairs(broken), random_vectors(mesh.size(), 0.1f, 12));
 }
 

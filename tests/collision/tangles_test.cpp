@@ -13,17 +13,19 @@
 namespace weft::test {
 namespace {
 
-constexpr float edge = 0.01f, h = 1.0f / 60;
+constexpr float edge_length = 0.01f, frame = 1.0f / 60;
 
 std::vector<Vec4> lying(std::uint32_t side) {
-    return grid_positions(side, side, [](float u, float v) { return Vec4{edge * u, 0, edge * v, 1}; });
+    return grid_positions(side, side, [](float u, float v) {
+        return Vec4{edge_length * u, 0, edge_length * v, 1};
+    });
 }
 
 /// Upright, its lower border `depth` below the other sheet; turned, lest its vertices be over the other's.
 std::vector<Vec4> standing(std::uint32_t rows, std::uint32_t columns, float depth) {
     return grid_positions(rows, columns, [&](float u, float v) {
-        const float along = edge * (u - 0.5f * float(columns - 1));
-        return Vec4{0.0971f + 0.9f * along, edge * v - depth, 0.1013f + 0.436f * along, 1};
+        const float along = edge_length * (u - 0.5f * float(columns - 1));
+        return Vec4{0.0971f + 0.9f * along, edge_length * v - depth, 0.1013f + 0.436f * along, 1};
     });
 }
 
@@ -40,7 +42,7 @@ ContactScene dome(float depth) {
     ContactScene scene;
     scene.add(lying(21), lying(21), grid_triangles(21, 21), 0.003f);
     const std::vector<Vec4> over = grid_positions(15, 15, [&](float u, float v) {
-        const float x = edge * (u - 7) + 0.0003f, z = edge * (v - 7) + 0.0004f;
+        const float x = edge_length * (u - 7) + 0.0003f, z = edge_length * (v - 7) + 0.0004f;
         return Vec4{0.0971f + 0.9f * x - 0.436f * z, depth - 8 * (x * x + z * z),
                     0.1013f + 0.436f * x + 0.9f * z, 1};
     });
@@ -62,7 +64,7 @@ struct Found {
     void find(const ContactScene& scene) {
         finder.find_crossings(parallel, scene.bodies, scene.positions, list);
         finder.find(parallel, scene.bodies, scene.positions, scene.motions, pairs);
-        tangles.find({scene.bodies, scene.positions, pairs, h}, list, memory);
+        tangles.find({scene.bodies, scene.positions, pairs, frame}, list, memory);
         tangles.exempt(parallel, pairs, exempt);
     }
     [[nodiscard]] std::uint32_t exempt_pairs() const {
@@ -150,7 +152,7 @@ TEST(Tangles, RowsAddUpToNothingAndPointTheWayOut) {
         EXPECT_NEAR(on_edge, 1, 1e-6f);
         EXPECT_LT(gap.norm(), 1e-6f);
         EXPECT_NEAR(xyz(row.direction).norm(), 1, 1e-5f);
-        EXPECT_NEAR(row.direction.w, 0.25f * edge, 0.25f * edge);
+        EXPECT_NEAR(row.direction.w, 0.25f * edge_length, 0.25f * edge_length);
         up += row.corners[0] >= scene.bodies[1].first ? row.direction.y : -row.direction.y;
     }
     EXPECT_LT(up, -0.5f * float(found.list.size)) << "of the dome, against the sheet";
@@ -162,7 +164,7 @@ TEST(Tangles, WhoFollowsRowsComesFree) {
         Found found(scene);
         int steps = 0;
         for (; found.list.size > 0 && steps < 200; ++steps) {
-            follow(found.tangles, scene, 0.1f * edge);
+            follow(found.tangles, scene, 0.1f * edge_length);
             found.find(scene);
         }
         EXPECT_EQ(found.list.size, 0u) << depth;

@@ -22,12 +22,12 @@
 namespace weft::demo {
 namespace {
 
-constexpr int frames = WEFT_GUARANTEE_FRAMES;
+constexpr int hashed_frames = WEFT_GUARANTEE_FRAMES;
 
 std::string hash_under(std::int64_t target, const SceneEntry& entry) {
     test::use_target(target);
     SceneRun run(entry, 2);
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0; frame < hashed_frames; ++frame) {
         run.before_step();
         run.step();
     }

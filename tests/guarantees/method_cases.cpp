@@ -10,7 +10,7 @@ namespace weft::test {
 
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
+constexpr float time_step = 1.0f / 60.0f;
 constexpr float lowering_speed = 2.0f;  // [m/s]
 constexpr float width = 0.6f;           // of the sheet [m]
 
@@ -153,7 +153,7 @@ LoweredSheet::LoweredSheet(const MethodCase& method_case, int threads, std::uint
 
 // None is let down into the ground.
 void LoweredSheet::before_step() {
-    if (lowered_ < width) lowered_ += lowering_speed * dt;
+    if (lowered_ < width) lowered_ += lowering_speed * time_step;
     for (const auto& [vertex, start] : pins_) {
         const float y = std::max(start.y + 0.02f - lowered_, 0.02f);
         need(world_.move_pin(cloth_, vertex, {start.x, y, start.z + 0.3f * lowered_}));
@@ -161,7 +161,7 @@ void LoweredSheet::before_step() {
 }
 
 const StepReport& LoweredSheet::step() {
-    return world_.step(dt);
+    return world_.step(time_step);
 }
 
 }  // namespace weft::test

@@ -17,7 +17,7 @@
 namespace weft::test {
 namespace {
 
-constexpr float dt = 1.0f / 60;
+constexpr float frame_time = 1.0f / 60;
 constexpr std::uint32_t side = 7;
 constexpr std::uint64_t most_allocations = 100'000;  // of one call
 
@@ -43,7 +43,7 @@ struct Scene {
         return settings;
     }
     void step() {
-        for (int k = 0; k < 2; ++k) world.step(dt);
+        for (int k = 0; k < 2; ++k) world.step(frame_time);
     }
     [[nodiscard]] std::string look() const {
         return fuzz::snapshot(world, std::vector{cloth, other}, std::vector{collider});

@@ -13,7 +13,7 @@
 namespace weft::render {
 namespace {
 
-constexpr int width = 160, height = 100;
+constexpr int host_width = 160, host_height = 100;
 
 /// Objects of a host, bound wherever OpenGL has a place for them.
 class HostObjects {
@@ -269,7 +269,7 @@ using HostState = Drawing;
 void expect_the_same_picture_and_state(SceneRenderer& first_renderer) {
     const Everything scene;
     show(first_renderer, scene.sheet, signal_look());
-    const Image expected = first_renderer.capture(scene.view, width, height);
+    const Image expected = first_renderer.capture(scene.view, host_width, host_height);
 
     const HostObjects objects;
     set_all_oddly();
@@ -283,7 +283,7 @@ void expect_the_same_picture_and_state(SceneRenderer& first_renderer) {
         EXPECT_EQ(before.difference({}), "") << "add_cloth()";
         renderer->update_cloth(cloth, scene.sheet.frame());
         EXPECT_EQ(before.difference({}), "") << "update_cloth()";
-        const Image image = renderer->capture(scene.view, width, height);
+        const Image image = renderer->capture(scene.view, host_width, host_height);
         EXPECT_EQ(before.difference({}), "") << "capture()";
         EXPECT_TRUE(image.rgb == expected.rgb);
         renderer->remove_cloth(cloth);
@@ -298,7 +298,7 @@ TEST_F(HostState, NeitherChangesThePictureNorIsChanged) {
 TEST_F(HostState, IsKeptByDrawButForTheTarget) {
     const Everything scene;
     show(renderer(), scene.sheet, signal_look());
-    const Image expected = renderer().capture(scene.view, width, height);
+    const Image expected = renderer().capture(scene.view, host_width, host_height);
 
     const HostObjects objects;
     set_all_oddly();
@@ -307,15 +307,15 @@ TEST_F(HostState, IsKeptByDrawButForTheTarget) {
     glActiveTexture(GL_TEXTURE9);
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, host_width, host_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    glViewport(0, 0, width, height);
+    glViewport(0, 0, host_width, host_height);
     const State before;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(7, 7, 7, 7);
-    renderer().draw(scene.view, width, height, framebuffer);
+    renderer().draw(scene.view, host_width, host_height, framebuffer);
     EXPECT_EQ(before.difference({}), "")
         << "the target is bound, its viewport set, and all else is the host's";
 
@@ -324,10 +324,11 @@ TEST_F(HostState, IsKeptByDrawButForTheTarget) {
         glPixelStorei(name, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     std::vector<std::uint8_t> rows(expected.rgb.size());
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
-    const std::size_t row = 3 * static_cast<std::size_t>(width);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
-        ASSERT_EQ(std::memcmp(&rows[y * row], &expected.rgb[(height - 1 - y) * row], row), 0) << "row " << y;
+    glReadPixels(0, 0, host_width, host_height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
+    const std::size_t row = 3 * static_cast<std::size_t>(host_width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(host_height); ++y)
+        ASSERT_EQ(std::memcmp(&rows[y * row], &expected.rgb[(host_height - 1 - y) * row], row), 0)
+            << "row " << y;
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &texture);
 }
@@ -335,13 +336,13 @@ TEST_F(HostState, IsKeptByDrawButForTheTarget) {
 TEST_F(HostState, NeitherChangesPanelsNorIsChangedByThem) {
     const View view;
     const auto picture_with_panel = [&](ImGuiLayer& layer) {
-        layer.begin(width, height, 1.0f / 60);
+        layer.begin(host_width, host_height, 1.0f / 60);
         ImGui::SetNextWindowPos({20, 10});
         ImGui::SetNextWindowSize({100, 60});
         ImGui::Begin("Panel");
         ImGui::TextUnformatted("text");
         ImGui::End();
-        return renderer().capture(view, width, height, [&] { layer.end(); });
+        return renderer().capture(view, host_width, host_height, [&] { layer.end(); });
     };
     Image expected;
     {

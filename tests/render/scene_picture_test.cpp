@@ -9,7 +9,7 @@
 namespace weft::render {
 namespace {
 
-constexpr int width = 320, height = 200;
+constexpr int scene_width = 320, scene_height = 200;
 
 View from_above() {
     View view;
@@ -23,9 +23,9 @@ using ScenePicture = Drawing;
 TEST_F(ScenePicture, ASphereDarkensTheGroundAwayFromTheSun) {
     const DrawnSphere sphere{{0, 1, 0}, 0.3f};
     View view = from_above();
-    const Image bare = renderer().capture(view, width, height);
+    const Image bare = renderer().capture(view, scene_width, scene_height);
     view.spheres = {&sphere, 1};
-    const Image shaded = renderer().capture(view, width, height);
+    const Image shaded = renderer().capture(view, scene_width, scene_height);
     const Vec3 in_shadow{-1.04f, 0, 0.06f}, mirrored{1.04f, 0, 0.06f};
     EXPECT_LT(pixel_at(shaded, view.camera, in_shadow).light(),
               0.75 * pixel_at(bare, view.camera, in_shadow).light());
@@ -60,9 +60,9 @@ TEST_F(ScenePicture, TheGroundIsDarkerCloseUnderABodyEvenInTheSun) {
     view.sun_direction = {1, 0.25f, 0};  // its shadow falls far to the left
     view.camera.pitch = 0.1f;
     view.camera.distance = 2;
-    const Image bare = renderer().capture(view, width, height);
+    const Image bare = renderer().capture(view, scene_width, scene_height);
     view.spheres = {&sphere, 1};
-    const Image image = renderer().capture(view, width, height);
+    const Image image = renderer().capture(view, scene_width, scene_height);
     const Vec3 beneath{0.12f, 0, 0.1f};
     EXPECT_LT(pixel_at(image, view.camera, beneath).light() + 15,
               pixel_at(bare, view.camera, beneath).light());
@@ -72,9 +72,9 @@ TEST_F(ScenePicture, ABodyHighAboveTheGroundDarkensItNowhereButInItsShadow) {
     const DrawnSphere sphere{{0, 2, 0}, 0.2f};
     View view = from_above();
     view.sun_direction = {0, 1, 1};  // its shadow lies about z = -2
-    const Image bare = renderer().capture(view, width, height);
+    const Image bare = renderer().capture(view, scene_width, scene_height);
     view.spheres = {&sphere, 1};
-    const Image image = renderer().capture(view, width, height);
+    const Image image = renderer().capture(view, scene_width, scene_height);
     for (const float x : {-1.5f, -0.8f, -0.15f, 0.15f, 0.9f, 1.6f})
         for (const float z : {-0.15f, 0.15f, 0.6f})
             EXPECT_NEAR(pixel_at(image, view.camera, {x, 0, z}).light(),
@@ -91,13 +91,13 @@ TEST_F(ScenePicture, SpheresAndCapsulesFillTheirOutline) {
     view.sun_direction = {0, 0.3f, 1};
     view.spheres = {&sphere, 1};
     view.capsules = {&capsule, 1};
-    const Image image = renderer().capture(view, width, height);
-    const float per_metre = 0.5f * height / (8 * std::tan(0.15f));
+    const Image image = renderer().capture(view, scene_width, scene_height);
+    const float per_metre = 0.5f * scene_height / (8 * std::tan(0.15f));
 
     const PixelBox red = box_of(image, [](const Pixel& p) { return p.is_red(); });
     EXPECT_NEAR(red.right - red.left, 0.6f * per_metre, 4);
     EXPECT_NEAR(red.bottom - red.top, 0.6f * per_metre, 4);
-    EXPECT_NEAR(0.5f * static_cast<float>(red.left + red.right), 0.5f * width - 0.8f * per_metre, 2);
+    EXPECT_NEAR(0.5f * static_cast<float>(red.left + red.right), 0.5f * scene_width - 0.8f * per_metre, 2);
     const PixelBox green = box_of(image, [](const Pixel& p) { return p.is_green(); });
     EXPECT_NEAR(green.right - green.left, 0.4f * per_metre, 4);
     EXPECT_NEAR(green.bottom - green.top, 1.2f * per_metre, 4);
@@ -106,26 +106,27 @@ TEST_F(ScenePicture, SpheresAndCapsulesFillTheirOutline) {
 TEST_F(ScenePicture, TheSkyIsAboveAndTheGroundBelowTheHorizon) {
     View view;
     view.camera.pitch = 0.2f;
-    const Image image = renderer().capture(view, width, height);
-    EXPECT_GT(pixel(image, width / 2, 3).blue, pixel(image, width / 2, 3).red + 10);
+    const Image image = renderer().capture(view, scene_width, scene_height);
+    EXPECT_GT(pixel(image, scene_width / 2, 3).blue, pixel(image, scene_width / 2, 3).red + 10);
     view.ground = false;
-    const Image no_ground = renderer().capture(view, width, height);
-    EXPECT_EQ(pixel(image, width / 2, 3).light(), pixel(no_ground, width / 2, 3).light());
-    EXPECT_NE(pixel(image, width / 2, height - 5).light(), pixel(no_ground, width / 2, height - 5).light());
+    const Image no_ground = renderer().capture(view, scene_width, scene_height);
+    EXPECT_EQ(pixel(image, scene_width / 2, 3).light(), pixel(no_ground, scene_width / 2, 3).light());
+    EXPECT_NE(pixel(image, scene_width / 2, scene_height - 5).light(),
+              pixel(no_ground, scene_width / 2, scene_height - 5).light());
 }
 
 TEST_F(ScenePicture, TheWindArrowLiesUpwindAndGrowsWithTheSpeed) {
     const DrawnSphere sphere{{0, 0.3f, 0}, 0.3f};
     View view = from_above();
     view.spheres = {&sphere, 1};
-    const Image calm = renderer().capture(view, width, height);
+    const Image calm = renderer().capture(view, scene_width, scene_height);
     const auto changed = [&](const Vec3& wind) {
         view.wind = wind;
-        const Image image = renderer().capture(view, width, height);
+        const Image image = renderer().capture(view, scene_width, scene_height);
         int count = 0;
         double sum_x = 0;
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
+        for (int y = 0; y < scene_height; ++y) {
+            for (int x = 0; x < scene_width; ++x) {
                 if (std::abs(pixel(image, x, y).light() - pixel(calm, x, y).light()) < 20) continue;
                 ++count;
                 sum_x += x;
@@ -133,8 +134,8 @@ TEST_F(ScenePicture, TheWindArrowLiesUpwindAndGrowsWithTheSpeed) {
         }
         return std::pair(count, count > 0 ? sum_x / count : 0.0);
     };
-    EXPECT_GT(changed({-3, 0, 0}).second, width / 2 + 20);
-    EXPECT_LT(changed({3, 0, 0}).second, width / 2 - 20);
+    EXPECT_GT(changed({-3, 0, 0}).second, scene_width / 2 + 20);
+    EXPECT_LT(changed({3, 0, 0}).second, scene_width / 2 - 20);
     EXPECT_GT(changed({12, 0, 0}).first, changed({2, 0, 0}).first);
     EXPECT_EQ(changed({0, 5, 0}).first, 0) << "a vertical wind has no direction on the ground";
 }
@@ -143,7 +144,7 @@ TEST_F(ScenePicture, TheSameViewGivesTheSameBytesWhateverStateTheHostLeaves) {
     const DrawnSphere sphere{{0, 0.5f, 0}, 0.5f};
     View view = from_above();
     view.spheres = {&sphere, 1};
-    const Image first = renderer().capture(view, width, height);
+    const Image first = renderer().capture(view, scene_width, scene_height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 10, 10);
     glEnable(GL_BLEND);
@@ -154,7 +155,7 @@ TEST_F(ScenePicture, TheSameViewGivesTheSameBytesWhateverStateTheHostLeaves) {
     glDepthFunc(GL_NEVER);
     glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    EXPECT_EQ(renderer().capture(view, width, height).rgb, first.rgb);
+    EXPECT_EQ(renderer().capture(view, scene_width, scene_height).rgb, first.rgb);
 }
 
 TEST_F(ScenePicture, ASizeOfZeroDrawsNothing) {
@@ -166,9 +167,9 @@ TEST_F(ScenePicture, ASizeOfZeroDrawsNothing) {
 TEST_F(ScenePicture, ASunWithoutDirectionStandsOverhead) {
     View view = from_above();
     view.sun_direction = {0, 1, 0};
-    const Image overhead = renderer().capture(view, width, height);
+    const Image overhead = renderer().capture(view, scene_width, scene_height);
     view.sun_direction = {0, 0, 0};
-    EXPECT_EQ(renderer().capture(view, width, height).rgb, overhead.rgb);
+    EXPECT_EQ(renderer().capture(view, scene_width, scene_height).rgb, overhead.rgb);
 }
 
 }  // namespace

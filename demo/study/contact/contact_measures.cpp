@@ -14,16 +14,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d xyz(const Vec4& p) {
+Vector3d in_double(const Vec4& p) {
     return Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
 }
 
-Vector3d xyz(const Vec3& p) {
+Vector3d in_double(const Vec3& p) {
     return Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
 }
 
 double rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
-    if (mesh.pattern.empty()) return (xyz(mesh.positions[a]) - xyz(mesh.positions[b])).norm();
+    if (mesh.pattern.empty()) return (in_double(mesh.positions[a]) - in_double(mesh.positions[b])).norm();
     const Vec2 &p = mesh.pattern[a], &q = mesh.pattern[b];
     return std::hypot(static_cast<double>(p.x) - static_cast<double>(q.x),
                       static_cast<double>(p.y) - static_cast<double>(q.y));
@@ -41,7 +41,7 @@ void for_free(const ContactRun& run, const Visit& visit) {
         const ClothView& view = *run.world().cloth(id);
         for (std::size_t i = 0; i < view.positions.size(); ++i) {
             const double inverse = static_cast<double>(view.positions[i].w);
-            if (inverse > 0) visit(xyz(view.positions[i]), xyz(view.velocities[i]), 1 / inverse);
+            if (inverse > 0) visit(in_double(view.positions[i]), in_double(view.velocities[i]), 1 / inverse);
         }
     }
 }
@@ -49,16 +49,16 @@ void for_free(const ContactRun& run, const Visit& visit) {
 struct DistanceTo {
     Vector3d p;
     double operator()(const Sphere& s) const {
-        return (p - xyz(s.center)).norm() - static_cast<double>(s.radius);
+        return (p - in_double(s.center)).norm() - static_cast<double>(s.radius);
     }
     double operator()(const Capsule& c) const {
-        const Vector3d a = xyz(c.a), along = xyz(c.b) - a;
+        const Vector3d a = in_double(c.a), along = in_double(c.b) - a;
         const double length = along.squaredNorm();
         const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
         return (a + t * along - p).norm() - static_cast<double>(c.radius);
     }
     double operator()(const Plane& plane) const {
-        return xyz(plane.normal).normalized().dot(p) - static_cast<double>(plane.offset);
+        return in_double(plane.normal).normalized().dot(p) - static_cast<double>(plane.offset);
     }
 };
 
@@ -88,7 +88,7 @@ EdgeStretch::Stretch EdgeStretch::of(const ContactRun& run) const {
     for (std::size_t c = 0; c < edges_.size(); ++c) {
         const ClothView& view = *run.world().cloth(run.cloths()[c]);
         for (const auto& [a, b, rest] : edges_[c]) {
-            const double ratio = (xyz(view.positions[a]) - xyz(view.positions[b])).norm() / rest;
+            const double ratio = (in_double(view.positions[a]) - in_double(view.positions[b])).norm() / rest;
             stretch.most = std::max(stretch.most, ratio);
             stretch.mean += ratio;
             ++count;

@@ -9,7 +9,7 @@ namespace weft::study {
 
 namespace {
 
-Corners3 corners_of(const TriangleSoup& soup, std::uint32_t triangle) {
+Corners3 exact_corners(const TriangleSoup& soup, std::uint32_t triangle) {
     Corners3 corners;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& p = soup.points[soup.triangles[triangle][k]];
@@ -37,7 +37,8 @@ double least_gap(const TriangleSoup& soup, double bound) {
     BoxTree(soup).pairs(near, [&](std::uint32_t first, std::uint32_t second) {
         if (soup.share_a_vertex(first, second)) return;
         const bool cross = triangles_cross(soup, first, second);
-        const double apart = cross ? 0 : squared_distance(corners_of(soup, first), corners_of(soup, second));
+        const double apart =
+            cross ? 0 : squared_distance(exact_corners(soup, first), exact_corners(soup, second));
         least = std::min(least, apart);
     });
     return std::sqrt(least);

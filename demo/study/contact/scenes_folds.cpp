@@ -10,8 +10,9 @@ namespace weft::study {
 
 namespace {
 
+using std::numbers::pi;
+
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
 
 /// A concertina of ten legs, dropped on its side.
 ContactScene folddrop(std::uint32_t particles) {

@@ -11,8 +11,9 @@ namespace weft::study {
 
 namespace {
 
+using std::numbers::pi;
+
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
 
 /// The ceiling's height: down at 0.3 m/s to 8 cm, there for two seconds, and up again.
 double ceiling_height(double time) {

@@ -15,8 +15,9 @@ namespace weft::study {
 
 namespace {
 
+using std::numbers::pi;
+
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
 
 Mesh garment(const std::string& file) {
     const char* folder = std::getenv("WEFT_DATA");

@@ -11,8 +11,9 @@ namespace weft::study {
 
 namespace {
 
+using std::numbers::pi;
+
 using Eigen::Vector3d;
-constexpr double pi = std::numbers::pi;
 
 /// A meander whose loops overlap: the direction goes to and fro as a sine by more than 2.2 rad (Langbein and
 /// Leopold, "River meanders: theory of minimum variance", 1966). As long as what lies on it.

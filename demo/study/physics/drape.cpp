@@ -12,8 +12,9 @@ namespace weft::study {
 
 namespace {
 
+using std::numbers::pi;
+
 constexpr double table = 0.09, disc = 0.15;  // radii [m]
-constexpr double pi = std::numbers::pi;
 
 struct Drape {
     double coefficient;  ///< of the ring beyond the table, the part that still shades the floor

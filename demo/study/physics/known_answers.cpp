@@ -9,7 +9,8 @@ namespace weft::study {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr int steps = 2000;
 
 /// Fourth-order Runge-Kutta from 0 to 1, or to `end`; `visit` sees the state at the end of each step.
