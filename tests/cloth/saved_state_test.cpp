@@ -204,7 +204,7 @@ TEST_P(SavedState, NoHistoryOfSettingsShows) {
     }
 }
 
-TEST(SavedState, OfContactHasWhetherStepsAreHalved) {
+TEST(StateOfContact, SaysWhetherStepsAreHalved) {
     ClothState state(4);
     state.tangles = AlignedBuffer<TangleMemory>(4);
     const auto bytes = [&] {

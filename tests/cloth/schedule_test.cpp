@@ -49,8 +49,8 @@ std::vector<std::uint32_t> many_small_and(std::initializer_list<std::uint32_t> o
 
 TEST(Schedule, PlansEachClothOnceAndTheLargestFirst) {
     const std::vector<std::uint32_t> sides = many_small_and({128, 40, 30, 3});
+    Planned cloths(sides);
     for (const int threads : {1, 2, 16, 64}) {
-        Planned cloths(sides);
         const Schedule& schedule = cloths.on(threads);
         std::map<const Cloth*, int> planned;
         for (const auto entries : {schedule.side_by_side(), schedule.in_turn()}) {

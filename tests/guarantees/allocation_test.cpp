@@ -73,9 +73,12 @@ class MethodAllocation : public testing::TestWithParam<test::MethodCase> {};
 
 TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
     constexpr std::uint32_t side = 24;
+    const SelfCollision& self = GetParam().cloth.self_collision;
+    const bool is_slow = self.enabled && self.method == SelfCollisionMethod::contact;
     for (const test::PinPattern& pins : test::pin_patterns(side)) {
         std::uint64_t hash = 0;
         const bool is_rest = pins.name != "corners" && pins.name != "random";
+        if (is_slow && pins.name != "corners") continue;  // what it keeps does not depend on pins
         for (int threads = 1; threads <= (is_rest ? 1 : 2); ++threads) {
             SCOPED_TRACE(pins.name + ", " + std::to_string(threads) + " threads");
             test::LoweredSheet run(GetParam(), threads, side, pins);
@@ -83,7 +86,7 @@ TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
             EXPECT_EQ(seen.count, 0u);
             EXPECT_EQ(seen.restored, 0u);
             EXPECT_GT(seen.collider_contacts, 0u);
-            if (GetParam().cloth.self_collision.enabled && pins.name == "corners") {
+            if (self.enabled && pins.name == "corners") {
                 EXPECT_GT(seen.self_contacts, 0u);
             }
             if (threads == 1) hash = run.world().state_hash();
