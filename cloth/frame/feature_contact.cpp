@@ -53,7 +53,6 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
     partials_ = AlignedBuffer<float>(blocks);
     holders_ = AlignedBuffer<Holder>(blocks);
-    way_sums_ = AlignedBuffer<WaySum>(blocks);
     for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
         *buffer = AlignedBuffer<Vec4>(particles);
 }
@@ -235,7 +234,7 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes() + way_sums_.bytes();
+           partials_.bytes() + holders_.bytes();
 }
 
 }  // namespace weft

@@ -112,12 +112,6 @@ class FeatureContact {
         float of_borders = 1;  ///< see PairFinder::find
     };
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
-    /// Of particles.
-    struct WaySum {
-        double x = 0, y = 0, z = 0;  // [m]
-        double count = 0;
-    };
-    [[nodiscard]] Vector3 mean_way(Parallel& parallel);
     void find_for_cut(Parallel& parallel);
     struct Change;
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
@@ -148,9 +142,8 @@ class FeatureContact {
     AlignedBuffer<PairLaw> laws_;
     AlignedBuffer<float> wanted_;
     AlignedBuffer<Vec4> start_, displacements_, base_, searched_;
-    AlignedBuffer<float> partials_;   // by block
-    AlignedBuffer<Holder> holders_;   // by block
-    AlignedBuffer<WaySum> way_sums_;  // by block
+    AlignedBuffer<float> partials_;  // by block
+    AlignedBuffer<Holder> holders_;  // by block
 };
 
 }  // namespace weft

@@ -84,6 +84,28 @@ void remember_tangles(const FeatureContact& space, std::size_t body, ClothState&
 
 }  // namespace
 
+// Where layers come together by many distances in a step there are more pairs than a list holds, and what is
+// cut leaves knots. Half the motion has half as many.
+bool Simulation::was_cut_much(std::span<Cloth* const> island) {
+    constexpr std::uint32_t most = 400;  // of so many particles one may have been
+    std::uint32_t particles = 0;
+    for (const Cloth* cloth : island) particles += cloth->state.size();
+    const FeatureCounts& counts = island.front()->feature_counts;
+    return counts.overflowed || most * counts.truncated > particles;
+}
+
+int Simulation::parts_of_step(std::span<Cloth* const> island) {
+    return std::ranges::any_of(island, [](const Cloth* cloth) { return cloth->state.halved > 0; }) ? 2 : 1;
+}
+
+void Simulation::count_halved_steps(std::span<Cloth* const> island, bool cut_much) {
+    constexpr std::uint32_t more = 10;
+    for (Cloth* cloth : island) {
+        std::uint32_t& halved = cloth->state.halved;
+        halved = cut_much ? more : halved - std::min(halved, 1u);
+    }
+}
+
 // Which cloths may touch: those whose boxes over the substep overlap.
 void Simulation::meet(const Substep& substep) {
     boxes_.clear();
@@ -136,10 +158,23 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
     cloth.contacts->join(*equation.pairs, equation.first);
 }
 
-// Cloths that cannot be in the equation with the first that can go before, alone, and are for the others
-// where they then are.
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
+    const int parts = parts_of_step(island);
+    bool cut_much = false;
+    for (int k = 0; k < parts; ++k) {
+        if (k > 0 && air_is_on())
+            for (Cloth* cloth : island) air_forces(worker, *cloth, true);
+        solve_together(worker, island, dt, substep.part(k, parts, dt));
+        cut_much |= was_cut_much(island);
+    }
+    count_halved_steps(island, cut_much);
+}
+
+// Cloths that cannot be in the equation with the first that can go before, alone, and are for the others
+// where they then are.
+void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, float dt,
+                                const Substep& substep) {
     FeatureContact& space = *together_;
     find_features(worker, space, island, substep.h);
     const auto first =

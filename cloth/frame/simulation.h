@@ -104,6 +104,12 @@ struct Simulation {
     void join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
                        StepEquation& equation);
     void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
+    void solve_together(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
+    /// Of the substep that they have just taken.
+    [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> island);
+    /// In how many parts they take a substep, so that less of their motion is cut.
+    [[nodiscard]] static int parts_of_step(std::span<Cloth* const> island);
+    static void count_halved_steps(std::span<Cloth* const> island, bool cut_much);
     void solve_joined(Worker& worker, const Substep& substep);
     void find_joined_impulses(Worker& worker);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,

@@ -19,16 +19,6 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
     return squared > max_speed * max_speed ? Vector3(velocity * (max_speed / std::sqrt(squared))) : velocity;
 }
 
-// Where layers come together by many distances in a step there are more pairs than a list holds, and what is
-// cut leaves knots. Half the motion has half as many.
-bool was_cut_much(const Cloth& cloth) {
-    constexpr std::uint32_t most = 20;  // of so many particles one may have been
-    return cloth.feature_counts.overflowed || most * cloth.feature_counts.truncated > cloth.state.size();
-}
-
-/// Afterwards: so many more steps are taken in halves.
-constexpr std::uint32_t steps_in_halves = 10;
-
 }  // namespace
 
 void Simulation::step(float dt) {
@@ -134,14 +124,14 @@ void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
 // A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
 // meet its colliders each.
 void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
-    const int parts = cloth.settings.substeps * (cloth.state.halved > 0 ? 2 : 1);
+    Cloth* const self = &cloth;
+    const std::span<Cloth* const> alone(&self, 1);
+    const int parts = cloth.settings.substeps * parts_of_step(alone);
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
         move_colliders(worker, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
-        Cloth* const self = &cloth;
-        const std::span<Cloth* const> alone(&self, 1);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
         if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
@@ -164,12 +154,9 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         settle(worker, cloth, part.h);
         if (!cloth.features) continue;
         settle_features(worker, *cloth.features, alone, part);
-        cut_much |= was_cut_much(cloth);
+        cut_much |= was_cut_much(alone);
     }
-    if (cut_much)
-        cloth.state.halved = steps_in_halves;
-    else if (cloth.state.halved > 0)
-        --cloth.state.halved;
+    count_halved_steps(alone, cut_much);
 }
 
 // What must hold exactly, the most important last: no particle inside a collider, none too fast.

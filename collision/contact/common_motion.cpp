@@ -78,7 +78,8 @@ CommonMotionFit::Moments CommonMotionFit::add(const Moments& a, const Moments& b
 }
 
 CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRange> island,
-                                  std::span<const Vec4> positions, std::span<const Vec4> displacements) {
+                                  std::span<const Vec4> positions, std::span<const Vec4> displacements,
+                                  CommonMotionKind most) {
     const Vec4 near = point_near(island, positions);
     const auto sum_block = [&](const BlockRange& block) {
         Moments sum;
@@ -123,7 +124,7 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
     const double added = regularisation * extents.trace();
     const Matrix3d map =
         (extents + changes + added * rotation) * (extents + added * Matrix3d::Identity()).inverse();
-    if (keeps_its_orientation_well(map)) {
+    if (most == CommonMotionKind::affine && keeps_its_orientation_well(map)) {
         set_map(motion, map, CommonMotionKind::affine);
     } else {
         set_map(motion, rotation, CommonMotionKind::rigid);

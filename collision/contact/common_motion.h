@@ -49,9 +49,11 @@ class CommonMotionFit {
     void reserve(std::size_t particles, std::size_t ranges);
 
     /// In directions in which the particles have no extent (a flat sheet's normal) the map is that of the
-    /// rigid motion that fits best. Spans are of all bodies' particles.
+    /// rigid motion that fits best. Spans are of all bodies' particles. `most`: affine, or no more than
+    /// rigid.
     [[nodiscard]] CommonMotion fit(Parallel& parallel, std::span<const ParticleRange> island,
-                                   std::span<const Vec4> positions, std::span<const Vec4> displacements);
+                                   std::span<const Vec4> positions, std::span<const Vec4> displacements,
+                                   CommonMotionKind most = CommonMotionKind::affine);
 
     [[nodiscard]] std::size_t bytes() const noexcept { return partials_.bytes(); }
 

@@ -45,8 +45,9 @@ void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pai
     failures_ = AlignedBuffer<Failures>(block_count(static_cast<std::uint32_t>(pairs)));
 }
 
-void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    common_ = fit_.fit(parallel, island.particles, island.positions, displacements);
+void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+                    CommonMotionKind most) {
+    common_ = fit_.fit(parallel, island.particles, island.positions, displacements, most);
     take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
 }
 

@@ -58,7 +58,8 @@ class Settler {
                                    displacements);
     }
 
-    void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
+    void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+               CommonMotionKind most = CommonMotionKind::affine);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
     [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
