@@ -9,6 +9,17 @@
     SCENE(curtain, "a curtain on rings, drawn to and fro in a slow breeze")                                  \
     SCENE(sheet, "a sheet that falls over a sphere and onto the ground")                                     \
     SCENE(ribbon, "a long ribbon, lowered end first, piles up on itself")                                    \
+    SCENE(folddrop, "a sheet folded ten times falls to the ground")                                          \
+    SCENE(stack, "five sheets are laid on one another")                                                      \
+    SCENE(layers, "three sheets fall over a sphere")                                                         \
+    SCENE(crumple, "a ceiling comes down on an upright sheet, and goes up again")                            \
+    SCENE(twist, "the ends of a strip are turned against each other, twice")                                 \
+    SCENE(gathered, "a curtain is drawn together to a quarter")                                              \
+    SCENE(yank, "a corner is pulled at 10 m/s through its own cloth, which stops it")                        \
+    SCENE(meeting, "two sheets meet where nothing has weight")                                               \
+    SCENE(hammock, "a sheet is dropped on one that hangs by its corners")                                    \
+    SCENE(tangled, "cloth that starts through itself comes apart")                                           \
+    SCENE(crossed, "two sheets that start through each other come apart")                                    \
     SCENE(garment, "a garment from an OBJ file, hung by its highest opening", .needs_garment = true)
 // clang-format on
 

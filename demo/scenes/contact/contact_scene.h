@@ -1,22 +1,17 @@
 #pragma once
-// A scene in which cloth meets itself: as plain data, of which a ContactRun makes a World.
+// A scene in which cloth meets cloth: as plain data, which the demo shows and the study judges.
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "demo/rung.h"
 #include "weft/weft.h"
 
-namespace weft::study {
-
-using demo::name_of;
-using demo::Rung;
-using demo::rungs;
+namespace weft::demo {
 
 /// A cloth of a scene. Where the mesh has a pattern, that is its rest shape.
-struct SceneCloth {
+struct PlacedCloth {
     Mesh mesh;
     ClothSettings settings{};
     std::vector<std::uint32_t> pins{};  ///< vertices held from the start
@@ -39,7 +34,7 @@ class SceneHandles {
 struct ContactScene {
     std::string name;
     double seconds = 0;
-    std::vector<SceneCloth> cloths{};
+    std::vector<PlacedCloth> cloths{};
     std::vector<Collider> colliders{};
     WorldSettings world{};
     /// Puts pins and colliders where they are to be at `time` [s], the end of the step that follows.
@@ -71,9 +66,8 @@ inline constexpr std::uint32_t quick_contact_particles = 1000;
 [[nodiscard]] std::vector<SceneMaker> forced_scenes();
 [[nodiscard]] std::vector<SceneMaker> meeting_scenes();
 [[nodiscard]] std::vector<SceneMaker> tangle_scenes();
-[[nodiscard]] std::vector<SceneMaker> garment_scenes();
 
-/// All of them, in the order of the table.
-[[nodiscard]] std::vector<SceneMaker> all_contact_scenes();
+/// All of these.
+[[nodiscard]] std::vector<SceneMaker> contact_scenes();
 
-}  // namespace weft::study
+}  // namespace weft::demo

@@ -1,4 +1,4 @@
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "demo/study/must.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -42,8 +42,8 @@ std::vector<std::uint32_t> column_of(const Piece& piece, std::uint32_t column) {
     return vertices;
 }
 
-SceneCloth joined(const std::vector<Mesh>& sheets) {
-    SceneCloth cloth;
+PlacedCloth joined(const std::vector<Mesh>& sheets) {
+    PlacedCloth cloth;
     Mesh& mesh = cloth.mesh;
     for (const Mesh& sheet : sheets) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -60,9 +60,9 @@ std::string named(const std::string& name, Made made) {
     return made == Made::one_mesh ? name : name + " of cloths";
 }
 
-std::vector<SceneCloth> layered(const std::vector<Mesh>& sheets, Made made) {
+std::vector<PlacedCloth> layered(const std::vector<Mesh>& sheets, Made made) {
     if (made == Made::one_mesh) return {joined(sheets)};
-    std::vector<SceneCloth> cloths;
+    std::vector<PlacedCloth> cloths;
     for (const Mesh& sheet : sheets) cloths.push_back({.mesh = sheet, .layers = {0}});
     return cloths;
 }
@@ -100,4 +100,4 @@ Vec3 to_point(const Eigen::Vector3d& p) {
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

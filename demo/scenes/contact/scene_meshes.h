@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "demo/study/contact/contact_scene.h"
+#include "demo/scenes/contact/contact_scene.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 /// Where a point of the pattern, u along the length and v along the width [m], is in space.
 using PlaceOf = std::function<Eigen::Vector3d(double u, double v)>;
@@ -30,7 +30,7 @@ struct Piece {
 [[nodiscard]] std::vector<std::uint32_t> column_of(const Piece& piece, std::uint32_t column);
 
 /// Sheets of squares as one general mesh; their first vertices are the layers.
-[[nodiscard]] SceneCloth joined(const std::vector<Mesh>& sheets);
+[[nodiscard]] PlacedCloth joined(const std::vector<Mesh>& sheets);
 
 /// What self-collision keeps particles of that mesh apart by default [m].
 [[nodiscard]] double usual_distance(double edge);
@@ -43,7 +43,7 @@ struct Piece {
 /// Whether a scene's sheets are one cloth or several of one World.
 enum class Made { one_mesh, cloths };
 [[nodiscard]] std::string named(const std::string& name, Made made);
-[[nodiscard]] std::vector<SceneCloth> layered(const std::vector<Mesh>& sheets, Made made);
+[[nodiscard]] std::vector<PlacedCloth> layered(const std::vector<Mesh>& sheets, Made made);
 
 /// A sheet that lies level, turned about its middle, which is over the origin.
 [[nodiscard]] Mesh level_sheet(const Piece& sheet, double height, double turn);
@@ -55,4 +55,4 @@ enum class Made { one_mesh, cloths };
 [[nodiscard]] Collider ground();
 [[nodiscard]] Vec3 to_point(const Eigen::Vector3d& p);
 
-}  // namespace weft::study
+}  // namespace weft::demo

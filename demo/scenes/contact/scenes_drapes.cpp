@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -40,7 +40,7 @@ ContactScene gathered(std::uint32_t particles) {
                        .cloths = {{.mesh = placed_sheet(sheet, place)}},
                        .world = still_air(),
                        .rests = true};
-    SceneCloth& cloth = scene.cloths[0];
+    PlacedCloth& cloth = scene.cloths[0];
     for (std::uint32_t column = 0; column < sheet.columns; column += 8)
         cloth.pins.push_back(vertex_at(sheet, sheet.rows - 1, column));
     std::vector<Vec3> starts;
@@ -61,4 +61,4 @@ std::vector<SceneMaker> drape_scenes() {
             {"gathered", true, gathered}};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

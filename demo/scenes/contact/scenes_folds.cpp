@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::vector<SceneMaker> fold_scenes() {
     return {{"folddrop", true, folddrop}, {"ribbon", true, ribbon}};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -91,7 +91,7 @@ ContactScene yank(const std::string& name, double speed, std::uint32_t particles
         return static_cast<std::uint32_t>(std::lround(u / length * (sheet.columns - 1)));
     };
     const std::uint32_t pulled = vertex_at(sheet, sheet.rows / 2, column(leg + bend + leg / 2));
-    SceneCloth& cloth = scene.cloths[0];
+    PlacedCloth& cloth = scene.cloths[0];
     for (const std::uint32_t c : {0u, column(leg)})
         for (const std::uint32_t row : {0u, sheet.rows - 1}) cloth.pins.push_back(vertex_at(sheet, row, c));
     cloth.pins.push_back(pulled);
@@ -114,4 +114,4 @@ std::vector<SceneMaker> forced_scenes() {
             yank_maker(10, true),       yank_maker(20, false),  yank_maker(40, false)};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -30,13 +30,13 @@ ContactScene zero_gravity_meeting(Made made, std::uint32_t particles) {
                        .world = zero_gravity(),
                        .free_from = (held_frames + 1.5) * ContactScene::step()};
     scene.cloths = layered(sheets, made);
-    for (SceneCloth& cloth : scene.cloths) {
+    for (PlacedCloth& cloth : scene.cloths) {
         cloth.settings.air_damping = 0;
         for (std::uint32_t i = 0; i < cloth.mesh.positions.size(); ++i) cloth.pins.push_back(i);
     }
     std::vector<std::vector<Vec3>> starts;
     std::vector<std::vector<std::uint32_t>> all;
-    for (const SceneCloth& cloth : scene.cloths) {
+    for (const PlacedCloth& cloth : scene.cloths) {
         starts.push_back(cloth.mesh.positions);
         all.push_back(cloth.pins);
     }
@@ -122,4 +122,4 @@ std::vector<SceneMaker> meeting_scenes() {
             strips_maker(Lying::on_edge, "cross-strips on edge")};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

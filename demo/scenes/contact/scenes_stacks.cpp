@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::vector<SceneMaker> stack_scenes() {
     return makers;
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

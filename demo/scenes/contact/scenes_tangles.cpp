@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/scenes/contact/scene_meshes.h"
 
-namespace weft::study {
+namespace weft::demo {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::vector<SceneMaker> tangle_scenes() {
             crossed_maker(0.42, false)};
 }
 
-}  // namespace weft::study
+}  // namespace weft::demo

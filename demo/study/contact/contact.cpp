@@ -24,7 +24,7 @@ struct Item {
 /// A guess for the time left: particles times seconds.
 double cost_of(const ContactScene& scene) {
     std::size_t particles = 0;
-    for (const SceneCloth& cloth : scene.cloths) particles += cloth.mesh.positions.size();
+    for (const PlacedCloth& cloth : scene.cloths) particles += cloth.mesh.positions.size();
     return static_cast<double>(particles) * scene.seconds;
 }
 

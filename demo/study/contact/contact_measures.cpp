@@ -127,7 +127,7 @@ Vector3d momentum(const ContactRun& run) {
 std::vector<double> layer_heights(const ContactRun& run) {
     std::vector<double> heights;
     for (std::size_t c = 0; c < run.cloths().size(); ++c) {
-        const SceneCloth& cloth = run.scene().cloths[c];
+        const PlacedCloth& cloth = run.scene().cloths[c];
         const ClothView& view = *run.world().cloth(run.cloths()[c]);
         for (std::size_t k = 0; k < cloth.layers.size(); ++k) {
             const std::size_t end =

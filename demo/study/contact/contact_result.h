@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "demo/study/contact/contact_scene.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 namespace weft::study {
 

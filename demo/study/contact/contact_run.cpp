@@ -38,7 +38,7 @@ class ContactRun::Handles final : public SceneHandles {
 
 ContactRun::ContactRun(ContactScene scene, Rung rung, int threads)
     : scene_(std::move(scene)), world_(must(World::create(with_threads(scene_.world, threads)))) {
-    for (SceneCloth& cloth : scene_.cloths) {
+    for (PlacedCloth& cloth : scene_.cloths) {
         set_rung(cloth.settings.self_collision, rung);
         cloths_.push_back(must(world_.add_cloth(cloth.mesh, cloth.settings)));
         if (!cloth.pins.empty()) must(world_.pin(cloths_.back(), cloth.pins));

@@ -7,14 +7,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "demo/scenes/contact/scene_meshes.h"
 #include "demo/scenes/garment_mesh.h"
-#include "demo/study/contact/scene_meshes.h"
+#include "demo/study/contact/contact_run.h"
 #include "demo/study/must.h"
 
 namespace weft::study {
 
 namespace {
 
+using demo::still_air;
+using demo::to_point;
 using std::numbers::pi;
 
 using Eigen::Vector3d;
@@ -55,7 +58,7 @@ using Hold = std::vector<std::uint32_t> (*)(const Mesh&);
 ContactScene swung_garment(const std::string& name, const std::string& file, Hold hold) {
     ContactScene scene{.name = name, .seconds = 8, .world = still_air(), .rests = true};
     scene.cloths = {{.mesh = garment(file)}};
-    SceneCloth& cloth = scene.cloths[0];
+    PlacedCloth& cloth = scene.cloths[0];
     cloth.pins = hold(cloth.mesh);
     std::vector<Vec3> starts;
     for (const std::uint32_t vertex : cloth.pins) starts.push_back(cloth.mesh.positions[vertex]);

@@ -1,0 +1,162 @@
+// Scenes of contact on the demo's stage.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "demo/scene.h"
+#include "demo/scenes/contact/contact_scene.h"
+#include "demo/scenes/measures.h"
+#include "demo/study/contact/crossings.h"
+
+namespace weft::demo {
+namespace {
+
+// A colour for each cloth.
+constexpr std::array<Vec3, 5> colours{{{0.55f, 0.06f, 0.07f},
+                                       {0.06f, 0.20f, 0.45f},
+                                       {0.60f, 0.45f, 0.05f},
+                                       {0.10f, 0.35f, 0.15f},
+                                       {0.35f, 0.12f, 0.40f}}};
+
+render::FabricLook look_of(std::size_t cloth) {
+    const Vec3 front = colours[cloth % colours.size()];
+    const auto paler = [](float part) { return 0.5f * part + 0.25f; };
+    return {.front = front, .back = {paler(front.x), paler(front.y), paler(front.z)}};
+}
+
+/// Looks at all that there is at the start.
+render::OrbitCamera camera_at(const ContactScene& scene) {
+    Vector3 lower = Vector3::Constant(1e9f), upper = -lower;
+    for (const PlacedCloth& cloth : scene.cloths) {
+        for (const Vec3& p : cloth.mesh.positions) {
+            lower = lower.cwiseMin(to_vector(p));
+            upper = upper.cwiseMax(to_vector(p));
+        }
+    }
+    const bool has_ground = !scene.colliders.empty();
+    if (has_ground) lower.y() = std::min(lower.y(), 0.0f);
+    const Vector3 middle = 0.5f * (lower + upper);
+    const float height = has_ground ? 0.3f * upper.y() : middle.y();
+    return {.target = {middle.x(), height, middle.z()},
+            .distance = 1.5f * (upper - lower).norm(),
+            .yaw = 0.6f,
+            .pitch = 0.4f};
+}
+
+class ContactStage final : public Scene {
+  public:
+    explicit ContactStage(SceneMaker maker) : maker_(std::move(maker)) {}
+
+    [[nodiscard]] WorldSettings world_settings() const override { return maker_.make(0).world; }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        scene_ = maker_.make(options.particles);
+        SceneContent content;
+        for (PlacedCloth& cloth : scene_.cloths) {
+            cloth.settings.self_collision.enabled = true;
+            cloth.settings.self_collision.method = SelfCollisionMethod::contact;
+            const auto id = world.add_cloth(cloth.mesh, cloth.settings);
+            if (!id) return id.error();
+            if (auto pinned = world.pin(*id, cloth.pins); !pinned) return pinned.error();
+            content.cloths.push_back({*id, cloth.mesh, look_of(content.cloths.size())});
+            cloths_.push_back(*id);
+        }
+        for (const Collider& collider : scene_.colliders) {
+            const auto id = world.add_collider(collider);
+            if (!id) return id.error();
+            colliders_.push_back(*id);
+            if (!std::holds_alternative<Plane>(collider.shape)) content.drawn_colliders.push_back(*id);
+        }
+        content.camera = camera_at(scene_);
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        if (scene_.move) scene_.move(Handles(*this, world), time + static_cast<double>(dt));
+    }
+
+    [[nodiscard]] int check_steps() const override { return 90; }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        Checks checks;
+        study::TriangleSoup soup;
+        for (const ClothId id : cloths_) {
+            const auto view = world.cloth(id);
+            if (!view) return view.error();
+            checks.finite(*view);
+            soup.add(*view);
+        }
+        if (soup.finite())
+            checks.at_most("triangles that cross", static_cast<float>(study::count_crossings(soup).all), 0);
+        return checks.result();
+    }
+
+  private:
+    class Handles final : public SceneHandles {
+      public:
+        Handles(ContactStage& stage, World& world) : stage_(stage), world_(world) {}
+        void move_pin(std::size_t cloth, std::uint32_t vertex, const Vec3& target) const override {
+            (void)world_.move_pin(stage_.cloths_.at(cloth), vertex, target);
+        }
+        void unpin(std::size_t cloth, const std::vector<std::uint32_t>& vertices) const override {
+            (void)world_.unpin(stage_.cloths_.at(cloth), vertices);
+        }
+        void move_collider(std::size_t collider, const Collider& target) const override {
+            (void)world_.move_collider(stage_.colliders_.at(collider), target);
+        }
+
+      private:
+        ContactStage& stage_;
+        World& world_;
+    };
+
+    SceneMaker maker_;
+    ContactScene scene_;
+    std::vector<ClothId> cloths_;
+    std::vector<ColliderId> colliders_;
+};
+
+/// Precondition: there is a scene of that name.
+std::unique_ptr<Scene> stage(std::string_view name) {
+    std::vector<SceneMaker> makers = contact_scenes();
+    return std::make_unique<ContactStage>(*std::ranges::find(makers, name, &SceneMaker::name));
+}
+
+}  // namespace
+
+std::unique_ptr<Scene> make_folddrop_scene() {
+    return stage("folddrop");
+}
+std::unique_ptr<Scene> make_stack_scene() {
+    return stage("stack 5 of cloths");
+}
+std::unique_ptr<Scene> make_layers_scene() {
+    return stage("stacked of cloths");
+}
+std::unique_ptr<Scene> make_crumple_scene() {
+    return stage("crumple");
+}
+std::unique_ptr<Scene> make_twist_scene() {
+    return stage("twist");
+}
+std::unique_ptr<Scene> make_gathered_scene() {
+    return stage("gathered");
+}
+std::unique_ptr<Scene> make_yank_scene() {
+    return stage("yank 10");
+}
+std::unique_ptr<Scene> make_meeting_scene() {
+    return stage("zero gravity of cloths");
+}
+std::unique_ptr<Scene> make_hammock_scene() {
+    return stage("dropped on of cloths");
+}
+std::unique_ptr<Scene> make_tangled_scene() {
+    return stage("tangled hung");
+}
+std::unique_ptr<Scene> make_crossed_scene() {
+    return stage("crossed 20");
+}
+
+}  // namespace weft::demo
