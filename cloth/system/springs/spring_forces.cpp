@@ -241,7 +241,9 @@ class SpringsOfMesh {
             if (s + 1 < end) next = apart(s + 1);
             const Slot slot{s, s * Stencil::lanes + lane, ends.separation};
             if (tables_.has_springs(slot.entry))
-                springs(slot, springs_in(state_, tables_[slot.entry], slot.entry, i, ends));
+                springs(slot,
+                        springs_in(state_, tables_.stiffened(slot.entry, tables_[slot.entry], ends.length),
+                                   slot.entry, i, ends));
             else
                 bending(slot);
         }
@@ -371,7 +373,8 @@ class SpringsOfGrid {
             d = next_with_springs(d + 1);
             if (d < loop_.diagonals()) next = ends_apart(loop_.later(position, d) - x_i);
             springs({now, entry(now), ends.separation},
-                    springs_in(state_, tables_[entry(now)], entry(now), i, ends));
+                    springs_in(state_, tables_.stiffened(entry(now), tables_[entry(now)], ends.length),
+                               entry(now), i, ends));
         }
         for (d = 0; d < loop_.diagonals(); ++d)
             if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
