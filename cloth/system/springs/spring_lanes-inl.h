@@ -109,7 +109,11 @@ class SpringTables {
             const Lanes slope = hn::Add(of.stiffness, of_sides(slopes_, entry));
             const Lanes tension =
                 hn::MulAdd(of.stiffness, hn::Sub(length, of.rest_length), of_sides(tensions_, entry));
-            return {hn::Sub(length, hn::Div(tension, hn::Max(slope, least))), slope, of.bending};
+            // Where ends nearly coincide the pull is cut, to leave the matrix's halves room.
+            const Lanes rest =
+                hn::Max(hn::Sub(length, hn::Div(tension, hn::Max(slope, least))), hn::Mul(set(-2), length));
+            const auto pulls = hn::And(hn::Gt(slope, set(0)), hn::Gt(length, set(1e-12f)));
+            return {hn::IfThenElse(pulls, rest, of.rest_length), slope, of.bending};
         }
         const Lanes strain = hn::Sub(hn::Div(length, of.rest_length), set(1));
         const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
