@@ -67,6 +67,7 @@ HWY_INLINE void stiffening_of_group(const float* stiffening, const Lanes* extens
 }
 
 /// Of a group of 16 triangles three arrays are corners, three rest lengths, nine factors.
+template <bool stiffens>
 HWY_INLINE void shift_group(const std::uint32_t* corners, const float* rest_lengths, const float* factors,
                             const Vec4* positions, float* shifts, const StiffeningOfGroup& extra) {
     for (std::uint32_t lane = 0; lane < group_lanes; lane += part_lanes) {
@@ -85,7 +86,7 @@ HWY_INLINE void shift_group(const std::uint32_t* corners, const float* rest_leng
             shift = hn::MulAdd(load_lanes(factor + 2 * group_lanes), extension[2], shift);
             hn::Store(shift, Tag(), shifts + k * group_lanes + lane);
         }
-        if (extra.of != nullptr)
+        if constexpr (stiffens)
             stiffening_of_group(extra.of + lane, extension, extra.tensions + lane, extra.slopes + lane);
     }
 }
@@ -106,6 +107,7 @@ HWY_INLINE Lanes stiffening_change(const float* stiffening, const Lanes* extensi
 }
 
 /// Along n_k what the changes of all three sides' lengths do to side k.
+template <bool stiffens>
 HWY_INLINE Lanes stiffen_group(const std::uint32_t* corners, const float* rest_lengths,
                                const float* stiffness, const float* factors, const float* stiffening,
                                const Vec4* positions, const Vec4* x, std::uint32_t lane, Vec4* forces) {
@@ -121,7 +123,8 @@ HWY_INLINE Lanes stiffen_group(const std::uint32_t* corners, const float* rest_l
         const Lanes length = hn::Sqrt(dot(side, side));
         direction[k] = hn::Div(set(1), hn::Max(length, set(1e-12f))) * side;
         change[k] = dot(direction[k], moved[(k + 1) % 3] - moved[k]);
-        extension[k] = hn::Sub(length, load_lanes(rest_lengths + k * group_lanes + lane));
+        if constexpr (stiffens)
+            extension[k] = hn::Sub(length, load_lanes(rest_lengths + k * group_lanes + lane));
     }
     Lanes energy = set(0);
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -130,7 +133,7 @@ HWY_INLINE Lanes stiffen_group(const std::uint32_t* corners, const float* rest_l
         tension = hn::MulAdd(load_lanes(factor + group_lanes), change[1], tension);
         tension = hn::MulAdd(load_lanes(factor + 2 * group_lanes), change[2], tension);
         tension = hn::Neg(hn::Mul(load_lanes(stiffness + k * group_lanes + lane), tension));
-        if (stiffening != nullptr)
+        if constexpr (stiffens)
             tension = hn::Add(tension, stiffening_change(stiffening + lane, extension, change, k));
         store_rows(tension * direction[k], set(0), forces + k * group_lanes + lane);
         energy = hn::MulAdd(tension, change[k], energy);
@@ -142,32 +145,48 @@ const float* of_group(const float* stiffening, std::uint32_t group) {
     return stiffening == nullptr ? nullptr : stiffening + std::size_t{8} * group * group_lanes;
 }
 
-double stiffen(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners,
-               const float* rest_lengths, const float* stiffness, const float* factors,
-               const float* stiffening, const Vec4* positions, const Vec4* x, Vec4* forces) {
+template <bool stiffens>
+double stiffen_groups(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners,
+                      const float* rest_lengths, const float* stiffness, const float* factors,
+                      const float* stiffening, const Vec4* positions, const Vec4* x, Vec4* forces) {
     alignas(64) float sums[group_lanes] = {};
     for (std::uint32_t group = begin; group < end; ++group) {
         const std::size_t at = std::size_t{3} * group * group_lanes;
         for (std::uint32_t lane = 0; lane < group_lanes; lane += part_lanes) {
             const Lanes energy =
-                stiffen_group(corners + at, rest_lengths + at, stiffness + at, factors + 3 * at,
-                              of_group(stiffening, group), positions, x, lane, forces + at);
+                stiffen_group<stiffens>(corners + at, rest_lengths + at, stiffness + at, factors + 3 * at,
+                                        of_group(stiffening, group), positions, x, lane, forces + at);
             hn::Store(hn::Add(load_lanes(sums + lane), energy), Tag(), sums + lane);
         }
     }
     return std::accumulate(std::begin(sums), std::end(sums), 0.0);
 }
 
-void shift(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners, const float* rest_lengths,
-           const float* factors, const float* stiffening, const Vec4* positions, float* shifts,
-           float* tensions, float* slopes) {
+template <bool stiffens>
+void shift_groups(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners,
+                  const float* rest_lengths, const float* factors, const float* stiffening,
+                  const Vec4* positions, float* shifts, float* tensions, float* slopes) {
     for (std::uint32_t group = begin; group < end; ++group) {
         const std::size_t at = std::size_t{3} * group * group_lanes;
         const float* const extra = of_group(stiffening, group);
-        shift_group(
+        shift_group<stiffens>(
             corners + at, rest_lengths + at, factors + 3 * at, positions, shifts + at,
-            extra == nullptr ? StiffeningOfGroup{} : StiffeningOfGroup{extra, tensions + at, slopes + at});
+            stiffens ? StiffeningOfGroup{extra, tensions + at, slopes + at} : StiffeningOfGroup{});
     }
+}
+
+double stiffen(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners,
+               const float* rest_lengths, const float* stiffness, const float* factors,
+               const float* stiffening, const Vec4* positions, const Vec4* x, Vec4* forces) {
+    const auto groups = stiffening != nullptr ? stiffen_groups<true> : stiffen_groups<false>;
+    return groups(begin, end, corners, rest_lengths, stiffness, factors, stiffening, positions, x, forces);
+}
+
+void shift(std::uint32_t begin, std::uint32_t end, const std::uint32_t* corners, const float* rest_lengths,
+           const float* factors, const float* stiffening, const Vec4* positions, float* shifts,
+           float* tensions, float* slopes) {
+    const auto groups = stiffening != nullptr ? shift_groups<true> : shift_groups<false>;
+    groups(begin, end, corners, rest_lengths, factors, stiffening, positions, shifts, tensions, slopes);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ struct EntryLanes {
 };
 
 /// Where a state has its springs. A kernel's own: through the state they would be looked up anew after each
-/// store.
+/// store. `stiffens` is known beforehand, for other springs not to pay for it.
+template <bool stiffens>
 class SpringTables {
     using SlotKind = SpringTable::SlotKind;
 
@@ -80,7 +81,6 @@ class SpringTables {
           stiffening_(state.table.stiffening()),
           tensions_(state.coupling.extra_tensions()),
           slopes_(state.coupling.extra_stiffness()),
-          stiffens_(stiffening_ != nullptr || tensions_ != nullptr),
           has_coupling_(!state.coupling.empty()) {}
 
     [[nodiscard]] HWY_INLINE bool has_springs(std::uint32_t entry) const {
@@ -103,7 +103,7 @@ class SpringTables {
     /// TriangleStiffening, lane by lane.
     [[nodiscard]] HWY_INLINE EntryLanes stiffened(std::uint32_t entry, const EntryLanes& of,
                                                   Lanes length) const {
-        if (HWY_LIKELY(!stiffens_)) return of;
+        if constexpr (!stiffens) return of;
         const Lanes least = set(1e-30f);
         if (has_coupling_) {
             const Lanes slope = hn::Add(of.stiffness, of_sides(slopes_, entry));
@@ -142,7 +142,7 @@ class SpringTables {
     const float *rest_lengths_, *stiffness_, *bending_, *shifts_;
     const std::uint32_t* sources_;
     const float *stiffening_, *tensions_, *slopes_;  // null: none
-    bool stiffens_, has_coupling_;
+    bool has_coupling_;
 };
 
 /// Of the entries from one on, which are those of the lanes from particle `i` on.
