@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace weft::demo {
@@ -20,12 +22,13 @@ struct Field {
 };
 
 // The ranges of settings.h.
-constexpr std::array<Field, 6> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
+constexpr std::array<Field, 7> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
                                        {"warp", &Fabric::warp, 0, 1e9, "N/m"},
                                        {"weft", &Fabric::weft, 0, 1e9, "N/m"},
                                        {"shear", &Fabric::shear, 0, 1e9, "N/m"},
                                        {"bending", &Fabric::bending, 0, 1e4, "N m"},
-                                       {"damping", &Fabric::damping, 0, 100, "s"}}};
+                                       {"damping", &Fabric::damping, 0, 100, "s"},
+                                       {"stiffening", &Fabric::stiffening, 0, 1000, "per strain"}}};
 
 std::string range_text(const Field& field) {
     return "a number from " + Json(field.least).dump() + " to " + Json(field.most).dump() + " " + field.unit;
@@ -95,7 +98,58 @@ double mean_of_positive(const std::vector<std::vector<double>>& table, std::size
     return count > 0 ? sum / count : 0;
 }
 
-Result<Fabric> read_measured(const Json& json, const Complaints& complain) {
+constexpr int strains = 40;
+constexpr double last_strain = 1.0 / 6;
+using Curve = std::array<double, strains>;  // over strains up to the last
+
+double strain_at(int k) {
+    return last_strain * (k + 1) / strains;
+}
+
+/// Tension per width where stiffness is `at_rest`, and `stretched` at the last strain.
+Curve tension(double at_rest, double stretched) {
+    Curve curve{};
+    for (int k = 0; k < strains; ++k) {
+        const double e = strain_at(k), c = at_rest + (stretched - at_rest) * e / last_strain;
+        curve[static_cast<std::size_t>(k)] = std::max(c, 0.0) * (e + e * e / 2) * (1 + e);
+    }
+    return curve;
+}
+
+struct Fit {
+    double stiffness, error;  ///< error: the greatest, over the greatest tension
+};
+/// Of K e (1 + stiffening e), by least squares.
+Fit fit(const Curve& curve, double stiffening) {
+    double product = 0, square = 0, greatest = 0, error = 0;
+    const auto shape = [&](int k) { return strain_at(k) * (1 + stiffening * strain_at(k)); };
+    for (int k = 0; k < strains; ++k) {
+        product += shape(k) * curve[static_cast<std::size_t>(k)];
+        square += shape(k) * shape(k);
+    }
+    for (int k = 0; k < strains; ++k) {
+        const double truth = curve[static_cast<std::size_t>(k)];
+        error = std::max(error, std::abs(product / square * shape(k) - truth));
+        greatest = std::max(greatest, truth);
+    }
+    return {product / square, greatest > 0 ? error / greatest : 0};
+}
+
+/// K along both axes, and the stiffening that suits both best.
+struct StretchFit {
+    double c11, c22, stiffening;
+};
+StretchFit fit_stiffening(const std::vector<std::vector<double>>& samples) {
+    const Curve along1 = tension(samples[0][0], samples[1][0]),
+                along2 = tension(samples[0][2], samples[5][2]);
+    const auto error = [&](double s) { return std::max(fit(along1, s).error, fit(along2, s).error); };
+    double best = 0;
+    for (double s = 0; s < 300; s += 0.25)
+        if (error(s) < error(best)) best = s;
+    return {fit(along1, best).stiffness, fit(along2, best).stiffness, best};
+}
+
+Result<Fabric> read_measured(const Json& json, const Complaints& complain, MeasuredStretch stretch) {
     for (const auto& [key, value] : json.items())
         if (key != "density" && key != "stretching" && key != "bending")
             return complain("a measured fabric has no \"" + key +
@@ -106,13 +160,16 @@ Result<Fabric> read_measured(const Json& json, const Complaints& complain) {
     const auto bending = read_table(json.value("bending", Json()), 3, 5);
     if (!bending) return complain("bending must be 3 rows, for 0, 45 and 90 degrees, of 5 numbers [N m]");
 
-    const double c11 = mean_of_positive(*stretching, 0, 1), c22 = mean_of_positive(*stretching, 2, 3);
+    StretchFit k{mean_of_positive(*stretching, 0, 1), mean_of_positive(*stretching, 2, 3), 0};
+    const bool is_warp_first = k.c11 >= k.c22;
+    if (stretch == MeasuredStretch::stiffening) k = fit_stiffening(*stretching);
     Fabric fabric;
-    const std::array<std::pair<std::size_t, Json>, 5> values{{{0, json["density"]},
-                                                              {1, std::max(c11, c22)},
-                                                              {2, std::min(c11, c22)},
+    const std::array<std::pair<std::size_t, Json>, 6> values{{{0, json["density"]},
+                                                              {1, is_warp_first ? k.c11 : k.c22},
+                                                              {2, is_warp_first ? k.c22 : k.c11},
                                                               {3, mean_of_positive(*stretching, 3, 4)},
-                                                              {4, 0.25 * mean_of_positive(*bending, 0, 5)}}};
+                                                              {4, 0.25 * mean_of_positive(*bending, 0, 5)},
+                                                              {6, k.stiffening}}};
     for (const auto& [field, value] : values)
         if (auto done = set(fields[field], value, complain, fabric); !done) return done.error();
     return fabric;
@@ -120,7 +177,7 @@ Result<Fabric> read_measured(const Json& json, const Complaints& complain) {
 
 }  // namespace
 
-Result<Fabric> load_fabric(const std::filesystem::path& file) {
+Result<Fabric> load_fabric(const std::filesystem::path& file, MeasuredStretch stretch) {
     std::ifstream in(file);
     if (!in)
         return Error{ErrorCode::file_not_found,
@@ -130,10 +187,13 @@ Result<Fabric> load_fabric(const std::filesystem::path& file) {
     if (json.is_discarded() || !json.is_object())
         return complain("it must hold one JSON object, as {\"areal_density\": 0.2, \"warp\": 400}");
     const bool measured = json.contains("density") || json.contains("stretching");
-    return measured ? read_measured(json, complain) : read_own(json, complain);
+    return measured ? read_measured(json, complain, stretch) : read_own(json, complain);
 }
 
 Result<Fabric> find_fabric(const std::string& name_or_file) {
+    constexpr std::string_view stiffening = "stiffening:";
+    if (name_or_file.starts_with(stiffening))
+        return load_fabric(name_or_file.substr(stiffening.size()), MeasuredStretch::stiffening);
     if (name_or_file.ends_with(".json")) return load_fabric(name_or_file);
     auto named = Fabric::named(name_or_file);
     if (named) return named;

@@ -31,7 +31,7 @@ std::string fabric_help() {
     std::string help("What the cloth is made of (default: the scene's own):");
     for (const NamedFabric& each : fabrics())
         help.append(&each == &fabrics().front() ? " " : ", ").append(each.name);
-    return help.append(", or a file, see demo/fabric_file.h");
+    return help.append(", or a file, or stiffening: and a measured file, see demo/fabric_file.h");
 }
 
 std::vector<std::string> method_names() {

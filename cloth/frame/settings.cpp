@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -115,6 +116,12 @@ void check(Checks& checks, const Fabric& fabric) {
     checks.between("Fabric::shear", fabric.shear, 0, most_stiffness);
     checks.between("Fabric::bending", fabric.bending, 0, 1e4f);
     checks.between("Fabric::damping", fabric.damping, 0, 100);
+    checks.between("Fabric::stiffening", fabric.stiffening, 0, 1000);
+    // Where the law is steepest: beyond last_stiffening_strain.
+    const float stiffest = std::max(fabric.warp, fabric.weft);
+    if (fabric.stiffening > 0 && stiffest > 0)
+        checks.between("Fabric::stiffening", fabric.stiffening, 0,
+                       std::clamp(3 * (most_stiffness / stiffest - 1), 0.0f, 1000.0f));
 }
 
 void check(Checks& checks, const FiniteElements& elements) {
@@ -131,6 +138,10 @@ void check_together(Checks& checks, const ClothSettings& settings) {
         !(elements.enabled && positional),
         "FiniteElements::enabled is true, and Xpbd and Fibres know springs only; it must be false with "
         "them, or ClothSettings::method an implicit one or SymplecticEuler");
+    checks.allow(!(settings.fabric.stiffening > 0 && (positional || elements.enabled)),
+                 "Fabric::stiffening is more than 0, and Xpbd, Fibres and FiniteElements know constant "
+                 "stiffness only; it must be 0 with them, or ClothSettings::method an implicit one or "
+                 "SymplecticEuler without FiniteElements");
     checks.allow(
         !(elements.enabled && elements.consistent_mass &&
           std::holds_alternative<SymplecticEuler>(settings.method)),

@@ -17,8 +17,9 @@ struct SystemKind {
         : elements(settings.finite_elements.enabled),
           bending(elements && settings.fabric.bending > 0),
           dihedral(elements && settings.finite_elements.dihedral),
-          consistent_mass(elements && settings.finite_elements.consistent_mass) {}
-    bool elements, bending, dihedral, consistent_mass;
+          consistent_mass(elements && settings.finite_elements.consistent_mass),
+          stiffening(!elements && settings.fabric.stiffening > 0) {}
+    bool elements, bending, dihedral, consistent_mass, stiffening;
     friend bool operator==(const SystemKind&, const SystemKind&) = default;
 };
 

@@ -47,9 +47,17 @@ class Pulls {
         const float weight = equation_.gamma * fabric_.bending * model_.bending[e];
         return weight * (apart(i, j) + fabric_.damping * (velocity_(j) - velocity_(i)));
     }
-    [[nodiscard]] Vector3 spring(std::uint32_t i, std::uint32_t e, float stiffness) const {
+    [[nodiscard]] Vector3 spring(std::uint32_t i, std::uint32_t e, float stiffness, float stiffening) const {
         const std::uint32_t j = model_.neighbours[e];
-        const SpringTerms spring = spring_terms(apart(i, j), model_.rest_lengths[e], stiffness, i, j);
+        float rest_length = model_.rest_lengths[e];
+        if (stiffening > 0) {
+            const LinearSpring at =
+                spring_at(static_cast<double>(apart(i, j).norm()), static_cast<double>(rest_length),
+                          static_cast<double>(stiffness), static_cast<double>(stiffening));
+            rest_length = static_cast<float>(at.rest_length);
+            stiffness = static_cast<float>(at.stiffness);
+        }
+        const SpringTerms spring = spring_terms(apart(i, j), rest_length, stiffness, i, j);
         return equation_.gamma * (spring.force + viscous(i, j, stiffness, spring.direction));
     }
     /// Of a triangle on its corner k.
@@ -61,15 +69,17 @@ class Pulls {
             sides[m] = apart(corners[m], corners[(m + 1) % 3]);
             extensions[m] = static_cast<double>(sides[m].norm()) - membrane.rest_lengths[m];
         }
+        TriangleStiffening::Extra extra{};
+        if (fabric_.stiffening > 0) extra = triangle_stiffening(model_, t, fabric_).at(extensions);
         Vector3 force = Vector3::Zero();
         const std::size_t behind = (k + 2) % 3;
         for (const auto& [side, sign] : {std::pair(k, 1.0f), std::pair(behind, -1.0f)}) {
-            double tension = membrane.own[side] * extensions[side];
+            double tension = membrane.own[side] * extensions[side] + extra.tension[side];
             for (std::size_t m = 0; m < 3; ++m) tension += membrane.shared[side][m] * extensions[m];
             const Vector3 n = sign * sides[side].normalized();
             const std::uint32_t other = corners[sign > 0 ? (k + 1) % 3 : behind];
             force += static_cast<float>(tension) * n +
-                     viscous(corners[k], other, static_cast<float>(membrane.own[side]), n);
+                     viscous(corners[k], other, static_cast<float>(membrane.own[side] + extra.own[side]), n);
         }
         return equation_.gamma * force;
     }
@@ -90,21 +100,31 @@ class Pulls {
 };
 
 /// Of the springs of particle i of a sheet, in its row's order [N/m]. It has at most 12 half-edges.
-std::array<float, 12> stiffness_at(const CookedCloth& model, const Fabric& fabric, std::uint32_t i) {
-    std::array<float, 12> result{};
+struct SpringsOfParticle {
+    std::array<float, 12> stiffness{}, stiffening{};
+};
+SpringsOfParticle springs_at(const CookedCloth& model, const Fabric& fabric, std::uint32_t i) {
+    SpringsOfParticle result;
     const SheetModuli moduli = sheet_moduli(fabric);
     const std::uint32_t row = i / model.columns, column = i % model.columns;
     for (std::uint32_t r = row - std::min(row, 1u); r <= row && r + 1 < model.rows; ++r) {
         for (std::uint32_t c = column - std::min(column, 1u); c <= column && c + 1 < model.columns; ++c) {
-            const auto add = [&](std::uint32_t a, std::uint32_t b, double stiffness, double /*length*/) {
+            const auto add = [&](std::array<float, 12>& to, std::uint32_t a, std::uint32_t b, double part) {
                 if (a != i && b != i) return;
                 const std::uint32_t e = half_edge_between(model, i, a == i ? b : a);
-                result[e - model.spring_offsets[i]] += static_cast<float>(stiffness);
+                to[e - model.spring_offsets[i]] += static_cast<float>(part);
             };
-            for_each_part_of_cell(model, moduli, r * model.columns + c, add);
+            for_each_part_of_cell(model, moduli, r * model.columns + c,
+                                  [&](std::uint32_t a, std::uint32_t b, double stiffness, double /*length*/) {
+                                      add(result.stiffness, a, b, stiffness);
+                                  });
+            if (fabric.stiffening > 0)
+                for_each_stiffening_of_cell(
+                    model, fabric, r * model.columns + c,
+                    [&](std::uint32_t a, std::uint32_t b, double q) { add(result.stiffening, a, b, q); });
         }
     }
-    for (float& stiffness : result) stiffness = std::max(stiffness, 0.0f);
+    for (float& stiffness : result.stiffness) stiffness = std::max(stiffness, 0.0f);
     return result;
 }
 
@@ -130,12 +150,13 @@ void add_springs(const CookedCloth& model, const StepEquation& equation, std::sp
         stiffness += fabric.bending * std::max(model.bending[e], 0.0f);
     }
     if (model.rows > 0) {
-        const std::array<float, 12> of_springs = stiffness_at(model, fabric, i);
+        const SpringsOfParticle springs = springs_at(model, fabric, i);
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            const float k = of_springs[e - model.spring_offsets[i]];
-            if (k == 0) continue;
-            now += pulls_now.spring(i, e, k);
-            free += pulls_free.spring(i, e, k);
+            const float k = springs.stiffness[e - model.spring_offsets[i]];
+            const float q = springs.stiffening[e - model.spring_offsets[i]];
+            if (k == 0 && q == 0) continue;
+            now += pulls_now.spring(i, e, k, q);
+            free += pulls_free.spring(i, e, k, q);
             stiffness += k;
         }
     } else {

@@ -29,6 +29,12 @@ bool fabric_menu(Fabric& fabric) {
     return changed;
 }
 
+/// Others refuse it.
+bool can_stiffen(const ClothSettings& settings) {
+    return !settings.finite_elements.enabled && !std::holds_alternative<Xpbd>(settings.method) &&
+           !std::holds_alternative<Fibres>(settings.method);
+}
+
 bool fabric_sliders(ClothSettings& settings) {
     constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
     Fabric& fabric = settings.fabric;
@@ -44,6 +50,9 @@ bool fabric_sliders(ClothSettings& settings) {
     }
     changed |= slider("damping", fabric.damping, 0, 0.1f, "%.5f s",
                       "Time constant with which a strain that is let go decays.", log);
+    if (can_stiffen(settings))
+        changed |= slider("stiffening", fabric.stiffening, 0, 200, fabric.stiffening > 0 ? "%.1f" : "none",
+                          "Growth of stiffness per strain: wovens 2, knits up to 116.", log);
     changed |= slider("weight", fabric.areal_density, 0.02f, 2, "%.2f kg/m2", "Mass of a square metre.", log);
     changed |=
         slider("air damping", settings.air_damping, 0, 10, "%.2f /s", "Rate at which velocity decays.", log);

@@ -111,6 +111,9 @@ bool tether_controls(Tethers& tethers) {
 
 bool method_controls(ClothSettings& settings) {
     bool changed = method_list(settings.method);
+    const bool positional =
+        std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
+    if (positional) settings.fabric.stiffening = 0;  // which they refuse
     changed |= std::visit([](auto& method) { return own_controls(method); }, settings.method);
     changed |= time_controls(settings);
     changed |= tether_controls(settings.tethers);

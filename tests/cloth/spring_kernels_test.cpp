@@ -44,6 +44,30 @@ std::vector<SpringCase> spring_cases() {
                  make_coincident(scene);
                  return scene;
              }},
+            {"stiffening grid",
+             [=] {
+                 SpringScene scene = grid(LinearisedAbout::iterate);
+                 scene.settings.fabric.stiffening = 30;
+                 return scene;
+             }},
+            {"stiffening grid about the base",
+             [=] {
+                 SpringScene scene = grid(LinearisedAbout::base);
+                 scene.settings.fabric.stiffening = 30;
+                 return scene;
+             }},
+            {"stiffening mesh",
+             [=] {
+                 SpringScene scene = make_scene(irregular(), 400, LinearisedAbout::iterate);
+                 scene.settings.fabric.stiffening = 30;
+                 return scene;
+             }},
+            {"stiffening mesh about the base",
+             [=] {
+                 SpringScene scene = make_scene(irregular(), 400, LinearisedAbout::base);
+                 scene.settings.fabric.stiffening = 1000;
+                 return scene;
+             }},
             {"extreme stiffness", [=] { return make_scene(irregular(), 1e12f, LinearisedAbout::base); }},
             {"no stiffness", [=] { return make_scene(sheet(9, 9), 0, LinearisedAbout::base); }}};
 }
@@ -69,7 +93,7 @@ TEST_P(SpringKernels, RowsAreThoseOfTheScalarStatement) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringReference reference(scene);
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         reference.take_blocks(system);
         const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
@@ -99,7 +123,7 @@ TEST_P(SpringKernels, MultiplyReturnsTheProductsOnItsWay) {
     for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
         AlignedBuffer<Vec4> product(scene.size());
@@ -120,7 +144,7 @@ TEST_P(SpringKernels, RelaxationAndPreconditioningUseTheInverseDiagonal) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
         SpringReference reference(scene);
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         reference.take_blocks(system);
         const AlignedBuffer<Vec4> b = random_rows(scene.size(), 1, 6), x = random_rows(scene.size(), 1, 7);
@@ -160,7 +184,7 @@ TEST_P(SpringKernels, StepsOfACycleAreThoseOneByOne) {
     for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         const std::uint32_t n = scene.size();
         const AlignedBuffer<Vec4> b = random_rows(n, 1, 6), e = random_rows(7, 1, 9);
@@ -189,7 +213,7 @@ TEST_P(SpringKernels, PinnedParticlesHaveNoRow) {
     for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         const AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), b = random_rows(scene.size(), 1, 6);
         AlignedBuffer<Vec4> product(scene.size()), residual(scene.size()),
@@ -214,7 +238,7 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
         SCOPED_TRACE(c.name);
         SpringScene scene = c.scene();
         for (Vec4& x : scene.positions.span()) x.w = 100;  // rows of pinned particles may hold anything
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
         const CookedCloth& model = scene.model;
@@ -234,7 +258,7 @@ TEST_P(SpringKernels, MatrixIsSymmetric) {
     for (const SpringCase& c : spring_cases()) {
         SCOPED_TRACE(c.name);
         const SpringScene scene = c.scene();
-        SpringSystem system(scene.model);
+        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), y = random_rows(scene.size(), 1, 6);
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
@@ -259,7 +283,7 @@ struct Results {
 };
 
 Results everything(const SpringScene& scene, Parallel& parallel) {
-    SpringSystem system(scene.model);
+    SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
     linearise(system, scene, parallel);
     AlignedBuffer<Vec4> product(scene.size()), residual(scene.size()), relaxed(scene.size()),
         solved(scene.size());

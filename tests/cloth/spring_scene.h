@@ -106,6 +106,43 @@ inline std::vector<double> rest_shifts(const SpringScene& scene, std::span<const
     return shifts;
 }
 
+/// Of each half-edge: of a sheet q [N/m] alone, of a mesh what its triangles add where particles are.
+struct StiffeningOfEdges {
+    std::vector<double> tensions, slopes;
+};
+inline StiffeningOfEdges stiffening_of(const SpringScene& scene) {
+    const CookedCloth& model = scene.model;
+    StiffeningOfEdges result{std::vector<double>(model.neighbours.size()),
+                             std::vector<double>(model.neighbours.size())};
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double tension, double slope) {
+        for (const std::uint32_t e : {half_edge_between(model, i, j), half_edge_between(model, j, i)}) {
+            result.tensions[e] += tension;
+            result.slopes[e] += slope;
+        }
+    };
+    for (std::uint32_t row = 0; row + 1 < model.rows; ++row)
+        for (std::uint32_t column = 0; column + 1 < model.columns; ++column)
+            for_each_stiffening_of_cell(model, scene.settings.fabric, row * model.columns + column,
+                                        [&](std::uint32_t i, std::uint32_t j, double q) { add(i, j, 0, q); });
+    for (std::uint32_t t = 0; model.rows == 0 && t < model.triangles.size(); ++t) {
+        const Triangle& corners = model.triangles[t];
+        const TriangleMembrane membrane = triangle_membrane(model, t, scene.settings.fabric);
+        std::array<double, 3> extensions{};
+        for (std::size_t m = 0; m < 3; ++m)
+            extensions[m] =
+                static_cast<double>((scene.place(corners[(m + 1) % 3]) - scene.place(corners[m])).norm()) -
+                membrane.rest_lengths[m];
+        const auto extra = triangle_stiffening(model, t, scene.settings.fabric).at(extensions);
+        for (std::size_t k = 0; k < 3; ++k)
+            add(corners[k], corners[(k + 1) % 3], extra.tension[k], extra.own[k]);
+    }
+    return result;
+}
+inline LinearSpring with_extra(double length, double rest, double k, double tension, double slope) {
+    if (k + slope == 0) return {rest, 0};
+    return {length - (k * (length - rest) + tension) / (k + slope), k + slope};
+}
+
 /// spring_terms and the equation, particle by particle, summed in double precision.
 struct SpringReference {
     explicit SpringReference(const SpringScene& scene)
@@ -120,6 +157,8 @@ struct SpringReference {
         std::vector<float> stiffness(scene.model.neighbours.size());
         spring_stiffness(scene.model, scene.settings.fabric, stiffness);
         const std::vector<double> shifts = rest_shifts(scene, stiffness);
+        const bool stiffens = scene.settings.fabric.stiffening > 0;
+        const StiffeningOfEdges extra = stiffens ? stiffening_of(scene) : StiffeningOfEdges{};
         const auto rigidity = static_cast<double>(scene.settings.fabric.bending);
         for (std::uint32_t i = 0; i < size; ++i) {
             b[i].setZero();
@@ -137,8 +176,19 @@ struct SpringReference {
             for (std::uint32_t e = scene.model.spring_offsets[i]; e < scene.model.spring_offsets[i + 1];
                  ++e) {
                 const std::uint32_t j = scene.model.neighbours[e];
-                const float k = stiffness[e];
-                const float rest = scene.model.rest_lengths[e] + static_cast<float>(shifts[e]);
+                float k = stiffness[e];
+                float rest = scene.model.rest_lengths[e] + static_cast<float>(shifts[e]);
+                if (stiffens) {
+                    const double length = static_cast<double>((scene.place(j) - scene.place(i)).norm());
+                    const LinearSpring linear =
+                        scene.model.rows > 0
+                            ? spring_at(length, static_cast<double>(rest), static_cast<double>(k),
+                                        extra.slopes[e])
+                            : with_extra(length, static_cast<double>(rest), static_cast<double>(k),
+                                         extra.tensions[e], extra.slopes[e]);
+                    rest = static_cast<float>(linear.rest_length);
+                    k = static_cast<float>(linear.stiffness);
+                }
                 const SpringTerms spring = spring_terms(scene.place(j) - scene.place(i), rest, k, i, j);
                 const Eigen::Vector3d n = spring.direction.cast<double>();
                 const double viscous = gamma * 0.01 * static_cast<double>(k);

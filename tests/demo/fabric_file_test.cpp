@@ -79,6 +79,24 @@ TEST_F(FabricFile, CanBeAMeasuredOne) {
     EXPECT_FLOAT_EQ(fabric->bending, 1.5e-5f) << "a quarter of the positive ones' mean";
 }
 
+TEST_F(FabricFile, OfAMeasuredOneStiffeningIsFitted) {
+    // Tension at a strain of 0.1 along the axis of 200 to 500, and the other of 1000 to 2500.
+    const std::string text =
+        R"({"density": 0.25, "stretching": [[200,1,1000,50],[500,1,1,50],[9,1,9,50],[9,1,9,50],[9,1,9,50],)"
+        R"([1,1,2500,50]], "bending": )" +
+        rows_of_bending + "}";
+    std::ofstream(file_) << text;
+    const auto fabric = load_fabric(file_, MeasuredStretch::stiffening);
+    ASSERT_TRUE(fabric.ok()) << fabric.error().message;
+    const auto tension = [&](float stiffness) { return stiffness * 0.1f * (1 + fabric->stiffening * 0.1f); };
+    EXPECT_NEAR(tension(fabric->weft), (200 + 300 * 0.6f) * 0.105f * 1.1f, 1);
+    EXPECT_NEAR(tension(fabric->warp), (1000 + 1500 * 0.6f) * 0.105f * 1.1f, 5);
+    EXPECT_EQ(*find_fabric("stiffening:" + file_.string()), *fabric);
+    EXPECT_EQ(load_fabric(file_)->stiffening, 0);
+    EXPECT_FLOAT_EQ(load(R"({"stiffening": 12})")->stiffening, 12);
+    expect_complaint(R"({"stiffening": 1001})", "stiffening is 1001; it must be a number from 0");
+}
+
 TEST_F(FabricFile, ComplainsAboutAMeasuredOnesTables) {
     expect_complaint(R"({"stretching": )" + rows_of_stretching + "}", "density is missing");
     expect_complaint(R"({"density": 0.2, "bending": )" + rows_of_bending + "}", "6 rows of 4 numbers");
@@ -132,6 +150,10 @@ TEST(MeasuredFabrics, AllTenCanBeReadAndHung) {
         const auto fabric = load_fabric(entry.path());
         ASSERT_TRUE(fabric.ok()) << fabric.error().message;
         EXPECT_GT(fabric->shear, 10) << entry.path();
+        const auto stiffening = load_fabric(entry.path(), MeasuredStretch::stiffening);
+        ASSERT_TRUE(stiffening.ok()) << stiffening.error().message;
+        EXPECT_GE(stiffening->stiffening, 1.5f) << entry.path();
+        EXPECT_LE(stiffening->stiffening, 116) << entry.path();
         EXPECT_GE(fabric->warp, fabric->weft) << entry.path();
         auto world = World::create();
         ClothSettings settings;

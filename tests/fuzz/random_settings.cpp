@@ -93,6 +93,7 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.fabric.shear,
                              &s.fabric.bending,
                              &s.fabric.damping,
+                             &s.fabric.stiffening,
                              &s.finite_elements.poisson,
                              &s.tethers.slack,
                              &s.self_collision.distance,
@@ -232,6 +233,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     // A distance of very many edges is refused, by the mesh.
     if (s.self_collision.enabled && s.self_collision.distance > 0 && drawn.answer == Answer::accepted)
         drawn.answer = Answer::either;
+    const bool stiffens = !is_positional(s.method) && !s.finite_elements.enabled;
+    if (random.chance(0.3) && (stiffens || fields.odd_choice()))
+        s.fabric.stiffening = std::min(fields.positive(0.1f, 100), 1000.0f);
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);

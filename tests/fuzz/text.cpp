@@ -82,7 +82,7 @@ std::string text_of(const Collider& collider) {
 
 static std::string text_of(const Fabric& f) {
     return braced("Fabric", {text_of(f.areal_density), text_of(f.warp), text_of(f.weft), text_of(f.shear),
-                             text_of(f.bending), text_of(f.damping)});
+                             text_of(f.bending), text_of(f.damping), text_of(f.stiffening)});
 }
 static std::string text_of(const FiniteElements& f) {
     return braced("FiniteElements",

@@ -20,7 +20,7 @@ class MembraneCoupling {
 
     /// None, as on sheets.
     MembraneCoupling() = default;
-    MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix);
+    MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens = false);
     /// For the fabric that the table has.
     void set(const CookedCloth& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
 
@@ -43,16 +43,25 @@ class MembraneCoupling {
     /// Of each entry the two sides that shift it, [slot * 2 + 0 or 1] * 16 + lane.
     [[nodiscard]] const std::uint32_t* sources() const noexcept { return sources_.data(); }
 
+    /// What stiffening adds at those positions to the tension [N] and the stiffness [N/m] of each side's
+    /// spring, as shifts(); null: nothing.
+    [[nodiscard]] const float* extra_tensions() const noexcept { return extra_tensions_.data(); }
+    [[nodiscard]] const float* extra_stiffness() const noexcept { return extra_stiffness_.data(); }
+    /// The most that it adds to a spring, however stretched [N/m].
+    [[nodiscard]] float stiffest_extra() const noexcept { return stiffest_extra_; }
+
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
                shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() + ahead_.bytes() +
-               behind_.bytes();
+               behind_.bytes() + stiffening_.bytes() + extra_tensions_.bytes() + extra_stiffness_.bytes();
     }
 
   private:
     [[nodiscard]] std::uint32_t place(std::uint32_t triangle, std::uint32_t side) const noexcept {
         return (triangle / lanes * 3 + side) * lanes + triangle % lanes;
     }
+
+    void set_stiffening(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
 
     std::uint32_t groups_ = 0;
     AlignedBuffer<std::uint32_t> corners_;  // [(group * 3 + corner) * 16 + lane]
@@ -61,7 +70,12 @@ class MembraneCoupling {
     AlignedBuffer<std::uint32_t> sources_;
     AlignedBuffer<float> shifts_;
     AlignedBuffer<float> stiffness_;  // of each side's spring [N/m]
-    AlignedBuffer<Vec4> forces_;      // of each side, along it from its first corner
+    // Of triangles that stiffen: [(group * 8 + k) * 16 + lane], strains by sides along warp and along weft,
+    // then both moduli.
+    AlignedBuffer<float> stiffening_;
+    AlignedBuffer<float> extra_tensions_, extra_stiffness_;
+    float stiffest_extra_ = 0;
+    AlignedBuffer<Vec4> forces_;  // of each side, along it from its first corner
     AlignedBuffer<double> partials_;
     std::span<const std::uint32_t> corner_offsets_;  // the model's
     AlignedBuffer<std::uint32_t> ahead_, behind_;    // of particles: the sides of their corners

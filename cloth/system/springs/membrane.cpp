@@ -19,26 +19,39 @@ double bound_of(const Eigen::Matrix3d& c) {
         .maxCoeff();
 }
 
-}  // namespace
+struct RestStrains {
+    std::array<double, 3> lengths;  // of the sides [m]
+    double area;                    // [m^2]
+    Eigen::Matrix3d strains;        // M^-1: xx, yy and xy, the engineers' shear, by extensions of the sides
+};
 
-TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) {
+RestStrains rest_strains(const CookedCloth& model, std::uint32_t triangle) {
     const RestSides rest = rest_sides(model, triangle);
     const Eigen::Vector2d to1 = rest.to1.cast<double>(), to2 = rest.to2.cast<double>();
     const std::array<Eigen::Vector2d, 3> sides{to1, to2 - to1, -to2};
-    const double area = std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2;
-    TriangleMembrane result;
-    Eigen::Matrix3d extensions;  // M, by strains xx, yy and xy, the engineers' shear
+    RestStrains result;
+    result.area = std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2;
+    Eigen::Matrix3d extensions;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double length = result.rest_lengths[k] = sides[k].norm();
+        const double length = result.lengths[k] = sides[k].norm();
         const Eigen::Vector2d e = sides[k] / length;
         extensions.row(static_cast<Eigen::Index>(k)) << length * e.x() * e.x(), length * e.y() * e.y(),
             length * e.x() * e.y();
     }
+    result.strains = extensions.inverse();
+    return result;
+}
+
+}  // namespace
+
+TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) {
+    const RestStrains rest = rest_strains(model, triangle);
+    TriangleMembrane result;
+    result.rest_lengths = rest.lengths;
     const Eigen::Vector3d moduli(static_cast<double>(fabric.warp), static_cast<double>(fabric.weft),
                                  static_cast<double>(fabric.shear));
-    const Eigen::Matrix3d strains = extensions.inverse();
-    const Eigen::Matrix3d c = area * strains.transpose() * moduli.asDiagonal() * strains;
-    const double scale = std::max(1.0, 0.55 * bound_of(c));
+    const Eigen::Matrix3d c = rest.area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
+    const double scale = std::max(1.0, least_bound * bound_of(c));
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t m = 0; m < 3; ++m)
             result.shared[k][m] = c(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
@@ -46,6 +59,40 @@ TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t trian
         result.shared[k][k] -= result.own[k];
     }
     return result;
+}
+
+TriangleStiffening triangle_stiffening(const CookedCloth& model, std::uint32_t triangle,
+                                       const Fabric& fabric) {
+    const RestStrains rest = rest_strains(model, triangle);
+    const auto stiffening = static_cast<double>(fabric.stiffening);
+    TriangleStiffening result;
+    result.moduli = {rest.area * stiffening * static_cast<double>(fabric.warp),
+                     rest.area * stiffening * static_cast<double>(fabric.weft)};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        for (std::size_t k = 0; k < 3; ++k)
+            result.strains[axis][k] =
+                rest.strains(static_cast<Eigen::Index>(axis), static_cast<Eigen::Index>(k));
+    return result;
+}
+
+// The slope along an axis is v v^T, bounded by |v_k| sum_m |v_m| on the diagonal.
+TriangleStiffening::Extra TriangleStiffening::at(const std::array<double, 3>& extensions) const {
+    Extra extra{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::array<double, 3>& v = strains[axis];
+        double strain = 0, sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            strain += v[k] * extensions[k];
+            sum += std::abs(v[k]);
+        }
+        const Stiffened g = stiffened(strain);
+        for (std::size_t k = 0; k < 3; ++k) {
+            extra.tension[k] += moduli[axis] * g.tension * v[k];
+            extra.own[k] +=
+                moduli[axis] * g.slope * std::max(v[k] * v[k], least_bound * sum * std::abs(v[k]));
+        }
+    }
+    return extra;
 }
 
 SheetModuli sheet_moduli(const Fabric& fabric) {

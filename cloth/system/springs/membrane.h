@@ -13,6 +13,11 @@
 // C' = A M^-T C M^-1 has the energy 1/2 dl^T C' dl, and side k the tension sum_m C'_km dl_m, along itself. A
 // spring takes what its own length gives, the rest is a shift of its rest length by its triangles' other
 // sides: see MembraneCoupling.
+//
+// A membrane that stiffens has the tension K (e + s g(e)) per width, g(e) = e^2 from 0 to a strain of 1/6,
+// straight on from there, 0 in compression: with c = clamp(e, 0, 1/6), g = c (2 e - c) and g' = 2 c. A
+// sheet's sides take all of s K g: the diagonals' share of the linear part and contraction are then what
+// they are without it. A triangle takes it by its strains along warp and weft, which are linear in dl.
 
 #include <algorithm>
 #include <array>
@@ -25,22 +30,86 @@
 
 namespace weft {
 
+constexpr double least_bound = 0.55;
+
 /// A triangle in its sides' lengths: side k runs from corner k to the next.
 struct TriangleMembrane {
     std::array<double, 3> rest_lengths;  ///< L [m]
-    /// C'_kk, or more: at least 0.55 of C' is bounded by these alone, so that matrices which know only them
-    /// converge on the whole [N/m].
+    /// C'_kk, or more: at least `least_bound` of C' is bounded by these alone, so that matrices which know
+    /// only them converge on the whole [N/m].
     std::array<double, 3> own;
     std::array<std::array<double, 3>, 3> shared;  ///< C' less `own` on the diagonal [N/m]
 };
 [[nodiscard]] TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle,
                                                  const Fabric& fabric);
 
+/// What a triangle that stiffens has beside that, by its strains along warp and weft.
+struct TriangleStiffening {
+    std::array<std::array<double, 3>, 2> strains;  ///< per extension of each side [1/m]
+    std::array<double, 2> moduli;                  ///< s K times the area [N m]
+
+    struct Extra {
+        std::array<double, 3> tension;  ///< of each side [N]
+        std::array<double, 3> own;      ///< what bounds the tension's slope, as TriangleMembrane::own [N/m]
+    };
+    [[nodiscard]] Extra at(const std::array<double, 3>& extensions) const;
+};
+[[nodiscard]] TriangleStiffening triangle_stiffening(const CookedCloth& model, std::uint32_t triangle,
+                                                     const Fabric& fabric);
+
+constexpr double last_stiffening_strain = 1.0 / 6;
+/// g and g' at a strain.
+struct Stiffened {
+    double tension, slope;
+};
+[[nodiscard]] inline Stiffened stiffened(double strain) {
+    const double c = std::clamp(strain, 0.0, last_stiffening_strain);
+    return {c * (2 * strain - c), 2 * c};
+}
+
+/// The linear spring that has the tension and the slope of k x + q L g(x / L) at a length L + x.
+struct LinearSpring {
+    double rest_length, stiffness;
+};
+[[nodiscard]] inline LinearSpring spring_at(double length, double rest_length, double k, double q) {
+    const Stiffened g = stiffened(length / rest_length - 1);
+    const double slope = k + q * g.slope;
+    if (slope <= 0) return {rest_length, 0};
+    return {length - (k * (length - rest_length) + q * rest_length * g.tension) / slope, slope};
+}
+
 /// P, Q and G of a sheet.
 struct SheetModuli {
     double warp, weft, shear;
 };
 [[nodiscard]] SheetModuli sheet_moduli(const Fabric& fabric);
+
+/// Of the cell whose near left corner is `near`: mean lengths of its sides along u and along v [m].
+struct CellSides {
+    double a, b;
+};
+[[nodiscard]] inline CellSides sides_of_cell(const CookedCloth& model, std::uint32_t near) {
+    const std::uint32_t far = near + model.columns;
+    const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
+    const double near_side = rest(near, near + 1), far_side = rest(far, far + 1), left = rest(near, far),
+                 right = rest(near + 1, far + 1);
+    return {(near_side + far_side) / 2, (left + right) / 2};
+}
+
+/// add(i, j, q [N/m]) for what that cell has of the stiffening of the springs at its sides.
+template <class Add>
+void for_each_stiffening_of_cell(const CookedCloth& model, const Fabric& fabric, std::uint32_t near,
+                                 const Add& add) {
+    const std::uint32_t far = near + model.columns;
+    const auto [a, b] = sides_of_cell(model, near);
+    const auto s = static_cast<double>(fabric.stiffening);
+    const double along_a = s * static_cast<double>(fabric.warp) * b / a / 2,
+                 along_b = s * static_cast<double>(fabric.weft) * a / b / 2;
+    add(near, near + 1, along_a);
+    add(far, far + 1, along_a);
+    add(near, far, along_b);
+    add(near + 1, far + 1, along_b);
+}
 
 /// add(i, j, stiffness [N/m], rest length [m]) for what the cell whose near left corner is `near` has of the
 /// springs at its sides and diagonals.
@@ -49,16 +118,14 @@ void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, 
                            const Add& add) {
     const std::uint32_t far = near + model.columns;
     const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
-    const double near_side = rest(near, near + 1), far_side = rest(far, far + 1), left = rest(near, far),
-                 right = rest(near + 1, far + 1);
-    const double a = (near_side + far_side) / 2, b = (left + right) / 2;
+    const auto [a, b] = sides_of_cell(model, near);
     const double along_a = (moduli.warp * b / a - moduli.shear * a / b) / 2;
     const double along_b = (moduli.weft * a / b - moduli.shear * b / a) / 2;
     const double diagonal = moduli.shear * (a * a + b * b) / (2 * a * b);
-    add(near, near + 1, along_a, near_side);
-    add(far, far + 1, along_a, far_side);
-    add(near, far, along_b, left);
-    add(near + 1, far + 1, along_b, right);
+    add(near, near + 1, along_a, rest(near, near + 1));
+    add(far, far + 1, along_a, rest(far, far + 1));
+    add(near, far, along_b, rest(near, far));
+    add(near + 1, far + 1, along_b, rest(near + 1, far + 1));
     add(near, far + 1, diagonal, rest(near, far + 1));
     add(near + 1, far, diagonal, rest(near + 1, far));
 }

@@ -161,6 +161,7 @@ struct Slot {
 };
 
 /// Any mesh: each particle looks at all its springs.
+template <bool stiffens>
 class SpringsOfMesh {
     // Deduced, so before those who use it.
     HWY_INLINE auto relative(std::uint32_t s, std::uint32_t i, const Lanes3& v_i) const {
@@ -241,20 +242,22 @@ class SpringsOfMesh {
             if (s + 1 < end) next = apart(s + 1);
             const Slot slot{s, s * Stencil::lanes + lane, ends.separation};
             if (tables_.has_springs(slot.entry))
-                springs(slot, springs_in(state_, tables_[slot.entry], slot.entry, i, ends));
+                springs(slot,
+                        springs_in(state_, tables_.stiffened(slot.entry, tables_[slot.entry], ends.length),
+                                   slot.entry, i, ends));
             else
                 bending(slot);
         }
     }
 
     const SpringState& state_;
-    const SpringTables tables_;
+    const SpringTables<stiffens> tables_;
     const Stencil& stencil_;
     RowsInMemory positions_, velocities_;
 };
 
 /// A grid: each particle looks at its springs to later ones, and gives these what they have of them.
-template <std::uint32_t exchanged>
+template <bool stiffens, std::uint32_t exchanged>
 class SpringsOfGrid {
     static constexpr std::uint32_t position = 0, velocity = 1;  // of the loop's vectors
 
@@ -371,7 +374,8 @@ class SpringsOfGrid {
             d = next_with_springs(d + 1);
             if (d < loop_.diagonals()) next = ends_apart(loop_.later(position, d) - x_i);
             springs({now, entry(now), ends.separation},
-                    springs_in(state_, tables_[entry(now)], entry(now), i, ends));
+                    springs_in(state_, tables_.stiffened(entry(now), tables_[entry(now)], ends.length),
+                               entry(now), i, ends));
         }
         for (d = 0; d < loop_.diagonals(); ++d)
             if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
@@ -383,25 +387,47 @@ class SpringsOfGrid {
     }
 
     const SpringState& state_;
-    const SpringTables tables_;
+    const SpringTables<stiffens> tables_;
     const Diagonals& diagonals_;
     GridLoop<2, exchanged> loop_;
 };
 
-void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow* window,
-               SpringMatrix& matrix, Vec4* right_side) {
+template <bool stiffens>
+void linearise_springs(const SpringState& state, LinearisedAbout about, const BlockRange& range,
+                       GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {
     const Linearisation equations(state, about);
     if (window == nullptr)
-        SpringsOfMesh(state).linearise(equations, range, matrix, right_side);
+        SpringsOfMesh<stiffens>(state).linearise(equations, range, matrix, right_side);
     else
-        SpringsOfGrid<7>(state, range, *window).linearise(equations, range, matrix, right_side);
+        SpringsOfGrid<stiffens, 7>(state, range, *window).linearise(equations, range, matrix, right_side);
+}
+
+template <bool stiffens>
+void residual_of_springs(const SpringState& state, const BlockRange& range, GridWindow* window,
+                         Vec4* residual) {
+    if (window == nullptr)
+        SpringsOfMesh<stiffens>(state).residual(range, residual);
+    else
+        SpringsOfGrid<stiffens, 3>(state, range, *window).residual(range, residual);
+}
+
+bool stiffen_at_all(const SpringState& state) {
+    return state.table.stiffening() != nullptr || state.coupling.extra_tensions() != nullptr;
+}
+
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow* window,
+               SpringMatrix& matrix, Vec4* right_side) {
+    if (stiffen_at_all(state))
+        linearise_springs<true>(state, about, range, window, matrix, right_side);
+    else
+        linearise_springs<false>(state, about, range, window, matrix, right_side);
 }
 
 void residual(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
-    if (window == nullptr)
-        SpringsOfMesh(state).residual(range, residual);
+    if (stiffen_at_all(state))
+        residual_of_springs<true>(state, range, window, residual);
     else
-        SpringsOfGrid<3>(state, range, *window).residual(range, residual);
+        residual_of_springs<false>(state, range, window, residual);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #endif
 
 #include "cloth/system/sparse/stencil-inl.h"
+#include "cloth/system/springs/membrane.h"
 #include "cloth/system/springs/spring_forces.h"
 #include "engine/separating_direction.h"
 
@@ -64,7 +65,8 @@ struct EntryLanes {
 };
 
 /// Where a state has its springs. A kernel's own: through the state they would be looked up anew after each
-/// store.
+/// store. `stiffens` is known beforehand, for other springs not to pay for it.
+template <bool stiffens>
 class SpringTables {
     using SlotKind = SpringTable::SlotKind;
 
@@ -76,6 +78,9 @@ class SpringTables {
           bending_(state.table.bending()),
           shifts_(state.coupling.shifts()),
           sources_(state.coupling.sources()),
+          stiffening_(state.table.stiffening()),
+          tensions_(state.coupling.extra_tensions()),
+          slopes_(state.coupling.extra_stiffness()),
           has_coupling_(!state.coupling.empty()) {}
 
     [[nodiscard]] HWY_INLINE bool has_springs(std::uint32_t entry) const {
@@ -94,23 +99,49 @@ class SpringTables {
                 load_lanes(bending_ + entry)};
     }
 
+    /// The linear springs that pull as those of an entry do at a length, and as steeply: spring_at() and
+    /// TriangleStiffening, lane by lane.
+    [[nodiscard]] HWY_INLINE EntryLanes stiffened(std::uint32_t entry, const EntryLanes& of,
+                                                  Lanes length) const {
+        if constexpr (!stiffens) return of;
+        const Lanes least = set(1e-30f);
+        if (has_coupling_) {
+            const Lanes slope = hn::Add(of.stiffness, of_sides(slopes_, entry));
+            const Lanes tension =
+                hn::MulAdd(of.stiffness, hn::Sub(length, of.rest_length), of_sides(tensions_, entry));
+            // Where ends nearly coincide the pull is cut, to leave the matrix's halves room.
+            const Lanes rest =
+                hn::Max(hn::Sub(length, hn::Div(tension, hn::Max(slope, least))), hn::Mul(set(-2), length));
+            const auto pulls = hn::And(hn::Gt(slope, set(0)), hn::Gt(length, set(1e-12f)));
+            return {hn::IfThenElse(pulls, rest, of.rest_length), slope, of.bending};
+        }
+        const Lanes strain = hn::Sub(hn::Div(length, of.rest_length), set(1));
+        const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
+        const Lanes half = hn::Mul(load_lanes(stiffening_ + entry), c);
+        const Lanes slope = hn::MulAdd(set(2), half, of.stiffness);
+        const Lanes longer = hn::Div(hn::Mul(half, c), hn::Max(slope, least));
+        return {hn::MulAdd(of.rest_length, longer, of.rest_length), slope, of.bending};
+    }
+
   private:
     [[nodiscard]] HWY_INLINE Lanes shifted(std::uint32_t entry, Lanes rest_length) const {
-        if (!has_coupling_) return rest_length;
+        return has_coupling_ ? hn::Add(rest_length, of_sides(shifts_, entry)) : rest_length;
+    }
+    /// Sums over the two sides of triangles that springs are.
+    [[nodiscard]] HWY_INLINE Lanes of_sides(const float* values, std::uint32_t entry) const {
         const hn::RebindToSigned<Tag> numbers;
         const std::uint32_t* const sources =
             sources_ + std::size_t{2} * (entry / Stencil::lanes) * Stencil::lanes + entry % Stencil::lanes;
         const auto source = [&](std::uint32_t k) HWY_ATTR {
             return hn::BitCast(numbers, hn::Load(hn::RebindToUnsigned<Tag>(), sources + k * Stencil::lanes));
         };
-        const Lanes shift =
-            hn::Add(hn::GatherIndex(Tag(), shifts_, source(0)), hn::GatherIndex(Tag(), shifts_, source(1)));
-        return hn::Add(rest_length, shift);
+        return hn::Add(hn::GatherIndex(Tag(), values, source(0)), hn::GatherIndex(Tag(), values, source(1)));
     }
 
     const SpringTable::Slot* slots_;
     const float *rest_lengths_, *stiffness_, *bending_, *shifts_;
     const std::uint32_t* sources_;
+    const float *stiffening_, *tensions_, *slopes_;  // null: none
     bool has_coupling_;
 };
 

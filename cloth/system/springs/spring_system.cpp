@@ -8,13 +8,13 @@
 
 namespace weft {
 
-SpringSystem::SpringSystem(const CookedCloth& model)
+SpringSystem::SpringSystem(const CookedCloth& model, bool stiffens)
     : ImplicitSystem(model.particle_count),
       model_(model),
       matrix_(model.spring_offsets.span(), model.neighbours.span()),
-      table_(model, matrix_) {
+      table_(model, matrix_, stiffens) {
     windows_ = GridWindows(matrix_.diagonals, 7);
-    if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_);
+    if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_, stiffens);
     if (windows_.empty() || !coupling_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
     if (const std::uint32_t count = matrix_.diagonals.count; count > 0) {
         matrix_.isotropic.fill(true);
@@ -54,7 +54,8 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
     const Fabric& fabric = equation.settings.fabric;
     const SpringState state = state_at(parallel, equation, velocities, about);
-    const float stiffest = table_.stiffest() + fabric.bending * table_.stiffest_bending();
+    const float stiffest =
+        table_.stiffest() + coupling_.stiffest_extra() + fabric.bending * table_.stiffest_bending();
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
     matrix_.contacts = begin_contacts(equation);

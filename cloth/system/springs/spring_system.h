@@ -13,7 +13,8 @@ namespace weft {
 /// n n^T = a I + d d^T.
 class SpringSystem final : public ImplicitSystem {
   public:
-    explicit SpringSystem(const CookedCloth& model);
+    /// `stiffens`: for fabrics that do, and others.
+    explicit SpringSystem(const CookedCloth& model, bool stiffens = false);
     void prepare(const Fabric& fabric) noexcept override;
 
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,

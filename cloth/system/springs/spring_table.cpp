@@ -8,10 +8,11 @@
 
 namespace weft {
 
-SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix)
+SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens)
     : rest_lengths_(matrix.entries()),
       stiffness_(matrix.entries()),
       bending_(matrix.entries()),
+      stiffening_(stiffens && model.rows > 0 ? matrix.entries() : 0),
       slots_(matrix.entries() / Stencil::lanes) {
     std::ranges::fill(rest_lengths_.span(), 1.0f);
     for_each_entry(model, matrix, [&](std::uint32_t e, std::uint32_t entry) {
@@ -23,7 +24,8 @@ SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix)
 
 bool SpringTable::set(const CookedCloth& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
     const bool is_same = fabric.warp == fabric_.warp && fabric.weft == fabric_.weft &&
-                         fabric.shear == fabric_.shear && fabric_.areal_density >= 0;
+                         fabric.shear == fabric_.shear && fabric.stiffening == fabric_.stiffening &&
+                         fabric_.areal_density >= 0;
     if (is_same) return false;
     fabric_ = fabric;
     std::ranges::fill(stiffness_.span(), 0.0f);
@@ -48,6 +50,7 @@ bool SpringTable::set(const CookedCloth& model, const SpringMatrix& matrix, cons
         stiffness = std::max(stiffness, 0.0f);
         stiffest_ = std::max(stiffest_, stiffness);
     }
+    set_stiffening(model, matrix);
     if (has_seams) {
         for_each_entry(model, matrix, [&](std::uint32_t e, std::uint32_t entry) {
             float& length = rest_lengths_[entry];
@@ -56,6 +59,23 @@ bool SpringTable::set(const CookedCloth& model, const SpringMatrix& matrix, cons
     }
     sum_up_slots();
     return true;
+}
+
+void SpringTable::set_stiffening(const CookedCloth& model, const SpringMatrix& matrix) noexcept {
+    if (stiffening_.size() == 0) return;
+    std::ranges::fill(stiffening_.span(), 0.0f);
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double q) {
+        const std::uint32_t entry = matrix.entry(i, half_edge_between(model, i, j), j);
+        const std::uint32_t back = matrix.entry(j, half_edge_between(model, j, i), i);
+        for (const std::uint32_t at : {entry, back})
+            if (at != SpringMatrix::no_entry) stiffening_[at] += static_cast<float>(q);
+    };
+    for (std::uint32_t row = 0; row + 1 < model.rows; ++row)
+        for (std::uint32_t column = 0; column + 1 < model.columns; ++column)
+            for_each_stiffening_of_cell(model, fabric_, row * model.columns + column, add);
+    const auto steepest = static_cast<float>(stiffened(last_stiffening_strain).slope);
+    for (std::size_t e = 0; e < stiffening_.size(); ++e)
+        stiffest_ = std::max(stiffest_, stiffness_[e] + steepest * stiffening_[e]);
 }
 
 void SpringTable::sum_up_slots() noexcept {

@@ -30,7 +30,8 @@ struct SpringEntry {
 /// Entry by entry; and by slots of 16 where all lanes have the same, as most of a sheet's do.
 class SpringTable {
   public:
-    SpringTable(const CookedCloth& model, const SpringMatrix& matrix);
+    /// `stiffens`: for fabrics that do.
+    SpringTable(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens = false);
     /// Takes O(springs). False: nothing to do, it has that fabric's membrane.
     bool set(const CookedCloth& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
@@ -48,18 +49,22 @@ class SpringTable {
     [[nodiscard]] const float* rest_lengths() const noexcept { return rest_lengths_.data(); }
     [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
     [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
+    /// q of a sheet's springs [N/m], see spring_at(); null: they do not stiffen, or by their triangles.
+    [[nodiscard]] const float* stiffening() const noexcept { return stiffening_.data(); }
     [[nodiscard]] const Fabric& fabric() const noexcept { return fabric_; }
 
-    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }                  ///< [N/m]
+    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< however stretched [N/m]
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< of B = 1 [1/m^2]
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return slots_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes();
+        return slots_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes() +
+               stiffening_.bytes();
     }
 
   private:
     void sum_up_slots() noexcept;
+    void set_stiffening(const CookedCloth& model, const SpringMatrix& matrix) noexcept;
 
-    AlignedBuffer<float> rest_lengths_, stiffness_, bending_;
+    AlignedBuffer<float> rest_lengths_, stiffness_, bending_, stiffening_;
     AlignedBuffer<Slot> slots_;
     Fabric fabric_{.areal_density = -1};  // none yet
     float stiffest_ = 0, stiffest_bending_ = 0;
