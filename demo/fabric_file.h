@@ -25,7 +25,7 @@ namespace weft::demo {
 /// goes along a line between (as ARCSim reads the files); it is by Green's strain, E = e + e^2 / 2, so the
 /// tension of uniaxial stretch is c(e) E (1 + e). To that K e (1 + stiffening e) is fitted, one stiffening
 /// for both axes. What is left is at most 1.1 % of the tension at 1/6 for the three wovens, 1.9 % for the
-/// jacket, 2.2 to 6.4 % for the knits; the constants are 22 to 61 % off there. Stiffening is 2 to 4 for
+/// jacket, 2.2 to 6.4 % for the other five; the constants are 21 to 61 % off there. Stiffening is 2 to 4 for
 /// wovens and pile, 1.5 to 116 for the rest. A sheet whose shear passes warp or weft near rest, as soft knits
 /// have it, is stiffer there than it should be (see Fabric): meshes are not.
 ///

@@ -8,9 +8,8 @@
 //   world->pin(*cloth, 0);
 //   for (;;) {
 //       world->step(1.0f / 60.0f);
-//       const weft::ClothView view = *world->cloth(*cloth);   // a variable: range-for over a temporary
-//       dangles upload(view.positions);                               // x y z w, sixteen bytes a particle,
-//       no copy
+//       const weft::ClothView view = *world->cloth(*cloth);
+//       upload(view.positions);  // x y z w, sixteen bytes a particle, no copy
 //   }
 
 #include "weft/cloth_id.h"

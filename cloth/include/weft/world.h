@@ -48,9 +48,8 @@ struct ClothInfo {
 };
 
 /// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
-/// change of this cloth. Keep the view in a variable before you loop over a buffer: in C++20 a range-for over
-/// world.cloth(id)->positions reads a temporary that is gone. Particles are numbered by Weft;
-/// vertex_to_particle leads there from the mesh's own vertices.
+/// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
+/// vertices.
 struct ClothView {
     std::span<const Vec4> positions{};  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
     /// At the start of the last step; blend by FixedStepFrame::alpha.
