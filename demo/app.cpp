@@ -115,10 +115,10 @@ class App {
             playback_.paused = true;
             ++playback_.single_steps;
         }
-        int number = 0;
-        for (const SceneEntry& scene : all_scenes()) {
-            if (ImGui::IsKeyPressed(key::digit(++number), false)) return change_scene(scene);
-        }
+        const std::span<const SceneEntry> scenes = all_scenes();
+        for (std::size_t k = 0; k < std::min<std::size_t>(scenes.size(), 9); ++k)
+            if (ImGui::IsKeyPressed(key::digit(static_cast<int>(k) + 1), false))
+                return change_scene(scenes[k]);
     }
 
     void steer_wind(float turn, float faster, float seconds) {

@@ -9,6 +9,7 @@
     SCENE(curtain, "a curtain on rings, drawn to and fro in a slow breeze")                                  \
     SCENE(sheet, "a sheet that falls over a sphere and onto the ground")                                     \
     SCENE(ribbon, "a long ribbon, lowered end first, piles up on itself")                                    \
+    SCENE(garment, "a garment from an OBJ file, hung by its highest opening", .needs_garment = true)         \
     SCENE(folddrop, "a sheet folded ten times falls to the ground")                                          \
     SCENE(stack, "five sheets are laid on one another")                                                      \
     SCENE(layers, "three sheets fall over a sphere")                                                         \
@@ -19,8 +20,7 @@
     SCENE(meeting, "two sheets meet where nothing has weight")                                               \
     SCENE(hammock, "a sheet is dropped on one that hangs by its corners")                                    \
     SCENE(tangled, "cloth that starts through itself comes apart")                                           \
-    SCENE(crossed, "two sheets that start through each other come apart")                                    \
-    SCENE(garment, "a garment from an OBJ file, hung by its highest opening", .needs_garment = true)
+    SCENE(crossed, "two sheets that start through each other come apart")
 // clang-format on
 
 namespace weft::demo {

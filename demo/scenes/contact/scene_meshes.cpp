@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "demo/study/must.h"
-
 namespace weft::demo {
 
 namespace {
@@ -23,7 +21,7 @@ Piece piece(double length, double width, std::uint32_t particles, std::uint32_t 
 }
 
 Mesh placed_sheet(const Piece& piece, const PlaceOf& place) {
-    Mesh mesh = must(make_sheet({.rows = piece.rows, .columns = piece.columns}));
+    Mesh mesh = make_sheet({.rows = piece.rows, .columns = piece.columns}).value();
     mesh.positions.clear();
     for (std::uint32_t row = 0; row < piece.rows; ++row) {
         for (std::uint32_t column = 0; column < piece.columns; ++column) {
