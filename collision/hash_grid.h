@@ -19,6 +19,12 @@ struct SlotRange {
     std::uint32_t begin, end;
 };
 
+/// By slot: which particle it is, and where.
+struct SortedParticles {
+    const std::uint32_t* particles;
+    const float *x, *y, *z;
+};
+
 /// A counting sort of particles by bucket. A particle's place in the sorted order is its slot; inside a
 /// bucket slots ascend with the particle's index, for any number of threads. Nothing is allocated after
 /// construction.
@@ -69,6 +75,9 @@ class HashGrid {
     /// without any, so that a run that wraps around can be read as far as the table goes.
     [[nodiscard]] const std::uint32_t* starts() const noexcept { return starts_.data(); }
 
+    [[nodiscard]] SortedParticles sorted() const noexcept {
+        return {particles_.data(), x_.data(), y_.data(), z_.data()};
+    }
     /// By slot.
     [[nodiscard]] const std::uint32_t* particles() const noexcept { return particles_.data(); }
     [[nodiscard]] const float* x() const noexcept { return x_.data(); }

@@ -16,11 +16,10 @@ namespace {
 /// What the loops read, held in registers.
 struct Slots {
     const float *x, *y, *z;
-    const std::uint32_t* starts;
     float distance_squared;
 };
-HWY_INLINE Slots slots_of(const HashGrid& grid, float distance_squared) {
-    return {grid.x(), grid.y(), grid.z(), grid.starts(), distance_squared};
+HWY_INLINE Slots slots_of(const SortedParticles& sorted, float distance_squared) {
+    return {sorted.x, sorted.y, sorted.z, distance_squared};
 }
 
 /// Most ranges hold few slots: a register of 16 lanes takes 8 of one and 8 of the next.
@@ -94,6 +93,18 @@ HWY_INLINE std::uint32_t close_in_range(const Slots& slots, const std::uint32_t*
     return count;
 }
 
+/// Takes over what was found up to `end`, all of one slot; leaves over one with too many.
+HWY_INLINE void keep_hits(const std::uint32_t* particles, std::uint32_t slot, std::uint32_t end,
+                          BlockHits& hits) {
+    if (HWY_UNLIKELY(end - hits.count > BlockHits::per_slot)) {
+        hits.left_over[hits.left_over_count++] = slot;
+        return;
+    }
+    for (std::uint32_t lane = 0; lane < BlockHits::per_slot; lane += part_lanes)
+        hn::StoreU(set_index(particles[slot]), IndexTag(), &hits.particles[hits.count + lane]);
+    hits.count = end;
+}
+
 /// The runs that each particle of a block looks through, named by their first buckets.
 template <std::uint32_t runs>
 using BlockOfRuns = std::uint32_t[runs][block_size];
@@ -110,7 +121,8 @@ HWY_INLINE void store_runs(const Cells& cells, const Lanes3& p, std::uint32_t k,
 template <std::uint32_t runs, std::uint32_t run_length>
 HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const BlockRange& block,
                         const SlotFlags& wanted, BlockHits& hits) {
-    const Slots slots = slots_of(grid, distance_squared);
+    const Slots slots = slots_of(grid.sorted(), distance_squared);
+    const std::uint32_t* const starts = grid.starts();
     const Cells cells = grid.cells();
     alignas(64) BlockOfRuns<runs> firsts;
     for (std::uint32_t slot = block.begin; slot < block.end; slot += part_lanes)
@@ -124,8 +136,8 @@ HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const Bloc
         std::uint32_t begins[runs], longest = 0, last = 0;
         for (std::uint32_t r = 0; r < runs; ++r) {
             const std::uint32_t first = firsts[r][slot - block.begin];
-            begins[r] = slots.starts[first];
-            longest = std::max(longest, slots.starts[first + run_length] - begins[r]);
+            begins[r] = starts[first];
+            longest = std::max(longest, starts[first + run_length] - begins[r]);
             last = std::max(last, first);
         }
         const bool wraps = last + run_length > cells.mask + 1;
@@ -143,16 +155,29 @@ HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const Bloc
         std::uint32_t end = hits.count;
         for (std::uint32_t r = 0; r < runs; ++r) {
             const std::uint32_t first = firsts[r][slot - block.begin];
-            const SlotRange range{slots.starts[first], slots.starts[first + run_length]};
+            const SlotRange range{starts[first], starts[first + run_length]};
             end += close_in_range(slots, particles, slot, range, &hits.others[end]);
         }
-        if (HWY_UNLIKELY(end - hits.count > BlockHits::per_slot)) {
-            hits.left_over[hits.left_over_count++] = slot;
-            continue;
+        keep_hits(particles, slot, end, hits);
+    }
+}
+
+/// Long ranges are taken in parts: behind the room for all slots' hits there is some for one part's.
+void hits_in_ranges(const SortedParticles& sorted, float distance_squared, const BlockRange& block,
+                    const SlotRanges& ranges, BlockHits& hits) {
+    const Slots slots = slots_of(sorted, distance_squared);
+    hits.count = hits.left_over_count = 0;
+    for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
+        std::uint32_t end = hits.count;
+        for (SlotRange range : ranges.of[slot - block.begin]) {
+            for (; range.begin < range.end && end - hits.count <= BlockHits::per_slot;
+                 range.begin += BlockHits::longest_range) {
+                const SlotRange part{range.begin,
+                                     std::min(range.end, range.begin + BlockHits::longest_range)};
+                end += close_in_range(slots, sorted.particles, slot, part, &hits.others[end]);
+            }
         }
-        for (std::uint32_t lane = 0; lane < BlockHits::per_slot; lane += part_lanes)
-            hn::StoreU(set_index(particles[slot]), IndexTag(), &hits.particles[hits.count + lane]);
-        hits.count = end;
+        keep_hits(sorted.particles, slot, end, hits);
     }
 }
 
@@ -182,11 +207,17 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(hits);
+HWY_EXPORT(hits_in_ranges);
 HWY_EXPORT(without_rest_pairs);
 
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& block,
                const SlotFlags& wanted, BlockHits& found) {
     HWY_DYNAMIC_DISPATCH(hits)(grid, shape, distance_squared, block, wanted, found);
+}
+
+void find_hits_in_ranges(const SortedParticles& sorted, float distance_squared, const BlockRange& block,
+                         const SlotRanges& ranges, BlockHits& found) {
+    HWY_DYNAMIC_DISPATCH(hits_in_ranges)(sorted, distance_squared, block, ranges, found);
 }
 
 void drop_rest_pairs(const RestFilter& filter, BlockHits& found) {

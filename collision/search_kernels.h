@@ -33,6 +33,17 @@ using SlotFlags = std::array<bool, block_size>;
 void find_hits(const HashGrid& grid, CellShape shape, float distance_squared, const BlockRange& slots,
                const SlotFlags& wanted, BlockHits& hits);
 
+/// What each slot of a block is to be tested with. A slot's ranges do not overlap.
+struct SlotRanges {
+    static constexpr std::uint32_t per_slot = 9;
+    std::array<std::array<SlotRange, per_slot>, block_size> of;
+};
+
+/// Finds the hits of a block of slots in their ranges. Left over are slots with more than
+/// BlockHits::per_slot.
+void find_hits_in_ranges(const SortedParticles& sorted, float distance_squared, const BlockRange& slots,
+                         const SlotRanges& ranges, BlockHits& hits);
+
 /// Takes out the pairs that the filter leaves alone.
 void drop_rest_pairs(const RestFilter& filter, BlockHits& hits);
 

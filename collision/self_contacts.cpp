@@ -12,16 +12,16 @@ namespace {
 
 /// The pairs that a search must tell apart: closer than `distance`, and not meant to be.
 struct PairTest {
-    PairTest(const HashGrid& grid, const RestFilter& filter, float distance)
-        : grid(grid), filter(filter), distance_squared(distance * distance) {}
+    PairTest(const SortedParticles& sorted, const RestFilter& filter, float distance)
+        : sorted(sorted), filter(filter), distance_squared(distance * distance) {}
 
     [[nodiscard]] bool is_close(std::uint32_t slot, std::uint32_t other) const {
-        const float dx = grid.x()[slot] - grid.x()[other], dy = grid.y()[slot] - grid.y()[other],
-                    dz = grid.z()[slot] - grid.z()[other];
+        const float dx = sorted.x[slot] - sorted.x[other], dy = sorted.y[slot] - sorted.y[other],
+                    dz = sorted.z[slot] - sorted.z[other];
         return dx * dx + dy * dy + dz * dz < distance_squared;
     }
 
-    const HashGrid& grid;
+    SortedParticles sorted;
     const RestFilter& filter;
     float distance_squared;
 };
@@ -50,10 +50,10 @@ bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
 template <class Add>
 void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
                   const Add& add) {
-    const std::uint32_t particle = test.grid.particles()[slot];
+    const std::uint32_t particle = test.sorted.particles[slot];
     const auto add_if_close = [&](std::uint32_t other) {
         if (!test.is_close(slot, other)) return true;
-        const std::uint32_t contact = test.grid.particles()[other];
+        const std::uint32_t contact = test.sorted.particles[other];
         return test.filter.leaves_alone(particle, contact) || add(contact);
     };
     for (const SlotRange& range : ranges) {
@@ -63,7 +63,7 @@ void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const Slot
 
 }  // namespace
 
-SelfContacts::SelfContacts(std::span<const Vec4> rest_positions)
+SelfContacts::SelfContacts(std::span<const Vec4> rest_positions, SelfCollisionSearch search)
     : patches_(rest_positions),
       grid_(static_cast<std::uint32_t>(rest_positions.size())),
       contacts_(rest_positions.size() * capacity),
@@ -71,7 +71,10 @@ SelfContacts::SelfContacts(std::span<const Vec4> rest_positions)
       displacements_(rest_positions.size()),
       velocity_changes_(rest_positions.size()),
       block_counts_(block_count(static_cast<std::uint32_t>(rest_positions.size()))),
-      left_out_(block_counts_.size()) {}
+      left_out_(block_counts_.size()) {
+    if (search == SelfCollisionSearch::sorted_sweep)
+        sweep_.emplace(static_cast<std::uint32_t>(rest_positions.size()));
+}
 
 void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter,
                         float distance, SelfCollisionSearch search) {
@@ -81,6 +84,11 @@ void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, con
         if (search_patches(parallel, filter, distance)) return;
         grid_.build_rows(parallel, positions, patches_.bounds(), distance);
         search_grid(parallel, CellShape::row, filter, distance);
+        return;
+    }
+    if (search == SelfCollisionSearch::sorted_sweep) {
+        sweep_->build(parallel, positions, patches_.bounds(), distance);
+        search_sweep(parallel, filter, distance);
         return;
     }
     for (const float shift : {0.0f, 0.5f}) {  // Kang, section IV: each particle against its own bucket
@@ -111,7 +119,7 @@ bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, 
 /// Of rows for the particles left unsearched, of cubes for all.
 void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter,
                                float distance) {
-    const PairTest test(grid_, filter, distance);
+    const PairTest test(grid_.sorted(), filter, distance);
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
         SlotFlags wanted;
         for (std::uint32_t slot = block.begin; slot < block.end; ++slot) {
@@ -129,6 +137,23 @@ void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFi
                 shape == CellShape::row ? grid_.near(x, y, z) : grid_.near_in_bucket(x, y, z);
             const std::uint32_t particle = grid_.particles()[slot];
             add_contacts(test, slot, std::span(near.ranges).first(near.count),
+                         [&](std::uint32_t contact) { return add(particle, contact); });
+        }
+    });
+}
+
+void SelfContacts::search_sweep(Parallel& parallel, const RestFilter& filter, float distance) {
+    const PairTest test(sweep_->sorted(), filter, distance);
+    parallel.ranges(sweep_->size(), [&](const BlockRange& block) {
+        SlotRanges ranges;
+        sweep_->find_ranges(block, ranges);
+        BlockHits hits;
+        find_hits_in_ranges(test.sorted, test.distance_squared, block, ranges, hits);
+        drop_rest_pairs(filter, hits);
+        add(hits);
+        for (const std::uint32_t slot : std::span(hits.left_over).first(hits.left_over_count)) {
+            const std::uint32_t particle = test.sorted.particles[slot];
+            add_contacts(test, slot, ranges.of[slot - block.begin],
                          [&](std::uint32_t contact) { return add(particle, contact); });
         }
     });
@@ -162,7 +187,8 @@ std::span<const std::uint32_t> SelfContacts::contacts(std::uint32_t particle) co
 
 std::size_t SelfContacts::bytes() const noexcept {
     return patches_.bytes() + grid_.bytes() + contacts_.bytes() + counts_.bytes() + displacements_.bytes() +
-           velocity_changes_.bytes() + block_counts_.bytes() + left_out_.bytes();
+           velocity_changes_.bytes() + block_counts_.bytes() + left_out_.bytes() +
+           (sweep_ ? sweep_->bytes() : 0);
 }
 
 }  // namespace weft

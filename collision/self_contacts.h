@@ -1,8 +1,9 @@
 #pragma once
 // Self-collision avoidance (Kang, section IV): find the pairs that are too close, by patches and a hashed
-// grid, and push them apart.
+// grid or by a sorted sweep, and push them apart.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "collision/hash_grid.h"
@@ -10,6 +11,7 @@
 #include "collision/patches.h"
 #include "collision/rest_filter.h"
 #include "collision/search_kernels.h"
+#include "collision/sweep_grid.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 #include "engine/vector.h"
@@ -29,10 +31,16 @@ class SelfContacts {
   public:
     static constexpr std::uint32_t capacity = 16;  ///< contacts kept per particle
 
-    /// Precondition: positions at rest, which say what mostly lies together, are finite.
-    explicit SelfContacts(std::span<const Vec4> rest_positions);
+    /// For this search, and for all that need no memory of their own. Precondition: positions at rest, which
+    /// say what mostly lies together, are finite.
+    explicit SelfContacts(std::span<const Vec4> rest_positions,
+                          SelfCollisionSearch search = SelfCollisionSearch::exact);
+    [[nodiscard]] bool has_memory_for(SelfCollisionSearch search) const noexcept {
+        return search != SelfCollisionSearch::sorted_sweep || sweep_.has_value();
+    }
 
     /// Finds all pairs closer than `distance`. Each is in both particles' lists, in a fixed order.
+    /// Precondition: there is memory for the search.
     void find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter, float distance,
               SelfCollisionSearch search);
 
@@ -79,6 +87,7 @@ class SelfContacts {
 
     [[nodiscard]] bool search_patches(Parallel& parallel, const RestFilter& filter, float distance);
     void search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter, float distance);
+    void search_sweep(Parallel& parallel, const RestFilter& filter, float distance);
     bool add(std::uint32_t particle, std::uint32_t contact);
     void add(const BlockHits& hits);
     template <class Visit>
@@ -88,6 +97,7 @@ class SelfContacts {
 
     Patches patches_;
     HashGrid grid_;
+    std::optional<SweepGrid> sweep_;
     AlignedBuffer<std::uint32_t> contacts_;  // `capacity` per particle, ascending
     AlignedBuffer<std::uint8_t> counts_;     // contacts of each particle, or `overflowed`
     AlignedBuffer<Vec4> displacements_,

@@ -121,7 +121,9 @@ void Cloth::apply(const ClothSettings& changed) {
     }
     const SelfCollision& self_collision = changed.self_collision;
     std::optional<SelfContacts> new_self_contacts;
-    if (has_avoidance(self_collision) && !self_contacts) new_self_contacts.emplace(model.positions.span());
+    if (has_avoidance(self_collision) &&
+        !(self_contacts && self_contacts->has_memory_for(self_collision.search)))
+        new_self_contacts.emplace(model.positions.span(), self_collision.search);
     std::optional<FeatureBuffers> new_features = make_features(self_collision);
     std::optional<RestNeighbours> new_rest_neighbours;
     const float distance = distance_of(self_collision);

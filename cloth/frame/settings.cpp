@@ -155,7 +155,8 @@ void check(Checks& checks, const SelfCollision& contact) {
     checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
     checks.between("SelfCollision::friction", contact.friction, 0, 1000);
     checks.one_of("SelfCollision::search", contact.search,
-                  {"SelfCollisionSearch::exact", "SelfCollisionSearch::shifted_grids"});
+                  {"SelfCollisionSearch::exact", "SelfCollisionSearch::shifted_grids",
+                   "SelfCollisionSearch::sorted_sweep"});
 }
 
 void check(Checks& checks, const Wind& wind) {

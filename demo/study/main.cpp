@@ -62,6 +62,10 @@ void describe_contact(CLI::App& command, StudyOptions& options) {
         .add_option("--only", options.only,
                     "Scenes whose name and rung, as in \"stack 2, off\", contain this")
         ->type_name("TEXT");
+    command.add_flag(
+        "--searches", options.searches,
+        "Instead of scenes, the searches of avoidance (exact, shifted grids, sorted sweep): what each "
+        "finds, tests and takes on one thread");
     command.add_option("--particles", options.particles, "Particles of a scene, about (default: its own)")
         ->check(CLI::Range(64u, 1u << 20));
 }

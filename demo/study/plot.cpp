@@ -4,6 +4,7 @@
 #include "demo/study/commands.h"
 #include "demo/study/contact/contact_chart.h"
 #include "demo/study/contact/contact_table.h"
+#include "demo/study/contact/searches.h"
 #include "demo/study/csv.h"
 #include "demo/study/physics/physics_chart.h"
 #include "demo/study/physics/physics_table.h"
@@ -24,6 +25,8 @@ int run_plot(const PlotOptions& options) {
             draw_physics(table, options.out);
         } else if (is_contact_table(table)) {
             draw_contact(table, options.out);
+        } else if (is_searches_table(table)) {
+            draw_searches(table, options.out);
         } else {
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
         }

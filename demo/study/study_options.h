@@ -18,6 +18,7 @@ struct StudyOptions {
     std::filesystem::path cache;       ///< reference states; empty: a folder beside the CSV
     std::filesystem::path garments;    ///< folder of the OBJ files; empty: none are run
     std::vector<std::uint32_t> sizes;  ///< particles per side; empty: the command's own
+    bool searches = false;             ///< contact: the broad phases of avoidance instead of scenes
     std::uint32_t particles = 0;       ///< of a scene, about; 0: the scene's own number
     std::vector<std::string> scenes;   ///< empty: all
     /// Sheets of more particles have no reference B: at 256 x 256 it takes 7000 steps a frame.

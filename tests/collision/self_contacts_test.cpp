@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -39,7 +40,7 @@ Lists brute_force(const std::vector<Vec4>& positions, const RestFilter& filter, 
 Lists found_from(const std::vector<Vec4>& rest_positions, const std::vector<Vec4>& positions,
                  const RestFilter& filter, float distance, SelfCollisionSearch search, int threads = 1) {
     Parallel parallel(threads);
-    SelfContacts contacts(rest_positions);
+    SelfContacts contacts(rest_positions, search);
     contacts.find(parallel, positions, filter, distance, search);
     Lists lists;
     for (std::uint32_t i = 0; i < positions.size(); ++i) {
@@ -58,6 +59,9 @@ Lists found(const std::vector<Vec4>& positions, const RestFilter& filter, float 
     return found_from(rest, positions, filter, distance, search, threads);
 }
 
+constexpr std::array all_searches{SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids,
+                                  SelfCollisionSearch::sorted_sweep};
+
 std::size_t entries(const Lists& lists) {
     std::size_t sum = 0;
     for (const auto& list : lists) sum += list.size();
@@ -68,8 +72,9 @@ void expect_exact(const std::vector<Vec4>& positions, const RestFilter& filter, 
     const Lists expected = brute_force(positions, filter, distance);
     for (const auto& list : expected)
         ASSERT_LE(list.size(), SelfContacts::capacity) << "the test's own set is too dense";
-    EXPECT_EQ(found(positions, filter, distance, SelfCollisionSearch::exact), expected)
-        << "distance " << distance;
+    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::sorted_sweep})
+        EXPECT_EQ(found(positions, filter, distance, search), expected)
+            << "distance " << distance << ", search " << static_cast<int>(search);
 }
 
 std::vector<Vec4> random_particles(std::uint32_t n, float size, std::uint32_t seed) {
@@ -144,11 +149,11 @@ TEST(SelfContacts, ParticlesThatAreNotFiniteHaveNoContacts) {
     for (std::size_t i = 3; i < 500; i += 7) cloud[i].z = -inf;
     expect_exact(cloud, {}, 0.1f);
     std::fill(cloud.begin(), cloud.end(), Vec4{nan, nan, nan, 1});
-    EXPECT_EQ(entries(found(cloud, {}, 0.1f, SelfCollisionSearch::exact)), 0u);
+    for (const auto search : all_searches) EXPECT_EQ(entries(found(cloud, {}, 0.1f, search)), 0u);
 }
 
 TEST(SelfContacts, NoParticlesAndOneParticleHaveNoContacts) {
-    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids}) {
+    for (const auto search : all_searches) {
         EXPECT_EQ(entries(found({}, {}, 0.1f, search)), 0u);
         EXPECT_EQ(entries(found({{1, 2, 3, 1}}, {}, 0.1f, search)), 0u);
     }
@@ -157,7 +162,7 @@ TEST(SelfContacts, NoParticlesAndOneParticleHaveNoContacts) {
 TEST(SelfContacts, ListsAreTheSameForAnyNumberOfThreads) {
     const Sheet sheet = crumpled_sheet(64);
     const float crowded = 3.0f / 64;  // many lists overflow
-    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids}) {
+    for (const auto search : all_searches) {
         for (const float distance : {0.75f / 64, crowded}) {
             const Lists one = found(sheet.positions, {}, distance, search, 1);
             EXPECT_GT(entries(one), 0u);
@@ -171,15 +176,92 @@ TEST(SelfContacts, FullListsAreAscendingDistinctAndTrue) {
     const Sheet sheet = crumpled_sheet(40);
     const float distance = 4.0f / 40;
     const Lists all = brute_force(sheet.positions, {}, distance);
-    const Lists kept = found(sheet.positions, {}, distance, SelfCollisionSearch::exact);
-    std::size_t full = 0;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        EXPECT_EQ(kept[i].size(), std::min<std::size_t>(all[i].size(), SelfContacts::capacity));
-        EXPECT_TRUE(std::includes(all[i].begin(), all[i].end(), kept[i].begin(), kept[i].end()));
-        EXPECT_EQ(std::adjacent_find(kept[i].begin(), kept[i].end(), std::greater_equal<>{}), kept[i].end());
-        full += all[i].size() > SelfContacts::capacity ? 1 : 0;
+    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::sorted_sweep}) {
+        const Lists kept = found(sheet.positions, {}, distance, search);
+        std::size_t full = 0;
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            EXPECT_EQ(kept[i].size(), std::min<std::size_t>(all[i].size(), SelfContacts::capacity));
+            EXPECT_TRUE(std::includes(all[i].begin(), all[i].end(), kept[i].begin(), kept[i].end()));
+            EXPECT_EQ(std::adjacent_find(kept[i].begin(), kept[i].end(), std::greater_equal<>{}),
+                      kept[i].end());
+            full += all[i].size() > SelfContacts::capacity ? 1 : 0;
+        }
+        EXPECT_GT(full, 100u);
     }
-    EXPECT_GT(full, 100u);
+}
+
+TEST(SelfContacts, CrowdsAtOnePointFillAllListsByEverySearch) {
+    // More than a block's range of slots, at one point and around it: lists are full, and soon.
+    std::vector<Vec4> crowd(3000, Vec4{1, 2, 3, 1});
+    for (std::size_t i = 0; i < crowd.size(); i += 3) crowd[i].y += 1e-4f * static_cast<float>(i % 30);
+    for (const auto search : all_searches) {
+        const Lists lists = found(crowd, {}, 0.1f, search);
+        for (std::uint32_t i = 0; i < lists.size(); ++i) {
+            EXPECT_EQ(lists[i].size(), SelfContacts::capacity) << i;
+            EXPECT_EQ(std::ranges::find(lists[i], i), lists[i].end()) << "not one's own contact";
+        }
+    }
+}
+
+TEST(SelfContacts, SweepIsExactWhereColumnsAreWiderThanTheDistance) {
+    // 253 columns of the distance would reach over a tenth of this plane; the distance is some edges of sweep
+    // cells, too. Layers close to one another, so that there are pairs in all directions.
+    for (int longest = 0; longest < 3; ++longest) {
+        std::mt19937 random(static_cast<std::uint32_t>(longest) + 7);
+        std::uniform_real_distribution<float> uniform(0, 1);
+        std::vector<Vec4> cloud(3000);
+        for (std::size_t i = 0; i < cloud.size(); ++i) {
+            float p[3];
+            for (int axis = 0; axis < 3; ++axis)
+                p[axis] = (axis == longest ? 60.0f : 50.0f) * uniform(random);
+            cloud[i] = {p[0], p[1], p[2], 1};
+            if (i % 2 == 0) continue;
+            const Vec4& near = cloud[i - 1];  // the first of the two has a partner
+            cloud[i] = {near.x + 0.02f * (uniform(random) - 0.5f), near.y + 0.02f * (uniform(random) - 0.5f),
+                        near.z + 0.02f * (uniform(random) - 0.5f), 1};
+        }
+        const Lists expected = brute_force(cloud, {}, 0.012f);
+        EXPECT_GT(entries(expected), 1000u);
+        EXPECT_EQ(found(cloud, {}, 0.012f, SelfCollisionSearch::sorted_sweep), expected) << longest;
+    }
+}
+
+TEST(SelfContacts, SweepIsExactWhereRoundingDecidesTheCell) {
+    // Around the borders of columns, 4 km from the corner that they are counted from, and of sweep cells.
+    const float distance = 0.1f;
+    for (const float extent : {20.0f, 25.3f, 4000.0f}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<Vec4> line;
+            const auto add = [&](float along, float across) {
+                float p[3] = {across, across, across};
+                p[axis] = along;
+                line.push_back({p[0], p[1], p[2], 1});
+            };
+            add(0, 0);
+            add(extent, extent);
+            for (const int cell : {1, 100, 200, 252}) {
+                const float border = static_cast<float>(cell) * std::max(distance, extent / 253);
+                for (int step = -40; step <= 40; ++step) {
+                    add(border + 4e-7f * extent * static_cast<float>(step), 0.5f * extent);
+                    add(border + distance + 4e-7f * extent * static_cast<float>(step), 0.5f * extent);
+                }
+            }
+            const Lists all = brute_force(line, {}, distance);
+            const Lists kept = found(line, {}, distance, SelfCollisionSearch::sorted_sweep);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                EXPECT_EQ(kept[i].size(), std::min<std::size_t>(all[i].size(), SelfContacts::capacity)) << i;
+        }
+    }
+}
+
+TEST(SelfContacts, SweepTakesOneSheetInAPlaneAndOnALine) {
+    for (int flat = 0; flat < 3; ++flat) {
+        std::vector<Vec4> plane = random_particles(1500, 1, 13);
+        for (Vec4& p : plane) (flat == 0 ? p.x : flat == 1 ? p.y : p.z) = -4;
+        expect_exact(plane, {}, 0.05f);
+        for (Vec4& p : plane) (flat == 0 ? p.y : flat == 1 ? p.z : p.x) = 9;
+        expect_exact(plane, {}, 0.003f);
+    }
 }
 
 /// True if both particles are in one cube of the grid with this shift, clear of its faces.
@@ -237,7 +319,8 @@ TEST(SelfContacts, PairsBetweenPatchesAreFoundUpToTheLastBitOfTheDistance) {
                     rest[i] = {i < 16 ? 0.0f : 1000.0f, static_cast<float>(i), 0, 0};
                 const Lists expected = brute_force(points, {}, distance);
                 EXPECT_EQ(entries(expected), apart < distance ? 32u : 0u);
-                EXPECT_EQ(found_from(rest, points, {}, distance, SelfCollisionSearch::exact), expected);
+                for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::sorted_sweep})
+                    EXPECT_EQ(found_from(rest, points, {}, distance, search), expected);
             }
         }
     }
@@ -246,8 +329,10 @@ TEST(SelfContacts, PairsBetweenPatchesAreFoundUpToTheLastBitOfTheDistance) {
 TEST(SelfContacts, PairsOfTheRestFilterAreLeftAlone) {
     const std::vector<Vec4> positions{{0, 0, 0, 1}, {0.01f, 0, 0, 1}, {0.02f, 0, 0, 1}, {0.03f, 0, 0, 1}};
     const std::vector<std::uint32_t> offsets{0, 1, 3, 4, 4}, neighbours{1, 0, 2, 1};
-    const Lists lists = found(positions, {offsets, neighbours}, 0.1f, SelfCollisionSearch::exact);
-    EXPECT_EQ(lists, (Lists{{2, 3}, {3}, {0, 3}, {0, 1, 2}}));
+    for (const auto search : {SelfCollisionSearch::exact, SelfCollisionSearch::sorted_sweep}) {
+        const Lists lists = found(positions, {offsets, neighbours}, 0.1f, search);
+        EXPECT_EQ(lists, (Lists{{2, 3}, {3}, {0, 3}, {0, 1, 2}}));
+    }
 }
 
 std::vector<Vec4> shuffled(std::vector<Vec4> positions) {

@@ -228,8 +228,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.self_collision.mask = random.chance(0.8) ? ~0u : 1u;
     s.self_collision.distance = fields.zero_or_more(1e-3f, 0.1f);
     s.self_collision.friction = fields.zero_or_more(1e-2f, 2);
-    s.self_collision.search =
-        random.chance(0.2) ? SelfCollisionSearch::shifted_grids : SelfCollisionSearch::exact;
+    s.self_collision.search = random.chance(0.2)   ? SelfCollisionSearch::shifted_grids
+                              : random.chance(0.2) ? SelfCollisionSearch::sorted_sweep
+                                                   : SelfCollisionSearch::exact;
     // A distance of very many edges is refused, by the mesh.
     if (s.self_collision.enabled && s.self_collision.distance > 0 && drawn.answer == Answer::accepted)
         drawn.answer = Answer::either;

@@ -7,6 +7,7 @@
 
 #include "demo/study/commands.h"
 #include "demo/study/contact/contact_table.h"
+#include "demo/study/contact/searches.h"
 #include "demo/study/csv.h"
 #include "demo/study/machine.h"
 #include "demo/study/study_progress.h"
@@ -48,6 +49,7 @@ std::vector<Item> chosen(const StudyOptions& options, std::uint32_t particles) {
 }  // namespace
 
 int run_contact(const StudyOptions& options) {
+    if (options.searches) return run_searches(options);
     const std::uint32_t particles =
         options.particles > 0 || !options.quick ? options.particles : quick_contact_particles;
     const int every = options.quick ? 4 : 1;
