@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/scenes/contact/contact_scene.h"
+#include "demo/study/contact/contact_scenes.h"
 #include "demo/study/gnuplot.h"
 
 namespace weft::study {

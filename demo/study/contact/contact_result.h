@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "demo/scenes/contact/contact_scene.h"
+#include "demo/study/contact/contact_scenes.h"
 
 namespace weft::study {
 

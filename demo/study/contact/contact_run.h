@@ -3,24 +3,10 @@
 
 #include <vector>
 
-#include "demo/rung.h"
-#include "demo/scenes/contact/contact_scene.h"
+#include "demo/study/contact/contact_scenes.h"
 #include "demo/study/contact/triangle_soup.h"
 
 namespace weft::study {
-
-using demo::ContactScene;
-using demo::name_of;
-using demo::PlacedCloth;
-using demo::Rung;
-using demo::rungs;
-using demo::SceneHandles;
-using demo::SceneMaker;
-
-/// Garments hung up and swung.
-[[nodiscard]] std::vector<SceneMaker> garment_scenes();
-/// All scenes, in the order of the table.
-[[nodiscard]] std::vector<SceneMaker> all_contact_scenes();
 
 class ContactRun {
   public:

@@ -1,6 +1,7 @@
-#include <iterator>
+#include "demo/study/contact/contact_scenes.h"
 
-#include "demo/study/contact/contact_run.h"
+#include <algorithm>
+#include <iterator>
 
 namespace weft::study {
 

@@ -9,7 +9,7 @@
 
 #include "demo/scenes/contact/scene_meshes.h"
 #include "demo/scenes/garment_mesh.h"
-#include "demo/study/contact/contact_run.h"
+#include "demo/study/contact/contact_scenes.h"
 #include "demo/study/must.h"
 
 namespace weft::study {
