@@ -202,7 +202,8 @@ void Cloth::reserve_pairs(Solver& with) const {
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
     const bool with_pairs = has_features(of.self_collision) && with.joins();
-    const bool needed = with.is_implicit() && (any_colliders || with_pairs);
+    const bool with_colliders = any_colliders && meets_in_equation(of);
+    const bool needed = with.is_implicit() && (with_colliders || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
     return std::optional<ContactBuffers>(std::in_place, model.particle_count, with_pairs);
 }
@@ -215,7 +216,8 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         if (!goes_on) state.held = std::move(made->held);
     }
     const bool has_pairs = features && solver->joins();
-    if (solver->is_implicit() && (any_colliders || has_pairs)) return;
+    const bool with_colliders = any_colliders && meets_in_equation(settings);
+    if (solver->is_implicit() && (with_colliders || has_pairs)) return;
     contacts.reset();
     state.held = {};
 }

@@ -65,6 +65,11 @@ struct FeatureBuffers {
     return settings.enabled && settings.method == SelfCollisionMethod::contact;
 }
 
+/// Whether colliders are in the equation, if its solver can have them there.
+[[nodiscard]] inline bool meets_in_equation(const ClothSettings& settings) {
+    return settings.collider_response == ColliderResponse::contact;
+}
+
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {

@@ -163,7 +163,7 @@ void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, fl
         Cloth& cloth = *island[k];
         if (!is_member(cloth)) continue;
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
-        cloth.contacts->begin(worker.motions, cloth.state.held);
+        cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
         join_features(worker, space, k, cloth, equation);
         joined_.push_back(&cloth);
         steps_.push_back({.parallel = worker.parallel,

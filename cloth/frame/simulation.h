@@ -125,6 +125,8 @@ struct Simulation {
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
     void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
+    [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
+                                                                               const Cloth& cloth);
     void reserve_collider_ids(bool reported);
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);

@@ -184,6 +184,8 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.method = Fibres{.shear = static_cast<Fibres::SetSolver>(9)}; }},
         {"SelfCollision::method is 7", "SelfCollisionMethod::contact",
          [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
+        {"ClothSettings::collider_response is 9", "ColliderResponse::velocity_filter",
+         [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
         {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
          [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };

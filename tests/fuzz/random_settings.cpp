@@ -236,6 +236,7 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);
+    if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);
     return drawn;
 }
