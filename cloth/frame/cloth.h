@@ -62,7 +62,16 @@ struct FeatureBuffers {
 
 /// Whether a cloth with these settings has features in contact.
 [[nodiscard]] inline bool has_features(const SelfCollision& settings) {
-    return settings.enabled && settings.method == SelfCollisionMethod::contact;
+    return settings.enabled && settings.method != SelfCollisionMethod::avoidance;
+}
+/// Whether these are resolved by impact zones, and so not in its equation.
+[[nodiscard]] inline bool has_zones(const SelfCollision& settings) {
+    return settings.enabled && settings.method == SelfCollisionMethod::impact_zones;
+}
+
+/// Whether colliders are in the equation, if its solver can have them there.
+[[nodiscard]] inline bool meets_in_equation(const ClothSettings& settings) {
+    return settings.collider_response == ColliderResponse::contact;
 }
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over

@@ -151,7 +151,9 @@ void check_together(Checks& checks, const ClothSettings& settings) {
 
 void check(Checks& checks, const SelfCollision& contact) {
     checks.one_of("SelfCollision::method", contact.method,
-                  {"SelfCollisionMethod::avoidance", "SelfCollisionMethod::contact"});
+                  {"SelfCollisionMethod::avoidance", "SelfCollisionMethod::contact",
+                   "SelfCollisionMethod::impact_zones"});
+    checks.between("SelfCollision::restitution", contact.restitution, 0, 1);
     checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
     checks.between("SelfCollision::friction", contact.friction, 0, 1000);
     checks.one_of("SelfCollision::search", contact.search,
@@ -196,6 +198,8 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("ClothSettings::air_damping", settings.air_damping, 0, 1e6f);
     checks.between("ClothSettings::thickness", settings.thickness, 0, 10);
     checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
+    checks.one_of("ClothSettings::collider_response", settings.collider_response,
+                  {"ColliderResponse::contact", "ColliderResponse::velocity_filter"});
     return checks.result();
 }
 

@@ -9,6 +9,7 @@
 #include "cloth/frame/advance.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/surface/gusts.h"
+#include "collision/velocity_filter.h"
 
 namespace weft {
 
@@ -134,8 +135,8 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
-        if (cloth.contacts) cloth.contacts->begin(worker.motions, cloth.state.held);
-        if (cloth.features && cloth.solver->joins()) {
+        if (cloth.contacts) cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
+        if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
@@ -245,6 +246,10 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     const auto timer = timed(Stage::advance);
     ClothState& now = cloth.state;
     if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
+    if (!meets_in_equation(cloth.settings))
+        cloth.collider_contacts =
+            filter_velocities(worker.parallel, worker.motions, equation.h, now.positions.span(),
+                              cloth.next_velocities.span(), cloth.partial_counts.span());
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
@@ -280,6 +285,7 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
 }
 
 void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
+    if (!meets_in_equation(cloth.settings)) return;
     cloth.collider_contacts = 0;
     if (worker.motions.empty()) return;
     const auto timer = timed(Stage::colliders);
@@ -291,6 +297,11 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
                 cloth.state.velocities.span(), cloth.partial_counts.span());
     if (reports_contacts() && cloth.collider_contacts > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
+}
+
+std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, const Cloth& cloth) {
+    return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(worker.motions)
+                                             : std::span<const ColliderMotion>();
 }
 
 // Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may.

@@ -200,6 +200,10 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.method = Fibres{.shear = static_cast<Fibres::SetSolver>(9)}; }},
         {"SelfCollision::method is 7", "SelfCollisionMethod::contact",
          [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
+        {"ClothSettings::collider_response is 9", "ColliderResponse::velocity_filter",
+         [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
+        {"SelfCollision::restitution is 1.5", "from 0 to 1",
+         [](ClothSettings& s) { s.self_collision.restitution = 1.5f; }},
         {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
          [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "weft/collider.h"
 #include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/methods.h"
@@ -81,6 +82,7 @@ struct ClothSettings {
     float air_damping = 0.2f;  ///< rate at which any velocity decays, shape and all [1/s], 0 to 1e6
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
+    ColliderResponse collider_response = ColliderResponse::contact;
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.

@@ -1,0 +1,84 @@
+#pragma once
+// Collision clusters: particles that are in collision, joined along a surface (S. Huh, D. Metaxas, N. Badler,
+// "Collision resolutions in cloth simulation", 2001).
+
+#include <cstdint>
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "collision/contact/pair_finder.h"
+#include "collision/contact/pairs.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Places and numbers are of all bodies' particles; positions.w is the inverse mass.
+struct CollidingPairs {
+    std::span<const ContactBody> bodies;
+    std::span<const Vec4> positions;
+    const PairList& pairs;
+    std::span<const std::uint32_t> colliding;  ///< which of these do
+
+    [[nodiscard]] std::span<const std::uint32_t> side_a(std::uint32_t pair) const {
+        return std::span(pairs.pairs[pair].corners).first(pairs.corners_of_a(pair));
+    }
+    [[nodiscard]] std::span<const std::uint32_t> side_b(std::uint32_t pair) const {
+        return std::span(pairs.pairs[pair].corners).subspan(pairs.corners_of_a(pair));
+    }
+};
+
+/// Moved as one mass.
+struct CollisionCluster {
+    std::size_t body = 0;
+    double mass = 0;                                     ///< of what is free [kg]; 0: all is held
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< its centre's; the mean, where all is held
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< sum of its faces' unit normals
+};
+
+class CollisionClusters {
+  public:
+    static constexpr std::uint32_t none = ~0u;
+
+    void reserve(std::size_t particles);
+
+    /// Clusters of the pairs' corners. One that collides with itself is split (section 3.1): at its border
+    /// edges, whose faces' normals have N1 . N2 < 0 and whose particles are then in none; and if it is still
+    /// one, being bent round gradually, by the side of one of its normals that its particles' are on.
+    void find(const CollidingPairs& collisions, std::span<const Vec4> velocities);
+
+    [[nodiscard]] std::span<const CollisionCluster> all() const noexcept { return clusters_; }
+    /// In an order that no thread decides; the first of a cluster is where the ones before it end.
+    [[nodiscard]] std::span<const std::uint32_t> particles() const noexcept { return members_; }
+    [[nodiscard]] std::uint32_t of(std::uint32_t particle) const noexcept { return of_[particle]; }
+    /// Of the first corner that is in any.
+    [[nodiscard]] std::uint32_t of(std::span<const std::uint32_t> corners) const noexcept;
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    enum class Part : std::uint8_t { outside, marked, other_side, border };
+
+    [[nodiscard]] bool find_split(const CollidingPairs& collisions);
+    void mark(const CollidingPairs& collisions);
+    void label(std::span<const ContactBody> bodies);
+    void cut_at_borders(const CollidingPairs& collisions);
+    void cut_by_sides(const CollidingPairs& collisions);
+    void measure(const CollidingPairs& collisions, std::span<const Vec4> velocities);
+
+    std::vector<Part> parts_;        // by particle, and
+    std::vector<std::uint32_t> of_;  // likewise
+    std::vector<std::uint32_t> marked_, members_;
+    std::vector<CollisionCluster> clusters_;
+    std::vector<std::uint8_t> is_split_;  // by cluster: it collides with itself
+};
+
+/// visit(particle) for those that an edge joins to this one; some twice. All bodies' numbers.
+template <class Visit>
+void for_each_neighbour(const ContactBody& body, std::uint32_t particle, const Visit& visit) {
+    for (const std::uint32_t t : body.mesh->triangles_of(particle - body.first))
+        for (const std::uint32_t corner : body.mesh->triangles()[t])
+            if (body.first + corner != particle) visit(body.first + corner);
+}
+
+}  // namespace weft

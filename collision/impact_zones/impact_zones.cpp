@@ -1,0 +1,316 @@
+#include "collision/impact_zones/impact_zones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <tuple>
+
+#include "engine/vector.h"
+
+namespace weft {
+
+namespace {
+
+using Eigen::Vector3d;
+
+std::uint32_t find_root(std::vector<std::uint32_t>& roots, std::uint32_t i) {
+    while (roots[i] != i) i = roots[i] = roots[roots[i]];
+    return i;
+}
+
+Vector3d direction_of(const Vector3d& normal) {
+    const double length = normal.norm();
+    return length > 0 ? Vector3d(normal / length) : Vector3d::Zero();
+}
+
+}  // namespace
+
+std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positions,
+                             std::span<const Vec4> motions, float gap, std::span<std::uint32_t> colliding) {
+    std::uint32_t count = 0;
+    for (std::uint32_t k = 0; k < pairs.size; ++k) {
+        const PairShape& shape = pairs.shapes[k];
+        const Vector3 n = xyz(shape.normal);
+        float distance = 0, approach = 0;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            const std::uint32_t i = pairs.pairs[k].corners[c];
+            distance += shape.weight(c) * n.dot(xyz(positions[i]));
+            approach += shape.weight(c) * n.dot(xyz(motions[i]));
+        }
+        if (approach < 0 && distance + approach < gap) colliding[count++] = k;
+    }
+    return count;
+}
+
+void ImpactZones::reserve(std::size_t particles, std::size_t pairs) {
+    clusters_.reserve(particles);
+    merged_.reserve(particles);
+    for (auto* of_clusters : {&roots_, &zone_roots_}) of_clusters->reserve(particles);
+    seen_.reserve(particles);
+    starts_.reserve(particles);
+    collisions_.reserve(pairs);
+    matrix_.resize(most_solved * most_solved);
+    for (auto* of_zone : {&wanted_, &cost_, &impulses_}) of_zone->resize(most_solved);
+    program_ = LinearProgram(most_solved);
+}
+
+std::uint32_t ImpactZones::root(std::uint32_t cluster) {
+    return find_root(roots_, cluster);
+}
+std::uint32_t ImpactZones::zone_root(std::uint32_t cluster) {
+    return find_root(zone_roots_, cluster);
+}
+double ImpactZones::inverse_mass(std::uint32_t cluster) const {
+    return merged_[cluster].mass > 0 ? 1 / merged_[cluster].mass : 0;
+}
+
+void ImpactZones::list_collisions(const CollidingPairs& collisions, ZoneCounts& counts) {
+    collisions_.clear();
+    for (const std::uint32_t pair : collisions.colliding) {
+        const std::uint32_t a = clusters_.of(collisions.side_a(pair)),
+                            b = clusters_.of(collisions.side_b(pair));
+        if (a == b || a == CollisionClusters::none || b == CollisionClusters::none) {
+            ++counts.unresolved;
+            continue;
+        }
+        const Vector3d normal = xyz(collisions.pairs.shapes[pair].normal).cast<double>();
+        collisions_.push_back(
+            {.a = std::min(a, b), .b = std::max(a, b), .direction = a < b ? normal : -normal});
+    }
+    join_equal();
+}
+
+/// Of two clusters there is one collision; for now its direction is the sum of the pairs' normals.
+void ImpactZones::join_equal() {
+    const auto key = [](const Collision& c) {
+        return std::tuple(c.a, c.b, c.direction.x(), c.direction.y(), c.direction.z());
+    };
+    std::ranges::sort(collisions_, {}, key);
+    std::size_t kept = 0;
+    for (const Collision& each : collisions_) {
+        if (kept > 0 && collisions_[kept - 1].a == each.a && collisions_[kept - 1].b == each.b)
+            collisions_[kept - 1].direction += each.direction;
+        else
+            collisions_[kept++] = each;
+    }
+    collisions_.resize(kept);
+}
+
+/// Whether what they are one of may be one: it is bent by less than a right angle, and does not collide with
+/// itself.
+bool ImpactZones::may_merge(std::uint32_t a, std::uint32_t b) {
+    if (merged_[a].normal.dot(merged_[b].normal) < 0) return false;
+    return std::ranges::none_of(collisions_, [&](const Collision& each) {
+        const std::uint32_t i = root(each.a), j = root(each.b);
+        return (i == a && j == b) || (i == b && j == a);
+    });
+}
+
+// Clusters of one surface are close if at most two edges outside both connect them (section 3.2). Only zones
+// of three and more have any that are to be merged.
+void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& counts) {
+    seen_.assign(merged_.size(), 0);  // clusters of the zone, up to three
+    for (std::uint32_t c = 0; c < merged_.size(); ++c) {
+        std::uint8_t& count = seen_[zone_root(c)];
+        count = static_cast<std::uint8_t>(std::min(count + 1, 3));
+    }
+    const auto look = [&](std::uint32_t cluster, std::uint32_t near) {
+        if (near == CollisionClusters::none || zone_root(cluster) != zone_root(near)) return;
+        const std::uint32_t a = std::min(root(cluster), root(near)), b = std::max(root(cluster), root(near));
+        if (a == b || merged_[a].body != merged_[b].body || !may_merge(a, b)) return;
+        CollisionCluster &into = merged_[a], &from = merged_[b];
+        const double mass = into.mass + from.mass;
+        if ((into.mass > 0) != (from.mass > 0)) return;
+        into.velocity = mass > 0 ? Vector3d((into.mass * into.velocity + from.mass * from.velocity) / mass)
+                                 : Vector3d(0.5 * (into.velocity + from.velocity));
+        into.mass = mass;
+        into.normal += from.normal;
+        roots_[b] = a;
+        ++counts.merged;
+    };
+    for (const std::uint32_t i : clusters_.particles()) {
+        const std::uint32_t cluster = clusters_.of(i);
+        if (seen_[zone_root(cluster)] < 3) continue;
+        const ContactBody& body = collisions.bodies[clusters_.all()[cluster].body];
+        for_each_neighbour(body, i, [&](std::uint32_t j) {
+            look(cluster, clusters_.of(j));
+            if (clusters_.of(j) != CollisionClusters::none) return;
+            for_each_neighbour(body, j, [&](std::uint32_t k) { look(cluster, clusters_.of(k)); });
+        });
+    }
+    for (Collision& each : collisions_) {
+        std::uint32_t a = root(each.a), b = root(each.b);
+        if (a > b) each.direction = -each.direction;
+        each.a = std::min(a, b);
+        each.b = std::max(a, b);
+    }
+    if (counts.merged > 0) join_equal();
+}
+
+// The direction of collision is the mean of the clusters' normals, signed so that N1 . N2 >= 0 (section 3.3),
+// and points where the pairs' do. What separates along it needs nothing.
+void ImpactZones::aim(const ZoneSettings& settings) {
+    std::size_t kept = 0;
+    for (Collision each : collisions_) {
+        const CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
+        const Vector3d of_a = direction_of(a.normal), of_b = direction_of(b.normal);
+        Vector3d mean = direction_of(of_a + (of_a.dot(of_b) < 0 ? -1.0 : 1.0) * of_b);
+        if (mean.isZero(0)) mean = direction_of(each.direction);
+        each.direction = each.direction.dot(mean) < 0 ? Vector3d(-mean) : mean;
+        const double before = (a.velocity - b.velocity).dot(each.direction);
+        if (!(before < 0) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
+        each.wanted = -settings.restitution * before;
+        collisions_[kept++] = each;
+    }
+    collisions_.resize(kept);
+}
+
+/// How the impulse of each collision changes the relative velocity of each, and what change is wanted.
+void ImpactZones::assemble(std::span<const Collision> zone) {
+    const std::size_t m = zone.size();
+    for (std::size_t e = 0; e < m; ++e) {
+        const Collision& row = zone[e];
+        for (std::size_t f = 0; f < m; ++f) {
+            const Collision& column = zone[f];
+            const auto share = [&](std::uint32_t cluster) {
+                const double of_row = (row.a == cluster) - (row.b == cluster);
+                const double of_column = (column.a == cluster) - (column.b == cluster);
+                return of_row * of_column * inverse_mass(cluster);
+            };
+            matrix_[e * m + f] = (share(row.a) + share(row.b)) * row.direction.dot(column.direction);
+        }
+        wanted_[e] = row.wanted - (merged_[row.a].velocity - merged_[row.b].velocity).dot(row.direction);
+    }
+}
+
+/// N - 1 equations v+ = -C_e v- (eq. 1), with momentum kept (eq. 2); false if an impulse would pull.
+bool ImpactZones::solve_equations(std::span<Collision> zone) {
+    using Matrix =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, most_solved, most_solved>;
+    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_solved, 1>;
+    const auto m = static_cast<Eigen::Index>(zone.size());
+    const Matrix matrix = Eigen::Map<const Matrix>(matrix_.data(), m, m);
+    const Column wanted = Eigen::Map<const Column>(wanted_.data(), m);
+    const Eigen::LDLT<Matrix> factors(matrix);
+    const Column impulses = factors.solve(wanted);
+    if (!impulses.allFinite() || impulses.minCoeff() < 0 ||
+        (matrix * impulses - wanted).norm() > 1e-9 * wanted.norm())
+        return false;
+    for (std::size_t e = 0; e < zone.size(); ++e) zone[e].impulse = impulses[static_cast<Eigen::Index>(e)];
+    return true;
+}
+
+/// v+ >= -C_e v- (eq. 3), of which the sum of v+ + C_e v- is least (eq. 4): the energy that is brought in.
+bool ImpactZones::solve_program(std::span<Collision> zone) {
+    const std::size_t m = zone.size();
+    for (std::size_t f = 0; f < m; ++f) {
+        cost_[f] = 0;
+        for (std::size_t e = 0; e < m; ++e) cost_[f] += matrix_[e * m + f];
+    }
+    const std::span<double> impulses = std::span(impulses_).first(m);
+    if (!program_.minimise(std::span(cost_).first(m), std::span(matrix_).first(m * m),
+                           std::span(wanted_).first(m), impulses))
+        return false;
+    for (std::size_t e = 0; e < m; ++e) zone[e].impulse = impulses[e];
+    return true;
+}
+
+/// Eq. 3 by turns; velocities here hold what has been given so far.
+void ImpactZones::relax(std::span<Collision> zone) {
+    constexpr int sweeps = 60;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (Collision& each : zone) {
+            CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
+            const double now = (a.velocity - b.velocity).dot(each.direction);
+            const double weight = inverse_mass(each.a) + inverse_mass(each.b);
+            const double more = std::max((each.wanted - now) / weight, -each.impulse);
+            each.impulse += more;
+            a.velocity += more * inverse_mass(each.a) * each.direction;
+            b.velocity -= more * inverse_mass(each.b) * each.direction;
+        }
+    }
+}
+
+void ImpactZones::solve(std::span<Collision> zone, ZoneCounts& counts) {
+    ++counts.zones;
+    if (zone.size() > most_solved) {
+        ++counts.relaxed;
+        return relax(zone);
+    }
+    std::size_t bodies = 0;
+    for (const Collision& each : zone) seen_[each.a] = seen_[each.b] = 0;
+    for (const Collision& each : zone)
+        for (const std::uint32_t cluster : {each.a, each.b}) bodies += seen_[cluster]++ == 0 ? 1 : 0;
+    assemble(zone);
+    const bool is_cyclic = zone.size() >= bodies;
+    if (is_cyclic || !solve_equations(zone)) {
+        ++counts.programs;
+        if (!solve_program(zone)) {
+            ++counts.relaxed;
+            return relax(zone);
+        }
+    }
+    for (const Collision& each : zone) {
+        merged_[each.a].velocity += each.impulse * inverse_mass(each.a) * each.direction;
+        merged_[each.b].velocity -= each.impulse * inverse_mass(each.b) * each.direction;
+    }
+}
+
+void ImpactZones::apply(const CollidingPairs& collisions, const ZoneSettings& settings,
+                        std::span<Vec4> velocities) {
+    seen_.assign(merged_.size(), 0);
+    for (const Collision& each : collisions_) seen_[each.a] = seen_[each.b] = 1;
+    for (const std::uint32_t i : clusters_.particles()) {
+        const std::uint32_t cluster = root(clusters_.of(i));
+        if (seen_[cluster] == 0 || !(collisions.positions[i].w > 0)) continue;
+        const Vector3d now = xyz(velocities[i]).cast<double>();
+        const Vector3d then = merged_[cluster].velocity;
+        set_xyz(velocities[i],
+                (settings.as_bundles ? then : Vector3d(now + then - starts_[cluster])).cast<float>());
+    }
+}
+
+ZoneCounts ImpactZones::resolve(const CollidingPairs& collisions, const ZoneSettings& settings,
+                                std::span<Vec4> velocities) {
+    ZoneCounts counts;
+    if (collisions.colliding.empty()) return counts;
+    clusters_.find(collisions, velocities);
+    counts.clusters = static_cast<std::uint32_t>(clusters_.all().size());
+    merged_.assign(clusters_.all().begin(), clusters_.all().end());
+    roots_.resize(merged_.size());
+    zone_roots_.resize(merged_.size());
+    for (std::uint32_t c = 0; c < merged_.size(); ++c) roots_[c] = zone_roots_[c] = c;
+    list_collisions(collisions, counts);
+    for (const Collision& each : collisions_) zone_roots_[zone_root(each.a)] = zone_root(each.b);
+    merge_close(collisions, counts);
+    aim(settings);
+    counts.collisions = static_cast<std::uint32_t>(collisions_.size());
+    starts_.clear();
+    for (const CollisionCluster& each : merged_) starts_.push_back(each.velocity);
+
+    for (std::uint32_t c = 0; c < merged_.size(); ++c) zone_roots_[c] = c;
+    for (const Collision& each : collisions_)
+        zone_roots_[std::max(zone_root(each.a), zone_root(each.b))] =
+            std::min(zone_root(each.a), zone_root(each.b));
+    for (Collision& each : collisions_) each.zone = zone_root(each.a);
+    std::ranges::sort(collisions_, {}, [](const Collision& c) { return std::tuple(c.zone, c.a, c.b); });
+    const std::span<Collision> all = collisions_;
+    for (std::size_t begin = 0; begin < all.size();) {
+        std::size_t end = begin;
+        while (end < all.size() && all[end].zone == all[begin].zone) ++end;
+        solve(all.subspan(begin, end - begin), counts);
+        begin = end;
+    }
+    apply(collisions, settings, velocities);
+    return counts;
+}
+
+std::size_t ImpactZones::bytes() const noexcept {
+    return clusters_.bytes() + program_.bytes() + merged_.capacity() * sizeof(CollisionCluster) +
+           (roots_.capacity() + zone_roots_.capacity()) * sizeof(std::uint32_t) + seen_.capacity() +
+           collisions_.capacity() * sizeof(Collision) + starts_.capacity() * sizeof(Vector3d) +
+           (matrix_.capacity() + wanted_.capacity() + cost_.capacity() + impulses_.capacity()) *
+               sizeof(double);
+}
+
+}  // namespace weft
