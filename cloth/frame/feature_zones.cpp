@@ -13,11 +13,8 @@ bool FeatureContact::uses_zones() const {
 /// Pairs that the motion brings too near, but for what is near at rest. The mean way of all is left out: it
 /// brings nothing nearer, and would list much that is on the way.
 std::span<const std::uint32_t> FeatureContact::find_zone_pairs(Parallel& parallel) {
-    const Vector3 mean = mean_way(parallel);
-    for_ranges(parallel, ranges_, [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            searched_[i] = to_vec4(xyz(displacements_[i]) - mean, 0);
-    });
+    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::translation);
+    std::ranges::copy(settler_.relative(), searched_.data());
     find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
     float radius = cloths_.front().radius;
     for (const ContactCloth& cloth : cloths_) radius = std::min(radius, cloth.radius);
