@@ -33,12 +33,13 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// it lies folded. Cloth that meets no other, and of which much had to be cut, takes its next ten steps
     /// in halves. Layers that slide over each other by more than half an edge in a step are braked.
     contact,
-    /// Between the two: after the step is solved, what collides within it is resolved zone by zone, with
-    /// linear
-    /// momentum kept to rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001),
+    /// After the step is solved, what collides within it is resolved zone by zone, with linear momentum kept
+    /// to
+    /// rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001), of one cloth and
     /// of
-    /// one cloth and of all cloths with this method; with cloth by contact, contact lets nothing through. Of
-    /// piles and folds some still pass through each other. No friction between layers, no contact reports.
+    /// all cloths with this method; where these meet cloth by contact, both are cut as by contact. To compare
+    /// with: layers still pass through each other, are stretched more than by avoidance, and it takes longer
+    /// than contact. No friction between layers, no contact reports.
     impact_zones,
 };
 
