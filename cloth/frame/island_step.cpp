@@ -188,7 +188,7 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
         Cloth& cloth = *joined_[m];
         take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
         advance(worker, cloth, equations_[m], substep.is_first());
-        settle(worker, cloth, substep.h);
+        settle(worker, cloth, substep);
     }
 }
 

@@ -134,7 +134,8 @@ void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
 // A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
 // meet its colliders each.
 void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
-    const int parts = cloth.settings.substeps * (cloth.state.halved > 0 ? 2 : 1);
+    const int parts = cloth.settings.substeps *
+                      std::max(cloth.state.halved > 0 ? 2 : 1, parts_to_meet(worker, cloth, substep));
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
@@ -161,7 +162,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
                                   cloth);
         }
         advance(worker, cloth, equation, part.is_first());
-        settle(worker, cloth, part.h);
+        settle(worker, cloth, part);
         if (!cloth.features) continue;
         settle_features(worker, *cloth.features, alone, part);
         cut_much |= was_cut_much(cloth);
@@ -172,11 +173,23 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         --cloth.state.halved;
 }
 
+/// Since colliders are thin or fast.
+int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep) {
+    constexpr std::uint32_t most = 8;
+    if (state.colliders.size() == 0) return 1;
+    const auto timer = timed(Stage::colliders);
+    move_colliders(worker, substep);
+    return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, cloth.settings.thickness,
+                                                substep.h, most, std::as_const(cloth.state.positions).span(),
+                                                std::as_const(cloth.state.velocities).span(),
+                                                cloth.partial_counts.span()));
+}
+
 // What must hold exactly, the most important last: no particle inside a collider, none too fast.
-void Simulation::settle(Worker& worker, Cloth& cloth, float h) {
+void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(worker, cloth);
-    avoid_self_collision(worker, cloth, h);
-    collide_with_colliders(worker, cloth, h);
+    avoid_self_collision(worker, cloth, part.h);
+    collide_with_colliders(worker, cloth, part);
     if (!cloth.limits.empty() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
@@ -258,6 +271,7 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     const auto timer = timed(Stage::advance);
     ClothState& now = cloth.state;
     if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
+    if (!is_first && !worker.motions.empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
@@ -266,6 +280,13 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .record = cloth.history ? &now.record : nullptr});
     if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
+void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
+    const std::span<const Vec4> now = std::as_const(cloth.state.positions).span();
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        std::copy(now.begin() + range.begin, now.begin() + range.end, cloth.part_start.data() + range.begin);
+    });
 }
 
 void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
@@ -292,15 +313,16 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
                                      cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
-void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
+void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part) {
     cloth.collider_contacts = 0;
     if (worker.motions.empty()) return;
     const auto timer = timed(Stage::colliders);
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
+    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
     cloth.collider_contacts =
-        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
-                std::as_const(cloth.state.held.normals).span(), cloth.state.positions.span(),
+        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, part.h,
+                std::as_const(cloth.state.held.normals).span(), starts.span(), cloth.state.positions.span(),
                 cloth.state.velocities.span(), cloth.partial_counts.span());
     if (reports_contacts() && cloth.collider_contacts > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
