@@ -35,18 +35,22 @@ struct ColliderMotion {
 /// slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the number of
 /// particles that met a collider. Precondition: block_partials.size() >= block_count(positions.size()).
 ///
+/// starts, if not empty: where particles were when the substep began. Those that have moved far against a
+/// collider meet it where they first came near it, and go to the side of it on which they did.
+///
 /// held, if not empty: per particle not 0 where forces of contact have acted already, and friction with them.
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
-                      float friction, float h, std::span<const Vec4> held, std::span<Vec4> positions,
-                      std::span<Vec4> velocities, std::span<std::uint32_t> block_partials);
+                      float friction, float h, std::span<const Vec4> held, std::span<const Vec4> starts,
+                      std::span<Vec4> positions, std::span<Vec4> velocities,
+                      std::span<std::uint32_t> block_partials);
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {
     alignas(64) std::array<float, block_size> x, y, z, w;
 };
 
-/// Where particles of a block are going to be, and what is near there. Arrays are written to the end of a
-/// group of 16.
+/// Where particles of a block are going to be, and what they meet there or on the way. Arrays are written to
+/// the end of a group of 16.
 struct NearSurfaces {
     BlockLanes points;    ///< at the substep's end [m]; w inverse mass
     BlockLanes surfaces;  ///< outward normal; w distance less `thickness` [m], `reach` where none is near
@@ -54,10 +58,20 @@ struct NearSurfaces {
 };
 
 /// For each of at most block_size particles the surface, at the substep's end, that is nearest of those
-/// nearer than `thickness + reach`. Particles go to positions + gamma velocities; both arrays go on to the
-/// end of a group of 16. Returns whether any is near; else only the points are written.
+/// nearer than `thickness + reach`. Particles go to positions + gamma velocities; arrays go on to the end of
+/// a group of 16. starts, if not empty: as in collide(); a surface that a particle has passed counts as one
+/// in which it is. Returns whether any is near; else only the points are written.
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
-                        float reach, std::span<const Vec4> positions, float gamma,
-                        std::span<const Vec4> velocities, NearSurfaces& near);
+                        float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,
+                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near);
+
+/// In how many equal parts a substep is best cut, at most `most`, since a collider that moves farther than it
+/// is thin meets particles: in a part, none of those about goes farther against it than its radius and the
+/// thickness. An equation that is linear about where a part begins bends no flat cloth round a thin bar that
+/// ends far off. 1 where none meets any. Precondition: as of collide().
+[[nodiscard]] std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                                          float thickness, float h, std::uint32_t most,
+                                          std::span<const Vec4> positions, std::span<const Vec4> velocities,
+                                          std::span<std::uint32_t> block_partials);
 
 }  // namespace weft

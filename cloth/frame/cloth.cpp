@@ -365,7 +365,8 @@ ClothInfo Cloth::info() const {
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + partial_counts.bytes() + partial_surveys.bytes();
+                 missing_impulses.bytes() + part_start.bytes() + partial_counts.bytes() +
+                 partial_surveys.bytes();
     return info;
 }
 

@@ -108,6 +108,11 @@ struct Cloth {
         return make_contacts(any_colliders, settings, *solver);
     }
     void take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept;
+    /// For colliders; empty without any.
+    [[nodiscard]] AlignedBuffer<Vec4> make_part_start(bool any_colliders) const {
+        return AlignedBuffer<Vec4>(any_colliders ? model.particle_count : 0);
+    }
+    void take_part_start(AlignedBuffer<Vec4>&& made) noexcept { part_start = std::move(made); }
 
     /// Takes over a state of this cloth that was saved, and recomputes its normals. May run out of memory;
     /// then nothing has changed.
@@ -150,6 +155,7 @@ struct Cloth {
 
     Surface surface;
     AirBuffers air;
+    AlignedBuffer<Vec4> part_start;  ///< where the present of a step's parts began, if it is not the first
     /// That colliders gave each particle in this step [N s]; only where contacts are reported. Before it 0.
     AlignedBuffer<Vec4> collider_impulses;
     /// What contact gave each particle in the equation of features, less what has been told of it; w what

@@ -160,7 +160,8 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
 
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
-    const int parts = parts_of_step(island);
+    int parts = parts_of_step(island);
+    for (Cloth* cloth : island) parts = std::max(parts, parts_to_meet(worker, *cloth, substep));
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         if (k > 0 && air_is_on())
@@ -223,7 +224,7 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
         Cloth& cloth = *joined_[m];
         take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
         advance(worker, cloth, equations_[m], substep.is_first());
-        settle(worker, cloth, substep.h);
+        settle(worker, cloth, substep);
     }
 }
 

@@ -96,7 +96,7 @@ struct Simulation {
     void move_pins(Cloth& cloth, float dt) const;
     void predict(Worker& worker, Cloth& cloth, const Substep& substep);
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
-    void settle(Worker& worker, Cloth& cloth, float h);
+    void settle(Worker& worker, Cloth& cloth, const Substep& part);
     [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
     template <class StartOf>
     void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
@@ -129,9 +129,11 @@ struct Simulation {
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
+    [[nodiscard]] int parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep);
+    static void keep_part_start(Worker& worker, Cloth& cloth);
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
-    void collide_with_colliders(Worker& worker, Cloth& cloth, float h);
+    void collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
                                                                                const Cloth& cloth);
     void reserve_collider_ids(bool reported);

@@ -127,7 +127,8 @@ void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
 void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
     Cloth* const self = &cloth;
     const std::span<Cloth* const> alone(&self, 1);
-    const int parts = cloth.settings.substeps * parts_of_step(alone);
+    const int parts =
+        cloth.settings.substeps * std::max(parts_of_step(alone), parts_to_meet(worker, cloth, substep));
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
@@ -152,7 +153,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
                                   cloth);
         }
         advance(worker, cloth, equation, part.is_first());
-        settle(worker, cloth, part.h);
+        settle(worker, cloth, part);
         if (!cloth.features) continue;
         settle_features(worker, *cloth.features, alone, part);
         cut_much |= was_cut_much(alone);
@@ -160,11 +161,23 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
     count_halved_steps(alone, cut_much);
 }
 
+/// Since colliders are thin or fast.
+int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep) {
+    constexpr std::uint32_t most = 8;
+    if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
+    const auto timer = timed(Stage::colliders);
+    move_colliders(worker, substep);
+    return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, cloth.settings.thickness,
+                                                substep.h, most, std::as_const(cloth.state.positions).span(),
+                                                std::as_const(cloth.state.velocities).span(),
+                                                cloth.partial_counts.span()));
+}
+
 // What must hold exactly, the most important last: no particle inside a collider, none too fast.
-void Simulation::settle(Worker& worker, Cloth& cloth, float h) {
+void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(worker, cloth);
-    avoid_self_collision(worker, cloth, h);
-    collide_with_colliders(worker, cloth, h);
+    avoid_self_collision(worker, cloth, part.h);
+    collide_with_colliders(worker, cloth, part);
     if (!cloth.limits.empty() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
@@ -250,6 +263,7 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
         cloth.collider_contacts =
             filter_velocities(worker.parallel, worker.motions, equation.h, now.positions.span(),
                               cloth.next_velocities.span(), cloth.partial_counts.span());
+    if (!is_first && !worker.motions.empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
@@ -258,6 +272,13 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .record = cloth.history ? &now.record : nullptr});
     if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
+void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
+    const std::span<const Vec4> now = std::as_const(cloth.state.positions).span();
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        std::copy(now.begin() + range.begin, now.begin() + range.end, cloth.part_start.data() + range.begin);
+    });
 }
 
 void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
@@ -284,16 +305,17 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
                                      cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
-void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, float h) {
+void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part) {
     if (!meets_in_equation(cloth.settings)) return;
     cloth.collider_contacts = 0;
     if (worker.motions.empty()) return;
     const auto timer = timed(Stage::colliders);
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
+    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
     cloth.collider_contacts =
-        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
-                std::as_const(cloth.state.held.normals).span(), cloth.state.positions.span(),
+        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, part.h,
+                std::as_const(cloth.state.held.normals).span(), starts.span(), cloth.state.positions.span(),
                 cloth.state.velocities.span(), cloth.partial_counts.span());
     if (reports_contacts() && cloth.collider_contacts > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());

@@ -163,6 +163,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     NearSurfaces surfaces;
     const bool near =
         find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
+                           equation.positions.subspan(range.begin, size),
                            equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
     const ContactBlock block{.near = surfaces,
                              .velocities = v.data(),

@@ -1,0 +1,74 @@
+// What is thin or fast does not pass a sheet between two steps.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "struck_sheet.h"
+
+namespace weft::test {
+namespace {
+
+constexpr int strikes = 20;  // in as many phases of the step
+
+float phase_of(int strike) {
+    return static_cast<float>(strike) / static_cast<float>(strikes);
+}
+
+TEST(FastColliders, ABallOfTwentyCentimetresIsCarriedAtAnySpeed) {
+    for (const float speed : {10.0f, 50.0f})
+        for (int k = 0; k < strikes; k += 7) {
+            const Struck struck = strike({Striker::Kind::ball, speed, 0.1f}, 32, phase_of(k));
+            EXPECT_EQ(struck.carried, 1) << speed << " m/s, phase " << phase_of(k);
+            EXPECT_TRUE(struck.sound);
+            EXPECT_LT(struck.fastest, 1.5f * speed);
+        }
+}
+
+TEST(FastColliders, ABallOfTenCentimetresIsCarriedByAFineSheet) {
+    for (const int k : {0, 7, 13})
+        EXPECT_EQ(strike({Striker::Kind::ball, 50, 0.05f}, 128, phase_of(k)).carried, 1) << phase_of(k);
+}
+
+// Each part but the first begins elsewhere than the step did.
+TEST(FastColliders, PartsOfAStepMeetCollidersOnTheirWay) {
+    for (const int substeps : {2, 3})
+        for (const int k : {0, 5})
+            EXPECT_EQ(strike({Striker::Kind::ball, 50, 0.1f}, 32, phase_of(k), substeps).carried, 1);
+}
+
+// WEFT_STRIKE_TABLE=1: how often, of 20 phases of the step, the sheet is carried; for MEASUREMENTS.md.
+TEST(FastColliders, Table) {
+    if (std::getenv("WEFT_STRIKE_TABLE") == nullptr) GTEST_SKIP() << "a table for people";
+    struct Row {
+        const char* name;
+        Striker::Kind kind;
+        float radius;
+        std::vector<float> speeds;
+    };
+    const Row rows[] = {{"bar", Striker::Kind::bar, 0.005f, {1, 5, 10, 20, 30}},
+                        {"ball", Striker::Kind::ball, 0.05f, {5, 10, 20, 50}},
+                        {"sword", Striker::Kind::sword, 0.005f, {1, 5, 10, 20, 30}}};
+    for (const Row& row : rows)
+        for (const std::uint32_t side : {32u, 128u})
+            for (const float speed : row.speeds) {
+                int whole = 0;
+                float mean = 0, fastest = 0;
+                for (int phase = 0; phase < strikes; ++phase) {
+                    const Struck struck = strike({row.kind, speed, row.radius}, side,
+                                                 static_cast<float>(phase) / static_cast<float>(strikes));
+                    EXPECT_TRUE(struck.sound);
+                    whole += struck.carried == 1 ? 1 : 0;
+                    mean += struck.carried / strikes;
+                    fastest = std::max(fastest, struck.fastest);
+                }
+                std::printf("%-6s %6u particles %5.0f m/s: whole in %2d of 20, mean %.3f, fastest %.0f m/s\n",
+                            row.name, side * side, static_cast<double>(speed), whole,
+                            static_cast<double>(mean), static_cast<double>(fastest));
+                std::fflush(stdout);
+            }
+}
+
+}  // namespace
+}  // namespace weft::test
