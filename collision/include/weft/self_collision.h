@@ -30,16 +30,15 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// start has crossed comes apart, the way that most of it lies. By Multilevel, the default; other methods
     /// solve without it and are cut and pushed apart afterwards, which crosses nothing either, but stretches
     /// or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is calm, 3 where
-    /// it lies folded. Cloth that meets no other, and of which much had to be cut, takes its next ten steps
-    /// in halves. Layers that slide over each other by more than half an edge in a step are braked.
+    /// it lies folded. Cloths that touch, and of which contact had to cut more than a few particles, take
+    /// their next ten steps in halves. Layers that slide over each other by more than half an edge in a step
+    /// are braked.
     contact,
     /// After the step is solved, what collides within it is resolved zone by zone, with linear momentum kept
-    /// to
-    /// rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001), of one cloth and
-    /// of
-    /// all cloths with this method; where these meet cloth by contact, both are cut as by contact. To compare
-    /// with: layers still pass through each other, are stretched more than by avoidance, and it takes longer
-    /// than contact. No friction between layers, no contact reports.
+    /// to rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001), of one cloth
+    /// and of all cloths with this method; where these meet cloth by contact, both are cut as by contact. To
+    /// compare with: layers still pass through each other, are stretched more than by avoidance, and it takes
+    /// longer than contact. No friction between layers, no contact reports.
     impact_zones,
 };
 
