@@ -33,8 +33,8 @@ std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMoti
         const std::uint32_t size = range.end - range.begin;
         NearSurfaces near;
         const std::span<Vec4> of_block = velocities.subspan(range.begin, size);
-        const bool any = find_near_surfaces(colliders, 0, 0, h, 0, positions.subspan(range.begin, size), 0,
-                                            of_block, near);
+        const bool any = find_near_surfaces(colliders, 0, 0, h, 0, {}, positions.subspan(range.begin, size),
+                                            0, of_block, near);
         return any ? filter_block(near, of_block) : 0u;
     };
     return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 0u, block,
