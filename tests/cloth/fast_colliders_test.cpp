@@ -49,7 +49,8 @@ TEST(FastColliders, Table) {
     };
     const Row rows[] = {{"bar", Striker::Kind::bar, 0.005f, {1, 5, 10, 20, 30}},
                         {"ball", Striker::Kind::ball, 0.05f, {5, 10, 20, 50}},
-                        {"sword", Striker::Kind::sword, 0.005f, {1, 5, 10, 20, 30}}};
+                        {"ball20", Striker::Kind::ball, 0.1f, {10, 20, 50}},
+                        {"sword", Striker::Kind::sword, 0.005f, {5, 10, 30}}};
     for (const Row& row : rows)
         for (const std::uint32_t side : {32u, 128u})
             for (const float speed : row.speeds) {

@@ -150,6 +150,30 @@ TEST(SweptContacts, WhatGrowsOrStretchesMeetsWhatItPasses) {
               0.02f + 0.9f * thickness);
 }
 
+TEST(SweptContacts, ABarAtRestStopsWhatFliesThroughIt) {
+    const Bar bar{1, 0.005f};
+    Particles particles{{{0, 0, -0.2f, 1}}, {{0, 0, -0.4f / h, 0}}};
+    meet_on_the_way(particles, {{0, 0, 0.2f, 1}}, {bar.at({}), bar.at({})});
+    EXPECT_NEAR(particles.positions[0].z, bar.radius + thickness, 1e-5f);
+    EXPECT_NEAR(particles.velocities[0].z, 0, 1e-3f);
+}
+
+TEST(SweptContacts, WhatIsOutsideOfAShapeThatGrowsComesFromOutside) {
+    Particles particles{{{0, 0, 0.12f, 1}}, {{}}};
+    const std::vector<Vec4> starts = particles.positions;
+    meet_on_the_way(particles, starts, {{Sphere{{0, 0, 0}, 0.1f}, 0}, {Sphere{{0, 0, 1}, 0.3f}, 0}});
+    EXPECT_NEAR(particles.positions[0].z, 1.3f + thickness, 1e-5f);
+}
+
+TEST(SweptContacts, WhatBeginsDeepInsideIsNotTakenAlong) {
+    const Bar bar{1, 0.02f};
+    Particles particles{{{0, 0, 0.002f, 1}}, {{}}};
+    const std::vector<Vec4> starts = particles.positions;
+    EXPECT_EQ(meet_on_the_way(particles, starts,
+                              {bar.at({}), bar.at({Eigen::Quaternionf::Identity(), {0, 0, 0.1f}})}),
+              0u);
+}
+
 TEST(SweptContacts, WhatIsFasterThanAnythingMayMoveSweepsNothing) {
     const Bar bar{1, 0.005f};
     ColliderMotion motion{bar.at({}), bar.at({Eigen::Quaternionf::Identity(), {0, 0, 0.5f}})};
