@@ -8,8 +8,6 @@ const char* name_of(Rung rung) {
             return "off";
         case Rung::avoidance:
             return "avoidance";
-        case Rung::impact_zones:
-            return "impact-zones";
         case Rung::contact:
             return "contact";
     }
@@ -18,23 +16,13 @@ const char* name_of(Rung rung) {
 
 Rung rung_of(const SelfCollision& settings) {
     if (!settings.enabled) return Rung::off;
-    switch (settings.method) {
-        case SelfCollisionMethod::avoidance:
-            return Rung::avoidance;
-        case SelfCollisionMethod::impact_zones:
-            return Rung::impact_zones;
-        case SelfCollisionMethod::contact:
-            return Rung::contact;
-    }
-    return Rung::off;
+    return settings.method == SelfCollisionMethod::contact ? Rung::contact : Rung::avoidance;
 }
 
 void set_rung(SelfCollision& settings, Rung rung) {
     settings.enabled = rung != Rung::off;
     if (!settings.enabled) return;
-    settings.method = rung == Rung::contact        ? SelfCollisionMethod::contact
-                      : rung == Rung::impact_zones ? SelfCollisionMethod::impact_zones
-                                                   : SelfCollisionMethod::avoidance;
+    settings.method = rung == Rung::contact ? SelfCollisionMethod::contact : SelfCollisionMethod::avoidance;
 }
 
 }  // namespace weft::demo

@@ -19,6 +19,10 @@ constexpr std::uint32_t whole_groups(std::uint32_t particles) {
 // the way out becomes speed, with which they would bounce.
 constexpr float parted_in_a_step = 0.2f;
 
+// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
+constexpr float projected_gap = 0.5f;
+constexpr std::uint32_t projections = 4;
+
 // Room for crossings: one a particle, and at least so many.
 constexpr std::size_t least_crossings = 1024;
 
@@ -51,9 +55,6 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     holders_ = AlignedBuffer<Holder>(blocks);
     for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
         *buffer = AlignedBuffer<Vec4>(particles);
-    if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
-    zones_.reserve(particles, pairs);
-    colliding_ = AlignedBuffer<std::uint32_t>(pairs);
 }
 
 void FeatureContact::begin() noexcept {
@@ -192,7 +193,6 @@ void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<cons
 }
 
 FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
-    if (uses_zones()) return settle_by_zones(parallel);
     const std::uint32_t near = pairs_.size;
     const bool overflowed = pairs_.overflowed;
     const std::span<const std::uint8_t> exempt =
@@ -234,7 +234,7 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes() + zones_.bytes() + colliding_.bytes();
+           partials_.bytes() + holders_.bytes();
 }
 
 }  // namespace weft

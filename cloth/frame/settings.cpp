@@ -151,9 +151,7 @@ void check_together(Checks& checks, const ClothSettings& settings) {
 
 void check(Checks& checks, const SelfCollision& contact) {
     checks.one_of("SelfCollision::method", contact.method,
-                  {"SelfCollisionMethod::avoidance", "SelfCollisionMethod::contact",
-                   "SelfCollisionMethod::impact_zones"});
-    checks.between("SelfCollision::restitution", contact.restitution, 0, 1);
+                  {"SelfCollisionMethod::avoidance", "SelfCollisionMethod::contact"});
     checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
     checks.between("SelfCollision::friction", contact.friction, 0, 1000);
     checks.one_of("SelfCollision::search", contact.search,

@@ -137,7 +137,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
         if (cloth.contacts) cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
-        if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
+        if (cloth.features && cloth.solver->joins()) {
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
