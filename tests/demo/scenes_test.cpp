@@ -84,8 +84,10 @@ TEST_P(ScaledScene, HasAboutAsManyParticlesAsAskedFor) {
         options.particles = particles;
         auto simulation = Simulation::create(*find_scene(GetParam()), options, {});
         ASSERT_TRUE(simulation.ok()) << simulation.error().message;
-        const auto info = simulation->world().cloth_info(simulation->content().cloths.front().id);
-        EXPECT_NEAR(info->particles, particles, 0.12 * particles);
+        std::uint32_t all = 0;
+        for (const SceneCloth& cloth : simulation->content().cloths)
+            all += simulation->world().cloth_info(cloth.id)->particles;
+        EXPECT_NEAR(all, particles, 0.25 * particles);  // folds lie between cells, and cloths share alike
     }
 }
 
