@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "engine/aligned_buffer.h"
 #include "particle_cloud.h"
 
 namespace weft::test {
@@ -11,8 +13,14 @@ namespace {
 
 std::uint32_t filter(Particles& particles, const std::vector<ColliderMotion>& colliders, int threads = 1) {
     Parallel parallel(threads);
-    std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(particles.positions.size())));
-    return filter_velocities(parallel, colliders, h, particles.positions, particles.velocities, partials);
+    AlignedBuffer<Vec4> positions(particles.positions.size()), velocities(particles.positions.size());
+    std::ranges::copy(particles.positions, positions.data());
+    std::ranges::copy(particles.velocities, velocities.data());
+    std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(positions.size())));
+    const std::uint32_t inside =
+        filter_velocities(parallel, colliders, h, positions.span(), velocities.span(), partials);
+    std::ranges::copy(velocities.span(), particles.velocities.begin());
+    return inside;
 }
 
 TEST(VelocityFilter, TakesWhatGoesFartherInAndNothingElse) {
