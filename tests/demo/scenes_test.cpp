@@ -87,7 +87,10 @@ TEST_P(ScaledScene, HasAboutAsManyParticlesAsAskedFor) {
         std::uint32_t all = 0;
         for (const SceneCloth& cloth : simulation->content().cloths)
             all += simulation->world().cloth_info(cloth.id)->particles;
-        EXPECT_NEAR(all, particles, 0.25 * particles);  // folds lie between cells, and cloths share alike
+        // On the stage of contact folds lie between cells, and cloths share alike.
+        const std::string name = GetParam();
+        const bool is_plain = name == "flag" || name == "curtain" || name == "sheet" || name == "ribbon";
+        EXPECT_NEAR(all, particles, (is_plain ? 0.12 : 0.25) * particles);
     }
 }
 
