@@ -113,6 +113,7 @@ class FeatureContact {
     };
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
+    FeatureCounts stand_still();
     struct Change;
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }

@@ -86,10 +86,21 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
                                                 {.floor = least_floor}, displacements_.span());
     is_uncertain_ = result.uncertain > 0;
+    if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,
             .pin_lag = result.pinned_lag,
             .lost = result.motion_lost,
             .overflowed = result.list_was_incomplete};
+}
+
+// Rounding can take the gap of a pair that is not listed, even where all move alike.
+FeatureCounts FeatureContact::stand_still() {
+    FeatureCounts counts{.lost = 1, .overflowed = true};
+    for (const ParticleRange& range : ranges_) {
+        std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});
+        counts.truncated += range.count;
+    }
+    return counts;
 }
 
 }  // namespace weft

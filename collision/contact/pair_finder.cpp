@@ -13,6 +13,10 @@ constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
 constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
 constexpr std::uint32_t kept_crossings = 64;
 
+/// Blocks that are searched before what they found is counted: a crowd of n particles has n^2 pairs, and a
+/// search for more of them than there is room for is to be as short as one that has room for all.
+constexpr std::uint32_t blocks_at_a_time = 64;
+
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Bounds no_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
@@ -78,13 +82,27 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
     const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     place(parallel, search);
-    parallel.blocks(blocks, [&](std::uint32_t block) {
-        FoundPairs pairs = room_of(block);
-        if (is_calm_[block] == 0) find_pairs(search, block, pairs);
-        block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
-    });
+    count_pairs(parallel, search, static_cast<std::uint32_t>(found.capacity()));
     number(found);
     parallel.blocks(blocks, [&](std::uint32_t block) { write(search, block, found); });
+}
+
+void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    std::ranges::fill(block_pairs_, BlockPairs{});
+    std::uint64_t count = 0;
+    for (std::uint32_t first = 0; first < blocks && count <= capacity; first += blocks_at_a_time) {
+        const std::uint32_t here = std::min(blocks_at_a_time, blocks - first);
+        parallel.blocks(here, [&](std::uint32_t k) {
+            const std::uint32_t block = first + k;
+            FoundPairs pairs = room_of(block);
+            pairs.vertex_triangle.enough = pairs.edge_edge.enough = capacity + 1;
+            if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+            block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
+        });
+        for (const BlockPairs& block : std::span(block_pairs_).subspan(first, here))
+            count += block.vertex_triangle + block.edge_edge;
+    }
 }
 
 void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -159,7 +177,8 @@ void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& 
     const std::span<FeaturePair> edge_edge =
         part_of(found.pairs.span(), here.first_edge_edge, here.edge_edge);
     if (here.vertex_triangle > kept_vertex_triangle || here.edge_edge > kept_edge_edge) {
-        FoundPairs pairs{{vertex_triangle}, {edge_edge}};
+        FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
+                         {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
         find_pairs(search, block, pairs);
     } else {
         const FoundPairs pairs = room_of(block);

@@ -64,6 +64,7 @@ class PairFinder {
     Groups choose(std::span<const ContactBody> bodies);
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
+    void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity);
     void number(PairList& found);
     void write(const PairSearch& search, std::uint32_t block, PairList& found);
 

@@ -52,6 +52,7 @@ HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candidates& candidates,
                                   Found<FeaturePair>& found) {
+    if (found.has_enough()) candidates.count = 0;
     if (candidates.count == 0) return;
     pad(candidates);
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
@@ -87,6 +88,7 @@ struct PairCollector {
     }
 
     HWY_INLINE void pair_vertices_with_triangles() {
+        if (found.vertex_triangle.has_enough()) return;
         const IndexTag d;
         for (std::uint32_t i = 0; i < vertices.count; ++i) {
             const BoxLanes box = vertices.box(i);
@@ -108,6 +110,7 @@ struct PairCollector {
     }
 
     HWY_INLINE void pair_edges(const NearEdges& a, const NearEdges& b, bool is_same) {
+        if (found.edge_edge.has_enough()) return;
         const IndexTag d;
         for (std::uint32_t i = 0; i < a.count; ++i) {
             const BoxLanes box = a.box(i);
@@ -129,6 +132,7 @@ struct PairCollector {
     }
 
     HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
+        if (found.vertex_triangle.has_enough() && found.edge_edge.has_enough()) return;
         const float mean = 0.5f * (a.body.reach + b.body.reach);
         if (mean != reach) {
             test_all();

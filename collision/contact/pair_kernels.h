@@ -63,11 +63,14 @@ struct PairSearch {
     float of_borders = 1;  ///< share of the reach that pairs nearest at a border have
 };
 
-/// Items found, as far as there is room; `count` goes on.
+/// Items found, as far as there is room; `count` goes on, until there are `enough` and the search is over.
 template <class Item>
 struct Found {
     std::span<Item> room;
+    std::uint32_t enough = ~0u;
     std::uint32_t count = 0;
+
+    [[nodiscard]] bool has_enough() const { return count >= enough; }
 
     void add(const Item& item) {
         if (count < room.size()) room[count] = item;

@@ -31,7 +31,7 @@ class Run {
 
     /// Back to the start of a scene of the same mesh and pins.
     void restart(const StudyScene& scene);
-    /// One frame. Returns its milliseconds.
+    /// One frame. Returns its milliseconds: of one thread by the processor, of several by the clock.
     double step();
 
     [[nodiscard]] const Cloth& cloth() const { return *cloth_; }

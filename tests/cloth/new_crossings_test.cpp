@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "cloth/frame/feature_contact.h"
+#include "crossing_count.h"
 
 namespace weft::test {
 namespace {
@@ -72,6 +75,45 @@ TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
     const FeatureCounts counts = scene.space.settle(scene.parallel, false);
     EXPECT_GT(counts.tangles.crossings, 0u);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
+}
+
+// More pairs than there is room for, so that all go the way that they have in common; and they lie so near
+// that rounding at the end of that way takes the gaps between them.
+TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
+    constexpr std::uint32_t triangles = 80;
+    constexpr float apart = 2e-9f, h = 0.01f;
+    std::vector<Vec4> start, end;
+    std::vector<ContactMesh::Triangle> corners;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const float angle = 0.37f * static_cast<float>(t) + 2.1f * static_cast<float>(k);
+            const Vec4 x{0.3f * std::cos(angle), apart * static_cast<float>(t), 0.3f * std::sin(angle), 1};
+            start.push_back(x);
+            end.push_back({x.x, x.y + 0.8f + 0.37f * x.x - 0.21f * x.z, x.z, 1});
+        }
+        corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const ContactMesh mesh{start, corners};
+    const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
+    FeatureContact space{std::span(&body, 1)};
+    Parallel parallel{1};
+    std::vector<Vec4> velocities(start.size());
+    space.begin();
+    space.add(body);
+    space.place(parallel, 0, start, {.velocities = velocities, .h = h});
+    space.detect(parallel);
+    space.arrive(parallel, 0, end);
+
+    const FeatureCounts counts = space.settle(parallel, false);
+
+    EXPECT_TRUE(counts.overflowed);
+    EXPECT_EQ(counts.truncated, start.size());
+    EXPECT_FALSE(space.crosses_anew(parallel));
+    space.hand_back(parallel, 0, h, end, velocities);
+    Soup soup;
+    soup.add({.positions = end, .triangles = corners});
+    EXPECT_EQ(soup.crossings(), 0);
+    EXPECT_FLOAT_EQ(velocities[0].y, -(0.8f + 0.37f * start[0].x - 0.21f * start[0].z) / h);
 }
 
 }  // namespace
