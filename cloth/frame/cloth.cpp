@@ -21,7 +21,7 @@ std::size_t bytes_of(const CookedCloth& model) {
                sizeof(std::uint32_t);
 }
 
-std::vector<std::uint32_t> particles_of(const std::vector<Pin>& pins) {
+std::vector<std::uint32_t> particles_of(std::span<const Pin> pins) {
     std::vector<std::uint32_t> particles;
     particles.reserve(pins.size());
     for (const Pin& pin : pins) particles.push_back(pin.particle);
@@ -316,19 +316,17 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
     if (any_released) state.record.h = 0;
 }
 
-void Cloth::restore(const ClothState& saved) {
-    ClothState copy = saved;
-    const std::vector<std::uint32_t> pins = particles_of(copy.pins);
-    for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, pins);
-    solver->reserve_pins(copy.pins.size());
+void Cloth::prepare_restore(std::span<const Pin> pins) {
+    const std::vector<std::uint32_t> particles = particles_of(pins);
+    for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, particles);
+    solver->reserve_pins(pins.size());
+}
 
-    // From here on nothing can fail.
+void Cloth::commit_restore(Parallel& parallel) {
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
-    state = std::move(copy);
     solver->inverse_masses_changed(state.positions.span());
     // A step begins with the triangles' normals that the last one ended with.
-    Parallel serial(1);
-    surface.compute_normals(serial, state.positions.span(), state.normals.span());
+    surface.compute_normals(parallel, state.positions.span(), state.normals.span());
 }
 
 void Cloth::restore_start_of_step() {

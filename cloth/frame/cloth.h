@@ -110,9 +110,11 @@ struct Cloth {
     }
     void take_part_start(AlignedBuffer<Vec4>&& made) noexcept { part_start = std::move(made); }
 
-    /// Takes over a state of this cloth that was saved, and recomputes its normals. May run out of memory;
-    /// then nothing has changed.
-    void restore(const ClothState& saved);
+    /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
+    /// May run out of memory; then nothing has changed.
+    void prepare_restore(std::span<const Pin> pins);
+    /// After that: takes over what follows from the state.
+    void commit_restore(Parallel& parallel);
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
 

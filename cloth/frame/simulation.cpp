@@ -174,6 +174,11 @@ void Simulation::prepare(Cloth& cloth) {
     update_normals(parallel, cloth);
 }
 
+void Simulation::state_has_changed(Cloth& cloth) {
+    cloth.commit_restore(parallel);
+    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+}
+
 void Simulation::update_normals(Parallel& loops, Cloth& cloth) {
     cloth.surface.compute_normals(loops, cloth.state.positions.span(), cloth.state.normals.span());
 }

@@ -54,6 +54,8 @@ struct Simulation {
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
     /// drawn before its first step.
     void prepare(Cloth& cloth);
+    /// Takes over what follows from a cloth's state, which was restored: see Cloth::commit_restore.
+    void state_has_changed(Cloth& cloth);
     /// The frame. Precondition: dt is in [least_step, greatest_step].
     void step(float dt);
 

@@ -81,6 +81,14 @@ struct WorldState {
     SlotMap<ColliderId, ColliderSlot> colliders;
 };
 
+template <class Pins, class Visit>
+void visit_pins(Pins& pins, const Visit& visit) {
+    for (auto& pin : pins) {
+        visit(std::span(&pin.particle, 1));
+        visit(std::span(pin.target.data(), 3));
+    }
+}
+
 /// visit(span) for every part of a state, in one order: for hashing, writing out, and reading back. `State`
 /// may be const.
 template <class State, class Visit>
@@ -90,10 +98,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.previous_positions.span());
     visit(state.velocities.span());
     visit(state.normals.span());
-    for (auto& pin : state.pins) {
-        visit(std::span(&pin.particle, 1));
-        visit(std::span(pin.target.data(), 3));
-    }
+    visit_pins(state.pins, visit);
     visit(std::span(&state.record.h, 1));
     visit(state.record.displacements.span());
     visit(state.record.velocity_changes.span());

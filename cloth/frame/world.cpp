@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
 #include "engine/error_text.h"
@@ -63,6 +64,17 @@ Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth, std::span<co
         particles.push_back(*particle);
     }
     return particles;
+}
+
+/// The pin of a mesh vertex.
+Result<Pin*> pin_of(Cloth& cloth, std::uint32_t vertex) {
+    const auto particle = particle_of(cloth, vertex);
+    if (!particle) return particle.error();
+    Pin* const pin = cloth.find_pin(*particle);
+    if (pin == nullptr)
+        return Error{ErrorCode::invalid_argument,
+                     "vertex " + std::to_string(vertex) + " is not pinned; call pin first"};
+    return pin;
 }
 
 /// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
@@ -197,16 +209,22 @@ Result<void> World::unpin(ClothId id, std::span<const std::uint32_t> vertices) {
 }
 
 Result<void> World::move_pin(ClothId id, std::uint32_t vertex, const Vec3& target) {
+    return move_pins(id, {&vertex, 1}, {&target, 1});
+}
+
+Result<void> World::move_pins(ClothId id, std::span<const std::uint32_t> vertices,
+                              std::span<const Vec3> targets) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate_point("move_pin's target", target); !valid) return valid;
-        const auto particle = particle_of(cloth, vertex);
-        if (!particle) return particle.error();
-        Pin* pin = cloth.find_pin(*particle);
-        if (pin == nullptr) {
-            return Error{ErrorCode::invalid_argument,
-                         "vertex " + std::to_string(vertex) + " is not pinned; call pin first"};
+        if (vertices.size() != targets.size())
+            return Error{ErrorCode::invalid_argument, std::to_string(vertices.size()) + " vertices and " +
+                                                          std::to_string(targets.size()) +
+                                                          " targets: give as many of each"};
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            if (auto valid = validate_point("a pin's target", targets[k]); !valid) return valid;
+            if (const auto pin = pin_of(cloth, vertices[k]); !pin) return pin.error();
         }
-        pin->target = to_vector(target);
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+            (*pin_of(cloth, vertices[k]))->target = to_vector(targets[k]);
         return {};
     });
 }
@@ -281,6 +299,18 @@ Result<void> World::start_trace(std::size_t max_events) {
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
     return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
+}
+
+std::size_t World::save_size() const noexcept {
+    return weft::save_size(impl_->simulation);
+}
+
+Result<void> World::save(std::span<std::byte> to) const {
+    return without_exceptions([&] { return weft::save(impl_->simulation, to); });
+}
+
+Result<void> World::restore(std::span<const std::byte> saved) {
+    return without_exceptions([&] { return weft::restore(impl_->simulation, saved); });
 }
 
 std::uint64_t World::state_hash() const {

@@ -135,6 +135,33 @@ TEST(World, RefusesPinsOfMissingVerticesAndMovesOfMissingPins) {
     EXPECT_TRUE(world.move_pin(id, 3, {0, 1, 0}).ok());
 }
 
+TEST(World, MovesManyPinsAtOnceOrNone) {
+    World world = World::create().value();
+    const ClothId id = world.add_cloth(make_sheet({.rows = 4, .columns = 4}).value()).value();
+    const std::vector<std::uint32_t> pins = {0, 3, 12};
+    ASSERT_TRUE(world.pin(id, pins));
+    const std::vector<Vec3> targets = {{0, 1, 0}, {0, 2, 0}, {0, 3, 0}};
+    const auto heights = [&] {
+        std::vector<float> result;
+        const ClothView view = world.cloth(id).value();
+        for (const std::uint32_t v : pins) result.push_back(view.positions[view.vertex_to_particle[v]].y);
+        return result;
+    };
+    ASSERT_TRUE(world.move_pins(id, pins, targets));
+    world.step(1.0f / 60);
+    EXPECT_EQ(heights(), (std::vector<float>{1, 2, 3}));
+
+    const std::uint64_t before = world.state_hash();
+    const std::vector<std::uint32_t> one_is_free = {0, 12, 5}, one_is_not_there = {0, 3, 16};
+    const std::vector<Vec3> one_is_nowhere = {{0, 5, 0}, {0, 5, 0}, {0, not_a_number, 0}};
+    EXPECT_TRUE(mentions(world.move_pins(id, one_is_free, targets).error(), "vertex 5 is not pinned"));
+    EXPECT_TRUE(mentions(world.move_pins(id, one_is_not_there, targets).error(), "vertex 16"));
+    EXPECT_TRUE(mentions(world.move_pins(id, pins, one_is_nowhere).error(), "target"));
+    EXPECT_TRUE(mentions(world.move_pins(id, pins, std::span(targets).first(2)).error(), "3 vertices and 2"));
+    EXPECT_EQ(world.state_hash(), before);
+    EXPECT_TRUE(world.move_pins(id, {}, {}));
+}
+
 TEST(World, RefusesBadCollidersAndChangesOfShape) {
     World world = make_world();
     EXPECT_FALSE(world.add_collider({.shape = Sphere{.center = {}, .radius = 0}}).ok());

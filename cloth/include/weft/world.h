@@ -1,6 +1,7 @@
 #pragma once
 // The World: cloths, colliders and wind, stepped together.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -95,6 +96,10 @@ class World {
     Result<void> pin(ClothId id, std::uint32_t vertex) { return pin(id, {&vertex, 1}); }
     /// The pinned vertex moves to `target` [m] along a straight line over the next step.
     Result<void> move_pin(ClothId id, std::uint32_t vertex, const Vec3& target);
+    /// Each vertex to the target of its number: all of them or, with an error, none. For what an animation
+    /// holds; it takes no memory.
+    Result<void> move_pins(ClothId id, std::span<const std::uint32_t> vertices,
+                           std::span<const Vec3> targets);
     /// All of them or, with an error, none. A vertex that is not pinned stays free.
     Result<void> unpin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> unpin(ClothId id, std::uint32_t vertex) { return unpin(id, {&vertex, 1}); }
@@ -141,6 +146,22 @@ class World {
     /// Of all that changes from step to step, pins and colliders included: the same for any number of
     /// threads, with the same binary.
     [[nodiscard]] std::uint64_t state_hash() const;
+
+    /// All that changes from step to step, pins and colliders included, in the host's memory: for going back
+    /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
+    /// save(), on any number of threads and any processor, whatever was done in between.
+    ///
+    /// Meshes and settings are not in it. The World it is put back into, this one or one made later, has the
+    /// same cloths and colliders, in the order of their ids, and the host sets the settings that they had.
+    /// Pins may be others. Valid until what follows the head changes: the version of the save, not of the
+    /// library, says so.
+    [[nodiscard]] std::size_t save_size() const noexcept;
+    /// Writes the first save_size() bytes, without allocating more than a few of its own. Error: `to` is shorter.
+    Result<void> save(std::span<std::byte> to) const;
+    /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none. Errors,
+    /// by which nothing changes: a save that is damaged, of another version, or of a World with other cloths
+    /// or colliders, or settings by which they have another state.
+    Result<void> restore(std::span<const std::byte> saved);
 
   private:
     struct Impl;

@@ -1,0 +1,175 @@
+#include "cloth/frame/save/save.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cloth/frame/save/save_format.h"
+#include "cloth/frame/simulation.h"
+#include "engine/state_hash.h"
+
+namespace weft {
+
+namespace {
+
+Error refused(std::string why) {
+    return {ErrorCode::malformed_file, "the save " + std::move(why)};
+}
+Error other_world(std::string why) {
+    return {ErrorCode::invalid_argument, "the save is of another World: " + std::move(why)};
+}
+
+std::uint32_t kinds_of(const WorldState& state) {
+    std::uint32_t kinds = 1;
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        kinds = 31 * kinds + static_cast<std::uint32_t>(slot.current.shape.index());
+    });
+    return kinds;
+}
+
+/// visit(span) for all behind the save's head.
+template <class Simulation, class Visit>
+void for_each_saved(Simulation& simulation, const Visit& visit) {
+    for_each_part(simulation.state, visit);
+    simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
+        const ClothHead head(cloth->state);
+        visit(std::span(&head, 1));
+        for_each_part(std::as_const(cloth->state), visit);
+    });
+}
+
+std::uint64_t hash_of(std::span<const std::byte> bytes) {
+    StateHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+SaveHead head_of(const Simulation& simulation) {
+    return {.cloths = static_cast<std::uint32_t>(simulation.cloths.size()),
+            .colliders = static_cast<std::uint32_t>(simulation.state.colliders.size()),
+            .kinds = kinds_of(simulation.state),
+            .bytes = save_size(simulation)};
+}
+
+Result<void> check_head(const SaveHead& head, std::span<const std::byte> saved) {
+    if (head.mark != save_mark) return refused("is none of Weft's: it does not begin with WEFTSAVE");
+    if (head.version != save_version)
+        return refused("has version " + std::to_string(head.version) + "; this library reads version " +
+                       std::to_string(save_version));
+    if (head.bytes != saved.size())
+        return refused("has " + std::to_string(head.bytes) + " bytes; " + std::to_string(saved.size()) +
+                       " were given");
+    if (head.hash != hash_of(saved.subspan(sizeof head)))
+        return refused("is damaged: its bytes are not those that were written");
+    return {};
+}
+
+Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
+    const SaveHead here = head_of(simulation);
+    if (head.cloths != here.cloths)
+        return other_world("it has " + std::to_string(head.cloths) + " cloths, this one has " +
+                           std::to_string(here.cloths));
+    if (head.colliders != here.colliders)
+        return other_world("it has " + std::to_string(head.colliders) + " colliders, this one has " +
+                           std::to_string(here.colliders));
+    if (head.kinds != here.kinds) return other_world("its colliders are of other kinds, or in another order");
+    return {};
+}
+
+Result<void> check_cloth(std::size_t number, const ClothHead& saved, const ClothHead& here) {
+    const auto differs = [&](const char* what, std::uint32_t a, std::uint32_t b, const char* because) {
+        return other_world("its cloth " + std::to_string(number) + " has " + std::to_string(a) + ' ' + what +
+                           ", the one here " + std::to_string(b) + because);
+    };
+    if (saved.particles != here.particles) return differs("particles", saved.particles, here.particles, "");
+    if (saved.record != here.record)
+        return differs("particles in BDF2's record", saved.record, here.record,
+                       "; set the time scheme and the method that it had");
+    if (saved.held != here.held)
+        return differs("particles held by colliders", saved.held, here.held,
+                       "; set the method and the collider response that it had");
+    if (saved.tangles != here.tangles)
+        return differs("particles with contact", saved.tangles, here.tangles,
+                       "; set the self-collision that it had");
+    return {};
+}
+
+/// How many bytes a cloth's part has once it has other pins.
+std::size_t part_bytes(const ClothState& state, std::size_t pins) {
+    SaveSize size;
+    for_each_part(state, size);
+    const std::size_t a_pin = sizeof(Pin::particle) + 3 * sizeof(float);
+    return size.bytes() + a_pin * pins - a_pin * state.pins.size();
+}
+
+std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
+    std::vector<Pin> pins(count);
+    visit_pins(pins, reader);
+    return pins;
+}
+
+/// Before anything is changed: whether each cloth can take its part, and what its pins will need.
+Result<std::vector<std::vector<Pin>>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
+    std::vector<std::vector<Pin>> pins;
+    Result<void> checked;
+    simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (!checked) return;
+        ClothHead head;
+        reader(std::span(&head, 1));
+        checked = check_cloth(pins.size(), head, ClothHead(cloth->state));
+        if (!checked) return;
+        pins.push_back(read_pins(reader.after(head.bytes_before_pins()), head.pins));
+        cloth->prepare_restore(pins.back());
+        reader.skip(part_bytes(cloth->state, head.pins));
+    });
+    if (!checked) return checked.error();
+    return pins;
+}
+
+}  // namespace
+
+std::size_t save_size(const Simulation& simulation) {
+    SaveSize size;
+    for_each_saved(simulation, size);
+    return sizeof(SaveHead) + size.bytes();
+}
+
+Result<void> save(const Simulation& simulation, std::span<std::byte> to) {
+    SaveHead head = head_of(simulation);
+    if (to.size() < head.bytes)
+        return Error{ErrorCode::invalid_argument, "save needs " + std::to_string(head.bytes) + " bytes; " +
+                                                      std::to_string(to.size()) + " were given"};
+    for_each_saved(simulation, SaveWriter(to.data() + sizeof head));
+    head.hash = hash_of(to.subspan(sizeof head, head.bytes - sizeof head));
+    std::memcpy(to.data(), &head, sizeof head);
+    return {};
+}
+
+Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
+    SaveHead head;
+    if (saved.size() < sizeof head)
+        return refused("has " + std::to_string(saved.size()) + " bytes; its head alone takes " +
+                       std::to_string(sizeof head));
+    std::memcpy(&head, saved.data(), sizeof head);
+    if (auto checked = check_head(head, saved); !checked) return checked;
+    if (auto checked = check_world(head, simulation); !checked) return checked;
+    SaveSize of_world;
+    for_each_part(std::as_const(simulation.state), of_world);
+    const SaveReader reader(saved.data() + sizeof head);
+    auto pins = prepare_cloths(simulation, reader.after(of_world.bytes()));
+    if (!pins) return pins.error();
+
+    // From here on nothing can fail.
+    for_each_part(simulation.state, reader);
+    auto of_cloth = pins->begin();
+    simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        reader.skip(sizeof(ClothHead));
+        cloth->state.pins = std::move(*of_cloth++);
+        for_each_part(cloth->state, reader);
+        simulation.state_has_changed(*cloth);
+    });
+    simulation.clear_contacts();
+    return {};
+}
+
+}  // namespace weft
