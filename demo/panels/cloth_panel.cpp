@@ -67,7 +67,8 @@ bool self_collision_controls(ClothSettings& settings) {
     bool changed = ImGui::Combo("self-collision", &rung, names.data(), static_cast<int>(names.size()));
     tooltip(
         "Off costs nothing. Avoidance keeps particles apart, and layers still pass through each other where "
-        "they are pressed. Contact lets nothing through, and costs most.");
+        "they are pressed. Impact zones keep momentum where layers meet, and still let some through. Contact "
+        "lets nothing through, and costs most.");
     if (changed) set_rung(self, static_cast<Rung>(rung));
     float millimetres = 1e3f * self.distance;
     if (slider(

@@ -202,6 +202,8 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
         {"ClothSettings::collider_response is 9", "ColliderResponse::velocity_filter",
          [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
+        {"SelfCollision::restitution is 1.5", "from 0 to 1",
+         [](ClothSettings& s) { s.self_collision.restitution = 1.5f; }},
         {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
          [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };

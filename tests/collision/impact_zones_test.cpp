@@ -41,13 +41,14 @@ class Meeting {
             velocities.push_back({});
         }
     }
-    ZoneCounts resolve(const ZoneSettings& settings) {
+    ZoneCounts resolve(double restitution = 0, bool as_bundles = true) {
         ImpactZones zones;
         zones.reserve(positions.size(), pairs.capacity());
-        return resolve(zones, settings);
+        return resolve(zones, restitution, as_bundles);
     }
-    ZoneCounts resolve(ImpactZones& zones, const ZoneSettings& settings) {
-        return zones.resolve({bodies, positions, pairs, find()}, settings, velocities);
+    ZoneCounts resolve(ImpactZones& zones, double restitution = 0, bool as_bundles = true) {
+        const std::vector<float> of_bodies(bodies.size(), static_cast<float>(restitution));
+        return zones.resolve({bodies, positions, pairs, find()}, {of_bodies, as_bundles}, velocities);
     }
     std::span<const std::uint32_t> find() {
         Parallel serial(1);
@@ -101,7 +102,7 @@ TEST(ImpactZones, TwoSheetsTakeRestitutionAndKeepMomentum) {
             meeting.add(6, 0.001f, {0, 0.02f, 0.005f}, flat_at(0, 0.004f));
             const Vector3d before = meeting.momentum(), tangential = meeting.mean_velocity(0);
             const double size = meeting.size_of_momentum();
-            const ZoneCounts counts = meeting.resolve({restitution, as_bundles});
+            const ZoneCounts counts = meeting.resolve(restitution, as_bundles);
             EXPECT_EQ(counts.zones, 1u);
             EXPECT_EQ(counts.clusters, 2u);
             EXPECT_EQ(counts.unresolved + counts.programs + counts.merged, 0u);
@@ -124,7 +125,7 @@ TEST(ImpactZones, WhatSeparatesOrMissesIsLeftAlone) {
     apart.add(5, 1, {0, -0.02f, 0}, flat_at(0));
     apart.add(5, 1, {0, -0.02f, 0}, flat_at(0.5f));
     const std::vector<Vec4> before = apart.velocities;
-    EXPECT_EQ(apart.resolve({}).zones, 0u);
+    EXPECT_EQ(apart.resolve().zones, 0u);
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(apart.velocities[i].y, before[i].y);
 }
 
@@ -143,7 +144,7 @@ TEST(ImpactZones, ThreeSheetsInARowSolveAllEquationsTogether) {
         meeting.bodies[2].mask = 2;
         const Vector3d before = meeting.momentum();
         const double size = meeting.size_of_momentum();
-        const ZoneCounts counts = meeting.resolve({restitution, true});
+        const ZoneCounts counts = meeting.resolve(restitution, true);
         EXPECT_EQ(counts.zones, 1u);
         EXPECT_EQ(counts.collisions, 2u);
         EXPECT_EQ(counts.programs, 0u);
@@ -167,7 +168,7 @@ TEST(ImpactZones, ACycleIsSolvedByLinearProgramming) {
     meeting.add(5, 1, {0, 0.02f, 0}, flat_at(0));
     const Vector3d before = meeting.momentum();
     const double size = meeting.size_of_momentum(), restitution = 0.5;
-    const ZoneCounts counts = meeting.resolve({restitution, true});
+    const ZoneCounts counts = meeting.resolve(restitution, true);
     EXPECT_EQ(counts.collisions, 3u);
     EXPECT_EQ(counts.programs, 1u);
     EXPECT_EQ(counts.relaxed, 0u);
@@ -207,7 +208,7 @@ TEST(ImpactZones, AFoldThatCollidesWithItselfIsSplit) {
         Meeting meeting = folded_strip(creased);
         const Vector3d before = meeting.momentum();
         const double size = meeting.size_of_momentum();
-        const ZoneCounts counts = meeting.resolve({0, true});
+        const ZoneCounts counts = meeting.resolve();
         const std::size_t colliding = meeting.colliding.size();
         EXPECT_GT(colliding, 100u);
         EXPECT_EQ(counts.zones, 1u) << creased;
@@ -229,7 +230,7 @@ TEST(ImpactZones, ClustersOfOneSurfaceThatAreCloseAreMerged) {
     };
     meeting.add(11, 1, {0, -0.02f, 0}, bumps);
     meeting.add(11, 1, {}, flat_at(0));
-    const ZoneCounts counts = meeting.resolve({0, true});
+    const ZoneCounts counts = meeting.resolve();
     EXPECT_GE(counts.clusters, 3u);
     EXPECT_GE(counts.merged, 1u);
     EXPECT_EQ(counts.collisions, 1u) << "of the merged one and the lower sheet";
@@ -239,13 +240,13 @@ TEST(ImpactZones, WhatIsHeldGivesNothingWay) {
     Meeting meeting;
     meeting.add(5, 1, {0, -0.04f, 0}, flat_at(0.02f));
     meeting.add(5, 0, {0, 0.01f, 0}, flat_at(0));
-    EXPECT_EQ(meeting.resolve({0.5, true}).zones, 1u);
+    EXPECT_EQ(meeting.resolve(0.5, true).zones, 1u);
     EXPECT_NEAR(meeting.mean_velocity(1).y(), 0.01, 1e-9);
     EXPECT_NEAR(meeting.mean_velocity(0).y(), 0.01 + 0.5 * 0.05, 1e-6);
     Meeting held;
     held.add(5, 0, {0, -0.04f, 0}, flat_at(0.02f));
     held.add(5, 0, {0, 0.01f, 0}, flat_at(0));
-    EXPECT_EQ(held.resolve({0.5, true}).zones, 0u);
+    EXPECT_EQ(held.resolve(0.5, true).zones, 0u);
 }
 
 TEST(ImpactZones, ManySheetsAtOnceAreRelaxedAndKeepMomentum) {
@@ -259,13 +260,13 @@ TEST(ImpactZones, ManySheetsAtOnceAreRelaxedAndKeepMomentum) {
     const double size = meeting.size_of_momentum();
     ImpactZones zones;
     zones.reserve(meeting.positions.size(), meeting.pairs.capacity());
-    const ZoneCounts counts = meeting.resolve(zones, {0, true});
+    const ZoneCounts counts = meeting.resolve(zones);
     EXPECT_GE(counts.collisions, 12u);
     EXPECT_LT((meeting.momentum() - before).norm(), 1e-6 * size);
     const std::size_t first = meeting.colliding.size();
     std::size_t left = first;
     for (int round = 0; round < 6 && left > 0; ++round) {
-        meeting.resolve(zones, {0, true});
+        meeting.resolve(zones);
         left = meeting.find().size();
     }
     EXPECT_EQ(left, 0u) << "of " << first << ": rounds find what the first ones newly brought together";

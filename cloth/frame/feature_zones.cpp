@@ -1,0 +1,72 @@
+// Collisions of a substep's motion, resolved by impact zones.
+
+#include <algorithm>
+#include <limits>
+
+#include "cloth/frame/feature_contact.h"
+
+namespace weft {
+
+bool FeatureContact::uses_zones() const {
+    return !cloths_.empty() && has_zone_memory() && std::ranges::all_of(cloths_, &ContactCloth::by_zones);
+}
+
+/// All that the motion can bring near. A turn brings nothing nearer, and is left out.
+void FeatureContact::find_for_zones(Parallel& parallel) {
+    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
+    std::ranges::copy(settler_.relative(), searched_.data());
+    find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+}
+
+/// Of what was found, pairs that the motion brings too near, but for what is near at rest.
+std::span<const std::uint32_t> FeatureContact::find_colliding_pairs() {
+    float radius = cloths_.front().radius;
+    for (const ContactCloth& cloth : cloths_) radius = std::min(radius, cloth.radius);
+    const std::uint32_t count = find_colliding(pairs_, start_.span(), displacements_.span(),
+                                               projected_gap * radius, colliding_.span());
+    const std::span<std::uint32_t> all = colliding_.span().first(count);
+    const auto kept = std::ranges::remove_if(
+        all, [&](std::uint32_t k) { return are_near_at_rest(pairs_.pairs[k], pairs_.corners_of_a(k)); });
+    return all.first(all.size() - kept.size());
+}
+
+/// Momentum is passed on pair by pair, where these are in their triangles.
+void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding) {
+    std::fill_n(wanted_.data(), pairs_.size, -std::numeric_limits<float>::infinity());
+    for (const std::uint32_t k : colliding)
+        wanted_[k] = projected_gap * std::min(pairs_.shapes[k].normal.w, cloths_.front().radius);
+    settler_.project(parallel, island(), pairs_, {}, {.each = wanted_.span()}, projections,
+                     displacements_.span());
+}
+
+// Rounds find what the ones before newly brought together (Huh, Metaxas, Badler 2001, section 3.4), among
+// what was found for the motion before any; then once more for the motion after them. The very first round
+// gives clusters their change of velocity, so that cloth goes on bending in them; all others move them as
+// bundles.
+FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
+    constexpr int searches = 2, rounds = 3;
+    FeatureCounts counts;
+    std::span<const std::uint32_t> colliding;
+    for (int search = 0; search < searches && !counts.overflowed; ++search) {
+        find_for_zones(parallel);
+        counts.overflowed = pairs_.overflowed;
+        counts.unresolved = pairs_.dropped;
+        colliding = find_colliding_pairs();
+        if (search == 0) counts.pairs = static_cast<std::uint32_t>(colliding.size());
+        if (colliding.empty()) break;
+        for (int round = 0; round < rounds && !colliding.empty(); ++round) {
+            zones_.resolve({bodies_, start_.span(), pairs_, colliding},
+                           {.restitutions = restitutions_, .as_bundles = search + round > 0},
+                           displacements_.span());
+            colliding = find_colliding_pairs();
+        }
+    }
+    if (!colliding.empty()) {
+        part_colliding(parallel, colliding);
+        counts.unresolved += find_colliding_pairs().size();
+    }
+    is_uncertain_ = true;
+    return counts;
+}
+
+}  // namespace weft
