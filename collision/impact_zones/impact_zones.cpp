@@ -182,6 +182,10 @@ void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& coun
 // The direction of collision is the mean of the clusters' normals, signed so that N1 . N2 >= 0 (section 3.3),
 // and points where the pairs' do. What separates along it needs nothing.
 void ImpactZones::aim(const ZoneSettings& settings) {
+    const auto restitution_of = [&](std::size_t a, std::size_t b) {
+        const std::span<const float> of = settings.restitutions;
+        return of.empty() ? 0.0 : static_cast<double>(std::min(of[a], of[b]));
+    };
     std::size_t kept = 0;
     for (Collision each : collisions_) {
         const CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
@@ -191,8 +195,7 @@ void ImpactZones::aim(const ZoneSettings& settings) {
         each.direction = each.direction.dot(mean) < 0 ? Vector3d(-mean) : mean;
         const double before = (a.velocity - b.velocity).dot(each.direction);
         if (!(before < 0) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
-        if (!settings.restitutions.empty())
-            each.wanted = -before * std::min(settings.restitutions[a.body], settings.restitutions[b.body]);
+        each.wanted = -restitution_of(a.body, b.body) * before;
         collisions_[kept++] = each;
     }
     collisions_.resize(kept);

@@ -71,12 +71,14 @@ bool self_collision_controls(ClothSettings& settings) {
         "lets nothing through, and costs most.");
     if (changed) set_rung(self, static_cast<Rung>(rung));
     float millimetres = 1e3f * self.distance;
-    if (slider(
-            "distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
-            "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, 0.3 by contact.")) {
+    if (slider("distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
+               "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, else 0.3.")) {
         self.distance = 1e-3f * millimetres;
         changed = true;
     }
+    if (rung_of(self) == Rung::impact_zones)
+        changed |= slider("restitution", self.restitution, 0, 1, "%.2f",
+                          "Of layers that meet: relative velocity after over before.");
     return changed;
 }
 
