@@ -14,8 +14,7 @@ bool FeatureContact::uses_zones() const {
 /// All that the motion can bring near. A turn brings nothing nearer, and is left out.
 void FeatureContact::find_for_zones(Parallel& parallel) {
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
-    std::ranges::copy(settler_.relative(), searched_.data());
-    find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+    find(parallel, settler_.relative(), {&ContactCloth::radius, of_borders});
 }
 
 /// Of what was found, pairs that the motion brings too near, but for what is near at rest.

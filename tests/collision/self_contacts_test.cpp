@@ -270,8 +270,9 @@ TEST(SelfContacts, SweepFindsTheFarthestOfClosePairsAboutTheBordersOfAllColumns)
         float p = lower + distance * static_cast<float>(cell);
         for (int k = 0; k < 12; ++k) p = std::nextafter(p, lower);
         for (int k = 0; k < 24; ++k, p = std::nextafter(p, upper)) {
-            float q = p + 1.0001f * distance;
-            while (!((p - q) * (p - q) < distance * distance)) q = std::nextafter(q, p);
+            const float step = 8e-8f * std::max(std::abs(p + distance), distance);
+            float q = p + distance + 4 * step;
+            while (!((p - q) * (p - q) < distance * distance)) q -= step;
             for (int axis = 1; axis < 3; ++axis) {
                 std::array<Vec4, 4> points{{{lower, lower, lower, 1}, {upper, upper, upper, 1}, {}, {}}};
                 points[2] = axis == 1 ? Vec4{1, p, 1, 1} : Vec4{1, 1, p, 1};
