@@ -7,6 +7,17 @@
 
 namespace weft {
 
+namespace {
+
+// What moves by less than this part of the gap in a substep counts as still.
+constexpr float still_per_gap = 1e-3f;
+
+float least_radius(std::span<const ContactCloth> cloths) {
+    return std::ranges::min(cloths, {}, &ContactCloth::radius).radius;
+}
+
+}  // namespace
+
 bool FeatureContact::uses_zones() const {
     return !cloths_.empty() && has_zone_memory() && std::ranges::all_of(cloths_, &ContactCloth::by_zones);
 }
@@ -19,10 +30,9 @@ void FeatureContact::find_for_zones(Parallel& parallel) {
 
 /// Of what was found, pairs that the motion brings too near, but for what is near at rest.
 std::span<const std::uint32_t> FeatureContact::find_colliding_pairs() {
-    float radius = cloths_.front().radius;
-    for (const ContactCloth& cloth : cloths_) radius = std::min(radius, cloth.radius);
-    const std::uint32_t count = find_colliding(pairs_, start_.span(), displacements_.span(),
-                                               projected_gap * radius, colliding_.span());
+    const float gap = projected_gap * least_radius(cloths_);
+    const std::uint32_t count = find_colliding(pairs_, start_.span(), displacements_.span(), gap,
+                                               still_per_gap * gap, colliding_.span());
     const std::span<std::uint32_t> all = colliding_.span().first(count);
     const auto kept = std::ranges::remove_if(
         all, [&](std::uint32_t k) { return are_near_at_rest(pairs_.pairs[k], pairs_.corners_of_a(k)); });
@@ -31,9 +41,10 @@ std::span<const std::uint32_t> FeatureContact::find_colliding_pairs() {
 
 /// Momentum is passed on pair by pair, where these are in their triangles.
 void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding) {
+    const float radius = least_radius(cloths_);
     std::fill_n(wanted_.data(), pairs_.size, -std::numeric_limits<float>::infinity());
     for (const std::uint32_t k : colliding)
-        wanted_[k] = projected_gap * std::min(pairs_.shapes[k].normal.w, cloths_.front().radius);
+        wanted_[k] = projected_gap * std::min(pairs_.shapes[k].normal.w, radius);
     settler_.project(parallel, island(), pairs_, {}, {.each = wanted_.span()}, projections,
                      displacements_.span());
 }
@@ -44,6 +55,7 @@ void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uin
 // bundles.
 FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
     constexpr int searches = 2, rounds = 3;
+    const double still = static_cast<double>(still_per_gap * projected_gap * least_radius(cloths_));
     FeatureCounts counts;
     std::span<const std::uint32_t> colliding;
     for (int search = 0; search < searches && !counts.overflowed; ++search) {
@@ -55,7 +67,7 @@ FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
         if (colliding.empty()) break;
         for (int round = 0; round < rounds && !colliding.empty(); ++round) {
             zones_.resolve({bodies_, start_.span(), pairs_, colliding},
-                           {.restitutions = restitutions_, .as_bundles = search + round > 0},
+                           {.restitutions = restitutions_, .as_bundles = search + round > 0, .still = still},
                            displacements_.span());
             colliding = find_colliding_pairs();
         }

@@ -27,7 +27,8 @@ Vector3d direction_of(const Vector3d& normal) {
 }  // namespace
 
 std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positions,
-                             std::span<const Vec4> motions, float gap, std::span<std::uint32_t> colliding) {
+                             std::span<const Vec4> motions, float gap, float still,
+                             std::span<std::uint32_t> colliding) {
     std::uint32_t count = 0;
     for (std::uint32_t k = 0; k < pairs.size; ++k) {
         const PairShape& shape = pairs.shapes[k];
@@ -40,7 +41,7 @@ std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positi
             distance += shape.weight(c) * n.dot(xyz(positions[i]) - xyz(positions[first]));
             approach += shape.weight(c) * n.dot(xyz(motions[i]) - xyz(motions[first]));
         }
-        if (approach < 0 && distance + approach < gap) colliding[count++] = k;
+        if (approach < -still && distance + approach < gap) colliding[count++] = k;
     }
     return count;
 }
@@ -194,8 +195,8 @@ void ImpactZones::aim(const ZoneSettings& settings) {
         if (mean.isZero(0)) mean = direction_of(each.direction);
         each.direction = each.direction.dot(mean) < 0 ? Vector3d(-mean) : mean;
         const double before = (a.velocity - b.velocity).dot(each.direction);
-        if (!(before < 0) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
-        each.wanted = -restitution_of(a.body, b.body) * before;
+        if (!(before < settings.still) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
+        each.wanted = -restitution_of(a.body, b.body) * std::min(before, 0.0);
         collisions_[kept++] = each;
     }
     collisions_.resize(kept);

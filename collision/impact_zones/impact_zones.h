@@ -13,9 +13,11 @@
 namespace weft {
 
 /// Which pairs a motion brings nearer than `gap` along their normals: written to `colliding`, ascending, and
-/// how many there are. Only those that approach. Precondition: there is room for all.
+/// how many there are. Only those that approach by more than `still`: where bundles lie still, rounding would
+/// decide. Precondition: there is room for all.
 std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positions,
-                             std::span<const Vec4> motions, float gap, std::span<std::uint32_t> colliding);
+                             std::span<const Vec4> motions, float gap, float still,
+                             std::span<std::uint32_t> colliding);
 
 struct ZoneSettings {
     /// C_e by body: relative velocity of two clusters after their collision over that before it, 0 to 1; of
@@ -24,6 +26,9 @@ struct ZoneSettings {
     /// Every particle of a cluster gets the cluster's velocity, as by the source. Else it gets the cluster's
     /// change: cloth goes on bending within it, and may go on colliding.
     bool as_bundles = true;
+    /// Clusters that separate by less are taken for colliding, as their pairs say: a round before has stopped
+    /// them to rounding, which is not to decide whether they become bundles.
+    double still = 0;
 };
 
 struct ZoneCounts {

@@ -57,7 +57,7 @@ class Meeting {
         finder.find(serial, bodies, positions, velocities, pairs);
         EXPECT_FALSE(pairs.overflowed);
         colliding.resize(pairs.size);
-        colliding.resize(find_colliding(pairs, positions, velocities, 0.01f, colliding));
+        colliding.resize(find_colliding(pairs, positions, velocities, 0.01f, 0, colliding));
         return colliding;
     }
     [[nodiscard]] Vector3d momentum() const {
