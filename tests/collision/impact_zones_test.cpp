@@ -182,6 +182,57 @@ TEST(ImpactZones, ACycleIsSolvedByLinearProgramming) {
     EXPECT_NEAR(v0 - v2, restitution * 0.08, 1e-6);
 }
 
+TEST(ImpactZones, OfManyCyclesAsManyAsAreAllowedHaveAProgrammeAndTheRestAreRelaxed) {
+    Meeting meeting;
+    constexpr int count = ImpactZones::most_programs + 4;
+    for (int k = 0; k < count; ++k) {
+        const float aside = 0.3f * static_cast<float>(k);
+        meeting.add(3, 1, {0, -0.06f, 0}, flat_at(0.03f, aside));
+        meeting.add(3, 2, {0, -0.01f, 0}, flat_at(0.015f, aside));
+        meeting.add(3, 1, {0, 0.02f, 0}, flat_at(0, aside));
+    }
+    const Vector3d before = meeting.momentum();
+    const ZoneCounts counts = meeting.resolve(0.5);
+    EXPECT_EQ(counts.zones, static_cast<std::uint32_t>(count));
+    EXPECT_EQ(counts.programs, ImpactZones::most_programs);
+    EXPECT_EQ(counts.relaxed, 4u);
+    EXPECT_LT((meeting.momentum() - before).norm(), 1e-6 * meeting.size_of_momentum());
+    for (std::size_t body = 0; body < meeting.bodies.size(); body += 3)
+        EXPECT_GE(meeting.mean_velocity(body).y() - meeting.mean_velocity(body + 2).y(), 0.5 * 0.08 - 1e-6);
+}
+
+TEST(ImpactZones, OfTwoBodiesTheLesserRestitutionHolds) {
+    for (const bool turned : {false, true}) {
+        Meeting meeting;
+        meeting.add(5, 1, {0, -0.04f, 0}, flat_at(0.02f));
+        meeting.add(5, 1, {0, 0.01f, 0}, flat_at(0));
+        ImpactZones zones;
+        zones.reserve(meeting.positions.size(), meeting.pairs.capacity());
+        const std::vector<float> restitutions{turned ? 0.2f : 0.9f, turned ? 0.9f : 0.2f};
+        zones.resolve({meeting.bodies, meeting.positions, meeting.pairs, meeting.find()}, {restitutions},
+                      meeting.velocities);
+        EXPECT_NEAR(meeting.mean_velocity(0).y() - meeting.mean_velocity(1).y(), 0.2 * 0.05, 1e-6);
+    }
+}
+
+TEST(ImpactZones, WhatARoundHasStoppedBecomesABundle) {
+    // Their means do not approach, to rounding either way; their ends do.
+    for (const float rounding : {-1e-9f, 1e-9f}) {
+        Meeting meeting;
+        meeting.add(5, 1, {0, rounding, 0}, flat_at(0.012f));
+        meeting.add(5, 1, {}, flat_at(0));
+        for (std::size_t i = 0; i < 25; ++i)
+            meeting.velocities[i].y += i % 5 == 0 ? -0.006f : i % 5 == 4 ? 0.006f : 0.0f;
+        ImpactZones zones;
+        zones.reserve(meeting.positions.size(), meeting.pairs.capacity());
+        const std::vector<std::uint32_t> colliding(meeting.find().begin(), meeting.find().end());
+        ASSERT_FALSE(colliding.empty());
+        zones.resolve({meeting.bodies, meeting.positions, meeting.pairs, colliding},
+                      {.as_bundles = true, .still = 1e-3}, meeting.velocities);
+        EXPECT_NEAR(meeting.velocities[0].y, meeting.velocities[1].y, 1e-6) << rounding;
+    }
+}
+
 /// A strip folded in two along a crease, or around a bend; the upper half comes down.
 Meeting folded_strip(bool creased) {
     Meeting meeting;
