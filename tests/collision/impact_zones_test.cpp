@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "engine/vector.h"
@@ -225,8 +226,9 @@ TEST(ImpactZones, WhatARoundHasStoppedBecomesABundle) {
             meeting.velocities[i].y += i % 5 == 0 ? -0.006f : i % 5 == 4 ? 0.006f : 0.0f;
         ImpactZones zones;
         zones.reserve(meeting.positions.size(), meeting.pairs.capacity());
-        const std::vector<std::uint32_t> colliding(meeting.find().begin(), meeting.find().end());
-        ASSERT_FALSE(colliding.empty());
+        ASSERT_FALSE(meeting.find().empty());
+        std::vector<std::uint32_t> colliding(meeting.pairs.size);  // so that all of both are in the clusters
+        std::iota(colliding.begin(), colliding.end(), 0u);
         zones.resolve({meeting.bodies, meeting.positions, meeting.pairs, colliding},
                       {.as_bundles = true, .still = 1e-3}, meeting.velocities);
         EXPECT_NEAR(meeting.velocities[0].y, meeting.velocities[1].y, 1e-6) << rounding;
