@@ -10,10 +10,11 @@ namespace weft::demo {
 /// Of the ladder; each promises more than the one before, and costs more.
 enum class Rung {
     off,
-    avoidance,  ///< particles are kept apart
-    contact,    ///< features meet in the equation, and none crosses
+    avoidance,     ///< particles are kept apart
+    impact_zones,  ///< collisions of a step are resolved together, and momentum kept
+    contact,       ///< features meet in the equation, and none crosses
 };
-inline constexpr std::array rungs{Rung::off, Rung::avoidance, Rung::contact};
+inline constexpr std::array rungs{Rung::off, Rung::avoidance, Rung::impact_zones, Rung::contact};
 [[nodiscard]] const char* name_of(Rung rung);
 
 [[nodiscard]] Rung rung_of(const SelfCollision& settings);

@@ -87,7 +87,7 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
     for (const Rung rung : rungs) names[name_of(rung)] = rung;
     app.add_option("--contact", options.overrides.contact,
                    "How cloth is kept from passing through cloth (default: the scene's own)")
-        ->transform(CLI::CheckedTransformer(names).description("off, avoidance or contact"));
+        ->transform(CLI::CheckedTransformer(names).description("off, avoidance, impact-zones or contact"));
 }
 
 std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv) {

@@ -132,7 +132,8 @@ void Cloth::apply(const ClothSettings& changed) {
         (!rest_neighbours || rest_neighbours->distance() != distance || !same_method))
         new_rest_neighbours = find_rest_neighbours(model, self_collision, distance);
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
-    if (has_features(self_collision)) reserve_pairs(other_solver ? *other_solver : *solver);
+    if (has_features(self_collision) && !has_zones(self_collision))
+        reserve_pairs(other_solver ? *other_solver : *solver);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
 
@@ -159,15 +160,16 @@ void Cloth::apply(const ClothSettings& changed) {
         self_counts = {};
     }
     take_features(std::move(new_features), self_collision);
-    if (features && meets_others) state.may_cross = 1;
+    if (features && (meets_others || !same_method)) state.may_cross = 1;
     if (!self_collision.enabled) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
 }
 
 std::optional<FeatureBuffers> Cloth::make_features(const SelfCollision& of) const {
-    if (!has_features(of) || features) return std::nullopt;
+    if (!has_features(of) || (features && (!has_zones(of) || features->has_zone_memory())))
+        return std::nullopt;
     std::unique_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
-    const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get()};
+    const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get(), .by_zones = has_zones(of)};
     return std::optional<FeatureBuffers>(std::in_place, std::move(made), body);
 }
 
@@ -179,6 +181,7 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
         state.tangles = std::move(made->tangles);
         state.may_cross = 1;
     }
+    if (has_zones(of)) solver->reserve_pairs(0);
     if (has_features(of)) return;
     features.reset();
     contact_mesh.reset();
@@ -201,7 +204,7 @@ void Cloth::reserve_pairs(Solver& with) const {
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
-    const bool with_pairs = has_features(of.self_collision) && with.joins();
+    const bool with_pairs = has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
     const bool with_colliders = any_colliders && meets_in_equation(of);
     const bool needed = with.is_implicit() && (with_colliders || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
@@ -215,7 +218,7 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
-    const bool has_pairs = features && solver->joins();
+    const bool has_pairs = features && !has_zones(settings.self_collision) && solver->joins();
     const bool with_colliders = any_colliders && meets_in_equation(settings);
     if (solver->is_implicit() && (with_colliders || has_pairs)) return;
     contacts.reset();
@@ -230,7 +233,9 @@ ContactCloth Cloth::as_body() const {
             .floor = floor_per_radius * radius,
             .friction = settings.self_collision.friction,
             .layer = settings.self_collision.layers,
-            .mask = settings.self_collision.mask};
+            .mask = settings.self_collision.mask,
+            .by_zones = has_zones(settings.self_collision),
+            .restitution = settings.self_collision.restitution};
 }
 
 void Cloth::make_contact_mesh() {
@@ -340,7 +345,7 @@ void Cloth::restore_start_of_step() {
 }
 
 float Cloth::distance_of(const SelfCollision& self_collision) const {
-    const float part = self_collision.method == SelfCollisionMethod::contact ? 0.3f : 0.75f;
+    const float part = self_collision.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
     return self_collision.distance > 0 ? self_collision.distance : part * model.info.mean_edge;
 }
 

@@ -62,7 +62,11 @@ struct FeatureBuffers {
 
 /// Whether a cloth with these settings has features in contact.
 [[nodiscard]] inline bool has_features(const SelfCollision& settings) {
-    return settings.enabled && settings.method == SelfCollisionMethod::contact;
+    return settings.enabled && settings.method != SelfCollisionMethod::avoidance;
+}
+/// Whether these are resolved by impact zones, and so not in its equation.
+[[nodiscard]] inline bool has_zones(const SelfCollision& settings) {
+    return settings.enabled && settings.method == SelfCollisionMethod::impact_zones;
 }
 
 /// Whether colliders are in the equation, if its solver can have them there.

@@ -19,10 +19,6 @@ constexpr std::uint32_t whole_groups(std::uint32_t particles) {
 // the way out becomes speed, with which they would bounce.
 constexpr float parted_in_a_step = 0.2f;
 
-// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
-constexpr float projected_gap = 0.5f;
-constexpr std::uint32_t projections = 4;
-
 // Room for crossings: one a particle, and at least so many.
 constexpr std::size_t least_crossings = 1024;
 
@@ -32,6 +28,7 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     cloths_.reserve(bodies.size());
     bodies_.reserve(bodies.size());
     ranges_.reserve(bodies.size());
+    restitutions_.reserve(bodies.size());
     for (const ContactCloth& body : bodies) add(body);
     std::size_t particles = 0;
     for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
@@ -55,12 +52,16 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     holders_ = AlignedBuffer<Holder>(blocks);
     for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
         *buffer = AlignedBuffer<Vec4>(particles);
+    if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
+    zones_.reserve(particles, pairs);
+    colliding_ = AlignedBuffer<std::uint32_t>(pairs);
 }
 
 void FeatureContact::begin() noexcept {
     cloths_.clear();
     bodies_.clear();
     ranges_.clear();
+    restitutions_.clear();
     if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
     may_cross_ = is_uncertain_ = has_all_near_ = false;
     holder_ = Holder::none;
@@ -74,6 +75,7 @@ void FeatureContact::add(const ContactCloth& body) {
     bodies_.push_back(
         {.mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask});
     ranges_.push_back({first, body.mesh->particles()});
+    restitutions_.push_back(body.restitution);
 }
 
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
@@ -193,6 +195,7 @@ void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<cons
 }
 
 FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
+    if (uses_zones()) return settle_by_zones(parallel);
     const std::uint32_t near = pairs_.size;
     const bool overflowed = pairs_.overflowed;
     const std::span<const std::uint8_t> exempt =
@@ -234,7 +237,7 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes();
+           partials_.bytes() + holders_.bytes() + zones_.bytes() + colliding_.bytes();
 }
 
 }  // namespace weft

@@ -12,6 +12,7 @@
 #include "collision/contact/pair_finder.h"
 #include "collision/contact/settle.h"
 #include "collision/contact/tangles.h"
+#include "collision/impact_zones/impact_zones.h"
 #include "collision/rest_filter.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
@@ -26,6 +27,8 @@ struct ContactCloth {
     float floor = 0;     ///< features are never let nearer than the least of all bodies' [m]
     float friction = 0;  ///< Coulomb coefficient; two bodies have the geometric mean of theirs
     std::uint32_t layer = 1, mask = ~0u;
+    bool by_zones = false;  ///< its collisions are resolved by impact zones, where nothing else is near
+    float restitution = 0;  ///< of these
 };
 
 /// Where a body is expected to go in a substep.
@@ -38,13 +41,14 @@ struct ExpectedMotion {
 
 /// What came of a substep.
 struct FeatureCounts {
-    std::uint32_t pairs = 0;      ///< of features, for which the equation has a row
-    std::uint32_t truncated = 0;  ///< particles that went less far than was solved for
-    float pin_lag = 0;            ///< the largest distance by which a pin missed its target [m]
-    float lost = 0;               ///< part of the motion that truncation took
-    TangleCounts tangles = {};    ///< what crossed at the start
-    bool overflowed = false;      ///< there was no room for all pairs: nothing moved but in common
-    bool crossed = false;         ///< see crosses_anew()
+    std::uint32_t pairs = 0;       ///< of features, for which the equation has a row
+    std::uint32_t truncated = 0;   ///< particles that went less far than was solved for
+    float pin_lag = 0;             ///< the largest distance by which a pin missed its target [m]
+    float lost = 0;                ///< part of the motion that truncation took
+    TangleCounts tangles = {};     ///< what crossed at the start
+    bool overflowed = false;       ///< there was no room for all pairs: nothing moved but in common
+    std::uint64_t unresolved = 0;  ///< by zones: pairs that still collide, or that there was no room for
+    bool crossed = false;          ///< see crosses_anew()
 };
 
 /// Whether each substep looks for what must never be: it takes as long as a search.
@@ -99,6 +103,11 @@ class FeatureContact {
     void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
                    std::span<Vec4> velocities) const;
 
+    /// Whether all bodies are resolved by impact zones: then they are placed, arrive and are settled, and
+    /// nothing else.
+    [[nodiscard]] bool uses_zones() const;
+    [[nodiscard]] bool has_zone_memory() const noexcept { return colliding_.size() > 0; }
+
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -114,6 +123,10 @@ class FeatureContact {
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
     FeatureCounts stand_still();
+    FeatureCounts settle_by_zones(Parallel& parallel);
+    void find_for_zones(Parallel& parallel);
+    [[nodiscard]] std::span<const std::uint32_t> find_colliding_pairs();
+    void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
     struct Change;
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }
@@ -121,10 +134,14 @@ class FeatureContact {
     /// Share of the radius that features have which are nearest at a border: mostly others beside them are
     /// nearer, and have the force. They are three in four.
     static constexpr float of_borders = 0.5f;
+    /// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
+    static constexpr float projected_gap = 0.5f;
+    static constexpr std::uint32_t projections = 4;
 
     std::vector<ContactCloth> cloths_;
     std::vector<ContactBody> bodies_;
     std::vector<ParticleRange> ranges_;
+    std::vector<float> restitutions_;
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
@@ -145,6 +162,8 @@ class FeatureContact {
     AlignedBuffer<Vec4> start_, displacements_, base_, searched_;
     AlignedBuffer<float> partials_;  // by block
     AlignedBuffer<Holder> holders_;  // by block
+    ImpactZones zones_;
+    AlignedBuffer<std::uint32_t> colliding_;  // room for as many as pairs_; empty if no body needs zones
 };
 
 }  // namespace weft

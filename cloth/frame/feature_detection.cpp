@@ -76,6 +76,7 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
 }
 
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
+    if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
     find_for_cut(parallel);
     float least_floor = cloths_.front().floor;

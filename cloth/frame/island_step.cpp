@@ -63,7 +63,7 @@ Bounds swept_box(const Cloth& cloth) {
 
 /// Whether its features can be in the equation of an island: it takes whole substeps by a method that can.
 bool can_be_together(const Cloth& cloth) {
-    return cloth.solver->joins() && cloth.settings.substeps == 1;
+    return cloth.solver->joins() && cloth.settings.substeps == 1 && !has_zones(cloth.settings.self_collision);
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
@@ -91,6 +91,7 @@ bool Simulation::was_cut_much(std::span<Cloth* const> island) {
     std::uint32_t particles = 0;
     for (const Cloth* cloth : island) particles += cloth->state.size();
     const FeatureCounts& counts = island.front()->feature_counts;
+    if (counts.unresolved > 0) return false;  // by zones, which cut nothing
     // What comes apart would be pushed twice a step, and fly.
     const bool is_tangled = counts.tangles.crossings > 0;
     return counts.overflowed || (!is_tangled && most * counts.truncated > particles);
@@ -148,7 +149,7 @@ void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<
     const auto timer = timed(Stage::self_search);
     place_features(
         worker, space, cloths, [](const Cloth& cloth) { return cloth.state.positions.span(); }, h);
-    space.detect(worker.parallel);
+    if (!space.uses_zones()) space.detect(worker.parallel);
 }
 
 /// Before the rows are made: the cloth's equation is to have them.
@@ -259,7 +260,7 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
         limit_speeds(worker.parallel, settings.max_speed, cloths[k]->state.velocities.span());
         remember_tangles(space, k, cloths[k]->state);
     }
-    if (reports_contacts()) log_pairs(worker, space, cloths);
+    if (reports_contacts() && !space.uses_zones()) log_pairs(worker, space, cloths);
 }
 
 // Cloth can go another way than it was going when islands were found. Where it came near cloth of another
@@ -325,12 +326,15 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
                         cloths[k]->state.velocities.span());
 }
 
-std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const ContactMesh* mesh) {
+std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const SelfCollision& of,
+                                                          const ContactMesh* mesh) {
     std::vector<ContactCloth> bodies;
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        if (cloth.get() != changed && cloth->features) bodies.push_back({.mesh = cloth->contact_mesh.get()});
+        if (cloth.get() != changed && cloth->features)
+            bodies.push_back(
+                {.mesh = cloth->contact_mesh.get(), .by_zones = has_zones(cloth->settings.self_collision)});
     });
-    if (mesh != nullptr) bodies.push_back({.mesh = mesh});
+    if (mesh != nullptr) bodies.push_back({.mesh = mesh, .by_zones = has_zones(of)});
     return bodies.size() < 2 ? nullptr : std::make_unique<FeatureContact>(bodies);
 }
 

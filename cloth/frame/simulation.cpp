@@ -92,18 +92,21 @@ void Simulation::apply(const WorldSettings& changed) {
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth();
     if (!cloth->features) return cloths.insert(std::move(cloth));
-    std::unique_ptr<FeatureContact> together = make_together(nullptr, cloth->contact_mesh.get());
+    std::unique_ptr<FeatureContact> together =
+        make_together(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
     const ClothId id = cloths.insert(std::move(cloth));
     together_ = std::move(together);
     return id;
 }
 
 void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
-    if (has_features(changed.self_collision) == cloth.features.has_value()) return cloth.apply(changed);
+    const SelfCollision& of = changed.self_collision;
+    const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
+    if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
     std::unique_ptr<FeatureContact> together;
     try {
         if (!cloth.features) cloth.make_contact_mesh();
-        together = make_together(&cloth, cloth.features ? nullptr : cloth.contact_mesh.get());
+        together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
         cloth.apply(changed);
     } catch (...) {
         cloth.drop_contact_mesh();

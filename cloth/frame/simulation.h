@@ -83,7 +83,8 @@ struct Simulation {
     void reserve_cloth();
     /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
     /// unless that is null. Null: no two have any.
-    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed,
+    /// Of all that have features; for the one that changes, or comes, by these settings and this mesh.
+    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed, const SelfCollision& of,
                                                                 const ContactMesh* mesh);
     void begin(float dt);
     void step_together(float dt);

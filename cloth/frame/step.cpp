@@ -137,7 +137,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
         if (cloth.contacts) cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
-        if (cloth.features && cloth.solver->joins()) {
+        if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
@@ -355,6 +355,9 @@ void Simulation::add_to_report(const Cloth& cloth) {
     report.self_contacts += cloth.feature_counts.pairs;
     report.crossings += cloth.feature_counts.tangles.crossings;
     report.truncated_particles += cloth.feature_counts.truncated;
+    report.unresolved_pairs = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(report.unresolved_pairs + cloth.feature_counts.unresolved,
+                                std::numeric_limits<std::uint32_t>::max()));
     report.pin_lag = std::max(report.pin_lag, cloth.feature_counts.pin_lag);
     report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
     report.residual = std::max(report.residual, cloth.residual);

@@ -110,7 +110,6 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
     motion.centre = (u + xyz(near).cast<double>()).cast<float>();
     motion.translation = v.cast<float>();
     if (!motion.centre.allFinite() || !motion.translation.allFinite()) return {};
-    if (most == CommonMotionKind::translation) return motion;
 
     Matrix3d extents, changes;
     for (int i = 0; i < 3; ++i) {

@@ -168,6 +168,7 @@ void PairFinder::number(PairList& found) {
     for (BlockPairs& block : block_pairs_) block.first_edge_edge = take(block.edge_edge);
     found.size = take(0);
     found.overflowed = count > found.capacity();
+    found.dropped = count - found.size;
 }
 
 void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {

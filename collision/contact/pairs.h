@@ -43,6 +43,7 @@ struct PairList {
     std::uint32_t vertex_triangle = 0;  ///< of these
     /// There were more pairs than there is room for: what is listed is not all.
     bool overflowed = false;
+    std::uint64_t dropped = 0;  ///< how many more
 
     PairList() = default;
     explicit PairList(std::size_t capacity) : pairs(capacity), shapes(capacity) {}

@@ -84,7 +84,7 @@ void CollisionClusters::label(std::span<const ContactBody> bodies) {
         if (of_[seed] != none || parts_[seed] == Part::border) continue;
         const auto cluster = static_cast<std::uint32_t>(clusters_.size());
         const std::size_t body = body_of(bodies, seed);
-        clusters_.push_back({.body = body});
+        clusters_.push_back({.body = body, .first = members_.size()});
         of_[seed] = cluster;
         std::size_t next = members_.size();
         for (members_.push_back(seed); next < members_.size(); ++next) {
@@ -128,22 +128,19 @@ void CollisionClusters::cut_by_sides(const CollidingPairs& collisions) {
         is_split_[cluster] = 0;
         const ContactBody& body = collisions.bodies[clusters_[cluster].body];
         const Vector3d side = sum_of_normals(body, collisions.side_b(pair).front(), collisions.positions);
-        for (const std::uint32_t i : members_)
-            if (of_[i] == cluster && side.dot(sum_of_normals(body, i, collisions.positions)) < 0)
-                parts_[i] = Part::other_side;
+        for (const std::uint32_t i : particles_of(cluster))
+            if (side.dot(sum_of_normals(body, i, collisions.positions)) < 0) parts_[i] = Part::other_side;
     }
 }
 
 // A cluster's normal is that of its faces, or if it has none whole, of the faces around its particles.
 void CollisionClusters::measure(const CollidingPairs& collisions, std::span<const Vec4> velocities) {
-    std::size_t begin = 0;
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
         CollisionCluster& cluster = clusters_[c];
         const ContactBody& body = collisions.bodies[cluster.body];
         Vector3d momentum = Vector3d::Zero(), sum = Vector3d::Zero(), around = Vector3d::Zero();
-        std::size_t end = begin;
-        for (; end < members_.size() && of_[members_[end]] == c; ++end) {
-            const std::uint32_t i = members_[end];
+        const std::span<const std::uint32_t> particles = particles_of(c);
+        for (const std::uint32_t i : particles) {
             const Vector3d velocity = xyz(velocities[i]).cast<double>();
             const double inverse_mass = static_cast<double>(collisions.positions[i].w);
             sum += velocity;
@@ -162,8 +159,7 @@ void CollisionClusters::measure(const CollidingPairs& collisions, std::span<cons
         }
         if (cluster.normal.isZero(0)) cluster.normal = around;
         cluster.velocity = cluster.mass > 0 ? Vector3d(momentum / cluster.mass)
-                                            : Vector3d(sum / static_cast<double>(end - begin));
-        begin = end;
+                                            : Vector3d(sum / static_cast<double>(particles.size()));
     }
 }
 

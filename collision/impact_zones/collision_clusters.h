@@ -31,6 +31,7 @@ struct CollidingPairs {
 /// Moved as one mass.
 struct CollisionCluster {
     std::size_t body = 0;
+    std::size_t first = 0;                               ///< of CollisionClusters::particles()
     double mass = 0;                                     ///< of what is free [kg]; 0: all is held
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< its centre's; the mean, where all is held
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< sum of its faces' unit normals
@@ -48,8 +49,13 @@ class CollisionClusters {
     void find(const CollidingPairs& collisions, std::span<const Vec4> velocities);
 
     [[nodiscard]] std::span<const CollisionCluster> all() const noexcept { return clusters_; }
-    /// In an order that no thread decides; the first of a cluster is where the ones before it end.
+    /// Of one cluster after the other, in an order that no thread decides.
     [[nodiscard]] std::span<const std::uint32_t> particles() const noexcept { return members_; }
+    [[nodiscard]] std::span<const std::uint32_t> particles_of(std::size_t cluster) const noexcept {
+        const std::size_t next = cluster + 1, first = clusters_[cluster].first;
+        const std::size_t end = next < clusters_.size() ? clusters_[next].first : members_.size();
+        return particles().subspan(first, end - first);
+    }
     [[nodiscard]] std::uint32_t of(std::uint32_t particle) const noexcept { return of_[particle]; }
     /// Of the first corner that is in any.
     [[nodiscard]] std::uint32_t of(std::span<const std::uint32_t> corners) const noexcept;

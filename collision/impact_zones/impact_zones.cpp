@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <tuple>
+#include <utility>
 
 #include "engine/vector.h"
 
@@ -26,18 +27,21 @@ Vector3d direction_of(const Vector3d& normal) {
 }  // namespace
 
 std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positions,
-                             std::span<const Vec4> motions, float gap, std::span<std::uint32_t> colliding) {
+                             std::span<const Vec4> motions, float gap, float still,
+                             std::span<std::uint32_t> colliding) {
     std::uint32_t count = 0;
     for (std::uint32_t k = 0; k < pairs.size; ++k) {
         const PairShape& shape = pairs.shapes[k];
         const Vector3 n = xyz(shape.normal);
-        float distance = 0, approach = 0;
-        for (std::uint32_t c = 0; c < 4; ++c) {
+        const std::uint32_t first = pairs.pairs[k].corners[0];
+        float distance = 0,
+              approach = 0;  // weights add up to nothing: of differences, that rounding is small
+        for (std::uint32_t c = 1; c < 4; ++c) {
             const std::uint32_t i = pairs.pairs[k].corners[c];
-            distance += shape.weight(c) * n.dot(xyz(positions[i]));
-            approach += shape.weight(c) * n.dot(xyz(motions[i]));
+            distance += shape.weight(c) * n.dot(xyz(positions[i]) - xyz(positions[first]));
+            approach += shape.weight(c) * n.dot(xyz(motions[i]) - xyz(motions[first]));
         }
-        if (approach < 0 && distance + approach < gap) colliding[count++] = k;
+        if (approach < -still && distance + approach < gap) colliding[count++] = k;
     }
     return count;
 }
@@ -45,10 +49,11 @@ std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positi
 void ImpactZones::reserve(std::size_t particles, std::size_t pairs) {
     clusters_.reserve(particles);
     merged_.reserve(particles);
-    for (auto* of_clusters : {&roots_, &zone_roots_}) of_clusters->reserve(particles);
+    for (auto* of_clusters : {&roots_, &zone_roots_, &ends_, &degrees_}) of_clusters->reserve(particles);
     seen_.reserve(particles);
     starts_.reserve(particles);
     collisions_.reserve(pairs);
+    next_ends_.reserve(2 * pairs);
     matrix_.resize(most_solved * most_solved);
     for (auto* of_zone : {&wanted_, &cost_, &impulses_}) of_zone->resize(most_solved);
     program_ = LinearProgram(most_solved);
@@ -100,10 +105,43 @@ void ImpactZones::join_equal() {
 /// itself.
 bool ImpactZones::may_merge(std::uint32_t a, std::uint32_t b) {
     if (merged_[a].normal.dot(merged_[b].normal) < 0) return false;
-    return std::ranges::none_of(collisions_, [&](const Collision& each) {
-        const std::uint32_t i = root(each.a), j = root(each.b);
-        return (i == a && j == b) || (i == b && j == a);
-    });
+    const std::uint32_t fewer = degrees_[a] <= degrees_[b] ? a : b, other = fewer == a ? b : a;
+    if (degrees_[fewer] > most_compared) return false;
+    std::uint32_t end = ends_[fewer];
+    for (std::uint32_t k = 0; k < degrees_[fewer]; ++k, end = next_ends_[end]) {
+        const Collision& collision = collisions_[end / 2];
+        if (root(end % 2 == 0 ? collision.b : collision.a) == other) return false;
+    }
+    return true;
+}
+
+void ImpactZones::list_ends() {
+    degrees_.assign(merged_.size(), 0);
+    ends_.resize(merged_.size());
+    next_ends_.resize(2 * collisions_.size());
+    for (std::uint32_t end = 0; end < next_ends_.size(); ++end) {
+        const std::uint32_t cluster = end % 2 == 0 ? collisions_[end / 2].a : collisions_[end / 2].b;
+        if (degrees_[cluster]++ == 0)
+            ends_[cluster] = next_ends_[end] = end;
+        else
+            next_ends_[end] = std::exchange(next_ends_[ends_[cluster]], end);
+    }
+}
+
+/// Makes b one with a.
+void ImpactZones::merge(std::uint32_t a, std::uint32_t b) {
+    CollisionCluster &into = merged_[a], &from = merged_[b];
+    const double mass = into.mass + from.mass;
+    into.velocity = mass > 0 ? Vector3d((into.mass * into.velocity + from.mass * from.velocity) / mass)
+                             : Vector3d(0.5 * (into.velocity + from.velocity));
+    into.mass = mass;
+    into.normal += from.normal;
+    roots_[b] = a;
+    if (degrees_[a] == 0)
+        ends_[a] = ends_[b];
+    else if (degrees_[b] > 0)
+        std::swap(next_ends_[ends_[a]], next_ends_[ends_[b]]);
+    degrees_[a] += degrees_[b];
 }
 
 // Clusters of one surface are close if at most two edges outside both connect them (section 3.2). Only zones
@@ -114,18 +152,13 @@ void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& coun
         std::uint8_t& count = seen_[zone_root(c)];
         count = static_cast<std::uint8_t>(std::min(count + 1, 3));
     }
+    list_ends();
     const auto look = [&](std::uint32_t cluster, std::uint32_t near) {
         if (near == CollisionClusters::none || zone_root(cluster) != zone_root(near)) return;
         const std::uint32_t a = std::min(root(cluster), root(near)), b = std::max(root(cluster), root(near));
         if (a == b || merged_[a].body != merged_[b].body || !may_merge(a, b)) return;
-        CollisionCluster &into = merged_[a], &from = merged_[b];
-        const double mass = into.mass + from.mass;
-        if ((into.mass > 0) != (from.mass > 0)) return;
-        into.velocity = mass > 0 ? Vector3d((into.mass * into.velocity + from.mass * from.velocity) / mass)
-                                 : Vector3d(0.5 * (into.velocity + from.velocity));
-        into.mass = mass;
-        into.normal += from.normal;
-        roots_[b] = a;
+        if ((merged_[a].mass > 0) != (merged_[b].mass > 0)) return;
+        merge(a, b);
         ++counts.merged;
     };
     for (const std::uint32_t i : clusters_.particles()) {
@@ -150,6 +183,10 @@ void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& coun
 // The direction of collision is the mean of the clusters' normals, signed so that N1 . N2 >= 0 (section 3.3),
 // and points where the pairs' do. What separates along it needs nothing.
 void ImpactZones::aim(const ZoneSettings& settings) {
+    const auto restitution_of = [&](std::size_t a, std::size_t b) {
+        const std::span<const float> of = settings.restitutions;
+        return of.empty() ? 0.0 : static_cast<double>(std::min(of[a], of[b]));
+    };
     std::size_t kept = 0;
     for (Collision each : collisions_) {
         const CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
@@ -158,8 +195,8 @@ void ImpactZones::aim(const ZoneSettings& settings) {
         if (mean.isZero(0)) mean = direction_of(each.direction);
         each.direction = each.direction.dot(mean) < 0 ? Vector3d(-mean) : mean;
         const double before = (a.velocity - b.velocity).dot(each.direction);
-        if (!(before < 0) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
-        each.wanted = -settings.restitution * before;
+        if (!(before < settings.still) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
+        each.wanted = -restitution_of(a.body, b.body) * std::min(before, 0.0);
         collisions_[kept++] = each;
     }
     collisions_.resize(kept);
@@ -244,8 +281,8 @@ void ImpactZones::solve(std::span<Collision> zone, ZoneCounts& counts) {
     assemble(zone);
     const bool is_cyclic = zone.size() >= bodies;
     if (is_cyclic || !solve_equations(zone)) {
-        ++counts.programs;
-        if (!solve_program(zone)) {
+        const bool is_one_too_many = counts.programs == most_programs;
+        if (is_one_too_many || (++counts.programs, !solve_program(zone))) {
             ++counts.relaxed;
             return relax(zone);
         }
@@ -307,8 +344,11 @@ ZoneCounts ImpactZones::resolve(const CollidingPairs& collisions, const ZoneSett
 
 std::size_t ImpactZones::bytes() const noexcept {
     return clusters_.bytes() + program_.bytes() + merged_.capacity() * sizeof(CollisionCluster) +
-           (roots_.capacity() + zone_roots_.capacity()) * sizeof(std::uint32_t) + seen_.capacity() +
-           collisions_.capacity() * sizeof(Collision) + starts_.capacity() * sizeof(Vector3d) +
+           (roots_.capacity() + zone_roots_.capacity() + ends_.capacity() + next_ends_.capacity() +
+            degrees_.capacity()) *
+               sizeof(std::uint32_t) +
+           seen_.capacity() + collisions_.capacity() * sizeof(Collision) +
+           starts_.capacity() * sizeof(Vector3d) +
            (matrix_.capacity() + wanted_.capacity() + cost_.capacity() + impulses_.capacity()) *
                sizeof(double);
 }

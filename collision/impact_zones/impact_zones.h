@@ -13,16 +13,22 @@
 namespace weft {
 
 /// Which pairs a motion brings nearer than `gap` along their normals: written to `colliding`, ascending, and
-/// how many there are. Only those that approach. Precondition: there is room for all.
+/// how many there are. Only those that approach by more than `still`: where bundles lie still, rounding would
+/// decide. Precondition: there is room for all.
 std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positions,
-                             std::span<const Vec4> motions, float gap, std::span<std::uint32_t> colliding);
+                             std::span<const Vec4> motions, float gap, float still,
+                             std::span<std::uint32_t> colliding);
 
 struct ZoneSettings {
-    /// C_e: relative velocity of two clusters after their collision over that before it, 0 to 1.
-    double restitution = 0;
+    /// C_e by body: relative velocity of two clusters after their collision over that before it, 0 to 1; of
+    /// two bodies the lesser. Empty: 0.
+    std::span<const float> restitutions = {};
     /// Every particle of a cluster gets the cluster's velocity, as by the source. Else it gets the cluster's
     /// change: cloth goes on bending within it, and may go on colliding.
     bool as_bundles = true;
+    /// Clusters that separate by less are taken for colliding, as their pairs say: a round before has stopped
+    /// them to rounding, which is not to decide whether they become bundles.
+    double still = 0;
 };
 
 struct ZoneCounts {
@@ -31,7 +37,7 @@ struct ZoneCounts {
     std::uint32_t merged = 0;      ///< into others
     std::uint32_t collisions = 0;  ///< of two clusters
     std::uint32_t programs = 0;    ///< zones solved by linear programming
-    std::uint32_t relaxed = 0;     ///< zones too large for that
+    std::uint32_t relaxed = 0;     ///< zones too large for that, or too many
     std::uint32_t unresolved = 0;  ///< pairs of which a side is in no cluster, or both are in one
 };
 
@@ -43,11 +49,16 @@ struct ZoneCounts {
 ///   - What fills eqs. 1 and 2 up to N velocities in space: momentum is exchanged along the directions of
 ///     collision. Pairs of clusters that separate already have no equation.
 ///   - Where eqs. 1 would take an impulse that pulls, the zone counts as cyclic.
-/// It runs on one thread, on colliding particles alone; nothing is allocated after reserve().
+/// It runs on one thread, on colliding particles alone; nothing is allocated after reserve(). Time grows with
+/// the colliding pairs, as they are sorted, whatever they make up.
 class ImpactZones {
   public:
     /// Zones of more collisions are relaxed instead of solved: Gauss-Seidel on eq. 3, momentum kept.
     static constexpr std::size_t most_solved = 32;
+    /// So are zones that would need a linear programme, after so many that had one.
+    static constexpr std::uint32_t most_programs = 32;
+    /// Clusters are merged if one of them collides with no more than so many others.
+    static constexpr std::uint32_t most_compared = 64;
 
     void reserve(std::size_t particles, std::size_t pairs);
 
@@ -71,7 +82,9 @@ class ImpactZones {
     void list_collisions(const CollidingPairs& collisions, ZoneCounts& counts);
     void join_equal();
     void merge_close(const CollidingPairs& collisions, ZoneCounts& counts);
+    void list_ends();
     [[nodiscard]] bool may_merge(std::uint32_t a, std::uint32_t b);
+    void merge(std::uint32_t a, std::uint32_t b);
     void aim(const ZoneSettings& settings);
     void solve(std::span<Collision> zone, ZoneCounts& counts);
     [[nodiscard]] bool solve_equations(std::span<Collision> zone);
@@ -86,8 +99,12 @@ class ImpactZones {
     CollisionClusters clusters_;
     std::vector<CollisionCluster> merged_;           // by cluster: what it is one of, at its root
     std::vector<std::uint32_t> roots_, zone_roots_;  // by cluster
-    std::vector<std::uint8_t> seen_;                 // likewise
-    std::vector<Eigen::Vector3d> starts_;            // likewise: velocities before the collisions
+    // Of each cluster a ring of the collisions that it is in: an end of one, 2 k or 2 k + 1 of the k-th, and
+    // the one after it.
+    std::vector<std::uint32_t> ends_, next_ends_;
+    std::vector<std::uint32_t> degrees_;   // by cluster: how many
+    std::vector<std::uint8_t> seen_;       // likewise
+    std::vector<Eigen::Vector3d> starts_;  // likewise: velocities before the collisions
     std::vector<Collision> collisions_;
     std::vector<double> matrix_, wanted_, cost_, impulses_;  // of a zone
     LinearProgram program_;

@@ -32,9 +32,10 @@ void LinearProgram::pivot(std::size_t row, std::size_t column) {
     basis_[row] = column;
 }
 
-/// From vertex to vertex, with unknowns from the first so many columns; false if there is no end.
+/// From vertex to vertex, with unknowns from the first so many columns; false if there is no end,
+/// or none that is near.
 bool LinearProgram::descend(std::size_t columns) {
-    const std::size_t most_steps = 50 * (rows_ + columns);
+    const std::size_t most_steps = 4 * (rows_ + columns);
     for (std::size_t step = 0; step < most_steps; ++step) {
         std::size_t entering = 0;
         while (entering < columns && at(rows_, entering) >= -tiny) ++entering;

@@ -67,15 +67,18 @@ bool self_collision_controls(ClothSettings& settings) {
     bool changed = ImGui::Combo("self-collision", &rung, names.data(), static_cast<int>(names.size()));
     tooltip(
         "Off costs nothing. Avoidance keeps particles apart, and layers still pass through each other where "
-        "they are pressed. Contact lets nothing through, and costs most.");
+        "they are pressed. Impact zones keep momentum where layers meet, and still let some through. Contact "
+        "lets nothing through, and costs most.");
     if (changed) set_rung(self, static_cast<Rung>(rung));
     float millimetres = 1e3f * self.distance;
-    if (slider(
-            "distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
-            "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, 0.3 by contact.")) {
+    if (slider("distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
+               "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, else 0.3.")) {
         self.distance = 1e-3f * millimetres;
         changed = true;
     }
+    if (rung_of(self) == Rung::impact_zones)
+        changed |= slider("restitution", self.restitution, 0, 1, "%.2f",
+                          "Of layers that meet: relative velocity after over before.");
     return changed;
 }
 

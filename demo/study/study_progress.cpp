@@ -1,5 +1,6 @@
 #include "demo/study/study_progress.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace weft::study {
@@ -8,12 +9,16 @@ void StudyProgress::begin(const std::string& what) {
     begun_ = Clock::now();
     ++item_;
     std::fprintf(stderr, "[%zu/%zu] %s", item_, items_, what.c_str());
-    if (cost_measured_ > 0) {
-        const double seconds = seconds_measured_ / cost_measured_ * cost_left_;
-        std::fprintf(stderr, seconds < 120 ? ", %.0f s left" : ", %.0f min left",
-                     seconds < 120 ? seconds : seconds / 60);
-    }
+    if (const std::optional<double> seconds = seconds_left())
+        std::fprintf(stderr, *seconds < 120 ? ", %.0f s left" : ", %.0f min left",
+                     *seconds < 120 ? *seconds : *seconds / 60);
     std::fputc('\n', stderr);
+}
+
+// Costs of rounds are parts of a whole, and do not add up to it to the last bit.
+std::optional<double> StudyProgress::seconds_left() const {
+    if (!(cost_measured_ > 0)) return std::nullopt;
+    return seconds_measured_ / cost_measured_ * std::max(cost_left_, 0.0);
 }
 
 void StudyProgress::end(double cost, bool measured) {

@@ -2,6 +2,7 @@
 // Says on standard error what a long study is at, and how much time it needs yet.
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace weft::study {
@@ -16,6 +17,8 @@ class StudyProgress {
     void end(double cost, bool measured = true);
     /// Passes over an item in silence.
     void skip(double cost);
+    /// For what is neither ended nor passed over, as fast as what was measured; none before anything was.
+    [[nodiscard]] std::optional<double> seconds_left() const;
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -46,6 +46,11 @@ std::vector<Knob> knobs() {
         {"SelfCollision::distance", 1e-6f, 10,
          [](S& s) -> float& { return s.cloth.self_collision.distance; }},
         {"SelfCollision::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.self_collision.friction; }},
+        {"SelfCollision::restitution", 0, 1,
+         [](S& s) -> float& {
+             s.cloth.self_collision.method = SelfCollisionMethod::impact_zones;
+             return s.cloth.self_collision.restitution;
+         }},
         {"ClothSettings::air_damping", 0, 1e6f, [](S& s) -> float& { return s.cloth.air_damping; }},
         {"ClothSettings::thickness", 0, 10, [](S& s) -> float& { return s.cloth.thickness; }},
         {"ClothSettings::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.friction; }},
@@ -202,6 +207,8 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
         {"ClothSettings::collider_response is 9", "ColliderResponse::velocity_filter",
          [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
+        {"SelfCollision::restitution is 1.5", "from 0 to 1",
+         [](ClothSettings& s) { s.self_collision.restitution = 1.5f; }},
         {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
          [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };
@@ -212,6 +219,19 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
         EXPECT_NE(message.find(c.names), std::string::npos) << message;
         EXPECT_NE(message.find(c.right), std::string::npos) << message;
     }
+}
+
+TEST(SettingRanges, RestitutionWithoutImpactZonesIsRefused) {
+    Settings settings;
+    SelfCollision& self = settings.cloth.self_collision;
+    self.restitution = 0.5f;
+    for (const auto method : {SelfCollisionMethod::avoidance, SelfCollisionMethod::contact}) {
+        self.method = method;
+        EXPECT_NE(refusal(settings).find("SelfCollision::restitution is not 0"), std::string::npos);
+        EXPECT_NE(refusal(settings).find("SelfCollisionMethod::impact_zones"), std::string::npos);
+    }
+    self.method = SelfCollisionMethod::impact_zones;
+    EXPECT_EQ(refusal(settings), "");
 }
 
 TEST(SettingRanges, ElementsThatAMethodCannotHonourAreRefused) {

@@ -260,6 +260,30 @@ TEST(SelfContacts, SweepIsExactWhereRoundingDecidesTheColumn) {
     EXPECT_GT(found, 1000);
 }
 
+TEST(SelfContacts, SweepFindsTheFarthestOfClosePairsAboutTheBordersOfAllColumns) {
+    // A box that the origin is in: taking its corner off a coordinate rounds by more than the coordinate
+    // does.
+    const float distance = 0.1f, lower = -7.3f, upper = lower + 24.9f;
+    SelfContacts contacts(std::vector<Vec4>(4), SelfCollisionSearch::sorted_sweep);
+    Parallel serial(1);
+    for (int cell = 1; cell < 247; ++cell) {
+        float p = lower + distance * static_cast<float>(cell);
+        for (int k = 0; k < 12; ++k) p = std::nextafter(p, lower);
+        for (int k = 0; k < 24; ++k, p = std::nextafter(p, upper)) {
+            const float step = 8e-8f * std::max(std::abs(p + distance), distance);
+            float q = p + distance + 4 * step;
+            while (!((p - q) * (p - q) < distance * distance)) q -= step;
+            for (int axis = 1; axis < 3; ++axis) {
+                std::array<Vec4, 4> points{{{lower, lower, lower, 1}, {upper, upper, upper, 1}, {}, {}}};
+                points[2] = axis == 1 ? Vec4{1, p, 1, 1} : Vec4{1, 1, p, 1};
+                points[3] = axis == 1 ? Vec4{1, q, 1, 1} : Vec4{1, 1, q, 1};
+                contacts.find(serial, points, {}, distance, SelfCollisionSearch::sorted_sweep);
+                ASSERT_EQ(contacts.contacts(2).size(), 1u) << p << " and " << q;
+            }
+        }
+    }
+}
+
 TEST(SelfContacts, SweepTakesOneSheetInAPlaneAndOnALine) {
     for (int flat = 0; flat < 3; ++flat) {
         std::vector<Vec4> plane = random_particles(1500, 1, 13);

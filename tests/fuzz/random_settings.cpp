@@ -222,8 +222,10 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.tethers.enabled = random.chance(0.3);
     s.tethers.slack = random.chance(0.5) ? 1 : 1 + fields.zero_or_more(1e-3f, 1);
     s.self_collision.enabled = random.chance(0.3);
-    s.self_collision.method =
-        random.chance(0.5) ? SelfCollisionMethod::contact : SelfCollisionMethod::avoidance;
+    s.self_collision.method = random.one_of(
+        {SelfCollisionMethod::contact, SelfCollisionMethod::avoidance, SelfCollisionMethod::impact_zones});
+    if (s.self_collision.method == SelfCollisionMethod::impact_zones && random.chance(0.5))
+        s.self_collision.restitution = random.between(0, 1);
     s.self_collision.layers = random.chance(0.8) ? 1u : 2u;
     s.self_collision.mask = random.chance(0.8) ? ~0u : 1u;
     s.self_collision.distance = fields.zero_or_more(1e-3f, 0.1f);

@@ -94,7 +94,7 @@ static std::string text_of(const Tethers& t) {
 static std::string text_of(const SelfCollision& s) {
     return braced("SelfCollision",
                   {text_of(s.enabled), text_of(s.method), text_of(s.distance), text_of(s.friction),
-                   text_of(s.search), text_of(s.layers), text_of(s.mask)});
+                   text_of(s.search), text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
     return braced("ClothSettings", {text_of(s.fabric), text_of(s.finite_elements),

@@ -61,8 +61,7 @@ TEST_P(Allocation, DoesNotHappenInAWarmStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Allocation,
-                         testing::Combine(testing::ValuesIn(all_scenes().begin(), all_scenes().end()),
-                                          testing::Values(1, 2)),
+                         testing::Combine(testing::ValuesIn(scenes_to_run()), testing::Values(1, 2)),
                          [](const auto& info) {
                              return std::get<0>(info.param).name + std::string(std::get<1>(info.param) == 1
                                                                                    ? "_one_thread"

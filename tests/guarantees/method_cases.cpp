@@ -65,6 +65,9 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     const auto contact = [](MethodCase& c) {
         c.cloth.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
     };
+    const auto zones = [](MethodCase& c) {
+        c.cloth.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
+    };
     const auto filter = [](MethodCase& c) {
         c.cloth.self_collision = {.enabled = true, .search = SelfCollisionSearch::sorted_sweep};
         c.cloth.collider_response = ColliderResponse::velocity_filter;
@@ -85,6 +88,7 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     add("_tethers", tethers);
     add("_self", self);
     add("_contact", contact);
+    add("_zones", zones);
     add("_sweep_filter", filter);
     add("_reports", self, reports);
     if (std::holds_alternative<Multilevel>(method.settings.method)) add("_contact_reports", contact, reports);

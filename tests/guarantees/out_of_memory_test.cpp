@@ -167,6 +167,15 @@ std::vector<Call> changes_of_cloths() {
     change("set_cloth_settings_back_from_all_options", {}, all_options(Multilevel{}));
     change("set_cloth_settings_from_xpbd", all_options(Multilevel{}), all_options(Xpbd{}));
     change("set_cloth_settings_from_fibres", all_options(Chebyshev{}), all_options(Fibres{}));
+    const auto meeting_by = [](SelfCollisionMethod method) {
+        ClothSettings settings;
+        settings.self_collision = {.enabled = true, .method = method};
+        return settings;
+    };
+    const ClothSettings contact = meeting_by(SelfCollisionMethod::contact),
+                        zones = meeting_by(SelfCollisionMethod::impact_zones);
+    change("set_cloth_settings_from_contact_to_zones", zones, contact);
+    change("set_cloth_settings_from_zones_to_contact", contact, zones);
     for (const MethodCase& of : method_cases()) {
         const auto add = [of, mesh = LoweredSheet::mesh(of.grid, side)](Scene& s) {
             return without_value(s.world.add_cloth(mesh, of.cloth));

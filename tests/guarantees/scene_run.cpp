@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "demo/rung.h"
+
 namespace weft::demo {
 
 namespace {
@@ -23,6 +25,30 @@ T need(Result<T> result) {
     return *std::move(result);
 }
 
+/// The stack of cloths.
+class StackByZones final : public Scene {
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override { return stack_->world_settings(); }
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        auto content = stack_->build(world, options);
+        if (!content) return content;
+        for (const SceneCloth& cloth : content->cloths) {
+            ClothSettings settings = need(world.cloth_settings(cloth.id));
+            set_rung(settings.self_collision, Rung::impact_zones);
+            settings.self_collision.restitution = 0.3f;
+            if (auto set = world.set_cloth_settings(cloth.id, settings); !set) return set.error();
+        }
+        return content;
+    }
+    void before_step(World& world, double time, float step) override {
+        stack_->before_step(world, time, step);
+    }
+    [[nodiscard]] Result<void> check(const World& /*world*/) const override { return {}; }
+
+  private:
+    std::unique_ptr<Scene> stack_ = find_scene("stack")->make();
+};
+
 WorldSettings settings_of(const Scene& scene, int threads, const Executor& executor) {
     WorldSettings settings = scene.world_settings();
     settings.threads = threads;
@@ -34,6 +60,13 @@ WorldSettings settings_of(const Scene& scene, int threads, const Executor& execu
 
 void PrintTo(const SceneEntry& entry, std::ostream* out) {
     *out << entry.name;
+}
+
+std::vector<SceneEntry> scenes_to_run() {
+    std::vector<SceneEntry> scenes(all_scenes().begin(), all_scenes().end());
+    scenes.push_back({"stack_zones", "The stack, by impact zones",
+                      []() -> std::unique_ptr<Scene> { return std::make_unique<StackByZones>(); }});
+    return scenes;
 }
 
 std::string cannot_run(const SceneEntry& entry) {

@@ -2,6 +2,7 @@
 // The demo's scenes, run as weft_demo runs them, for tests of what Weft promises in every scene.
 
 #include <ostream>
+#include <vector>
 
 #include "demo/scene.h"
 
@@ -9,6 +10,9 @@ namespace weft::demo {
 
 /// So that GoogleTest and CTest name the scene.
 void PrintTo(const SceneEntry& entry, std::ostream* out);
+
+/// All scenes, and one whose cloth meets by impact zones, as none of the demo's does.
+[[nodiscard]] std::vector<SceneEntry> scenes_to_run();
 
 /// Why the scene cannot be run here (it needs a garment and WEFT_DATA does not lead to one); empty if it can.
 [[nodiscard]] std::string cannot_run(const SceneEntry& entry);

@@ -23,7 +23,8 @@ enum class StepFlags : std::uint32_t {
     /// More is close than there is memory for. By avoidance, particles have more neighbours than a list holds
     /// (16), and the rest wait for the next step. By contact, there are more than 16 pairs of features a
     /// particle: those of the list are pushed apart, and what touches goes one common way in this step, or
-    /// nowhere where it is pinned; nothing crosses. Lower SelfCollision::distance.
+    /// nowhere where it is pinned; nothing crosses. By impact zones, those that the list has no room for are
+    /// let through. Lower SelfCollision::distance.
     contacts_dropped = 1u << 2,
     /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
     /// a pin or a collider that jumps.
@@ -66,6 +67,10 @@ struct StepReport {
     /// state that was given so has any, or one that was put back. They are let apart, which may take a
     /// second, and are more for a while on the way. Hooked folds can stay.
     std::uint32_t crossings = 0;
+    /// By impact zones: pairs of features that still collide after all rounds of the last substep, and those
+    /// that the list had no room for. Pairs of edges are dropped first, then those of a vertex and a triangle,
+    /// of late vertices before early ones.
+    std::uint32_t unresolved_pairs = 0;
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]
     /// How far the worst cloth's velocities are from solving the equation of the step's last substep: 0
