@@ -1,9 +1,12 @@
 #include "collision/nearest_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include <Eigen/Geometry>
+
+#include "collision/shapes/moving_shapes.h"
 
 namespace weft {
 
@@ -30,6 +33,37 @@ SurfacePoint nearest(const Capsule& capsule, const Vector3& to) {
     const float squared = axis.squaredNorm();
     const float t = squared > 0 ? std::clamp((to - a).dot(axis) / squared, 0.0f, 1.0f) : 0.0f;
     return round(a + t * axis, axis, capsule.radius, to);
+}
+
+SurfacePoint nearest(const TaperedCapsule& capsule, const Vector3& to) {
+    const Vector3 a = to_vector(capsule.a), axis = to_vector(capsule.b) - a;
+    const float length = axis.norm(), wider = capsule.radius_b - capsule.radius_a;
+    float t = wider > 0 ? 1.0f : 0.0f;  // where one end's ball holds the other's
+    if (std::abs(wider) < 0.9999f * length) {
+        const float k = wider / length, foot = (to - a).dot(axis) / (length * length);
+        const float across = (to - a - foot * axis).norm();
+        t = std::clamp(foot + k * across / (std::sqrt(1 - k * k) * length), 0.0f, 1.0f);
+    }
+    return round(a + t * axis, axis, capsule.radius_a + t * wider, to);
+}
+
+SurfacePoint nearest(const Box& box, const Vector3& to) {
+    const Matrix3 from_own = unit(box.rotation).toRotationMatrix();
+    const Vector3 q = from_own.transpose() * (to - to_vector(box.center));
+    const Vector3 beyond = q.cwiseAbs() - to_vector(box.half_extents);
+    const Vector3 out = beyond.cwiseMax(0);
+    Vector3 normal = out;
+    float distance = out.norm();
+    if (!(distance > 0)) {
+        int face = 0;
+        distance = beyond.maxCoeff(&face);
+        normal = Vector3::Unit(face);
+    } else {
+        normal /= distance;
+    }
+    for (int k = 0; k < 3; ++k) normal[k] = std::copysign(normal[k], q[k]);
+    normal = from_own * normal;
+    return {to - distance * normal, normal, distance};
 }
 
 SurfacePoint nearest(const Plane& plane, const Vector3& to) {

@@ -1,0 +1,184 @@
+// Cloth on each kind of shape: it lies there, slides by Coulomb's law, and is carried.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <Eigen/Geometry>
+
+#include "collision/nearest_surface.h"
+#include "engine/vector.h"
+#include "fixtures.h"
+
+namespace weft::test {
+namespace {
+
+constexpr Vec3 earth{0, -9.80665f, 0};
+
+Rotation turned_by(float angle, const Vector3& axis) {
+    const Eigen::Quaternionf q(Eigen::AngleAxisf(angle, axis.normalized()));
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+
+struct Laid {
+    float deepest = 0;  // of a particle in the shape [m]
+    float fastest = 0;  // at the end [m/s]
+    float highest = -1, lowest = 9;
+    std::uint32_t held = 0;
+    bool sound = true;
+};
+
+/// A sheet of 1 m let fall from 10 cm above onto a shape that is about 0.3 m high, and what it does in 4 s.
+Laid lay(const Collider& shape, const ClothSettings& given = {}) {
+    World world = World::create({.gravity = earth}).value();
+    constexpr std::uint32_t side = 32;
+    const Mesh mesh =
+        make_sheet(
+            {.rows = side, .columns = side, .origin = {-0.5f, 0.4f, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})
+            .value();
+    ClothSettings settings = given;
+    settings.thickness = 0.005f;
+    settings.air_damping = 1;
+    const ClothId id = world.add_cloth(mesh, settings).value();
+    EXPECT_TRUE(world.add_collider({.shape = Plane{}, .friction = 0.8f}));
+    EXPECT_TRUE(world.add_collider(shape));
+    Laid laid;
+    for (int step = 0; step < 240; ++step) {
+        const StepReport& report = world.step(1.0f / 60);
+        laid.sound = laid.sound && !has(report.flags, StepFlags::state_restored);
+        laid.fastest = report.peak_speed;
+        laid.held = report.collider_contacts;
+        for (const Vec4& p : world.cloth(id)->positions)
+            laid.deepest = std::max(laid.deepest, -nearest_surface(shape, xyz(p)).distance);
+    }
+    for (const Vec4& p : world.cloth(id)->positions) {
+        laid.highest = std::max(laid.highest, p.y);
+        laid.lowest = std::min(laid.lowest, p.y);
+    }
+    return laid;
+}
+
+TEST(Shapes, ClothLaidOverABoxOrATaperedCapsuleRestsOutside) {
+    const Collider shapes[] = {
+        {Box{{0, 0.15f, 0}, {}, {0.2f, 0.15f, 0.2f}}, 0.5f},
+        {Box{{0, 0.15f, 0}, turned_by(0.6f, {1, 0.3f, 0.5f}), {0.2f, 0.1f, 0.15f}}, 0.5f},
+        {TaperedCapsule{{-0.2f, 0.15f, 0}, {0.25f, 0.2f, 0.1f}, 0.15f, 0.05f}, 0.5f}};
+    for (const Collider& shape : shapes) {
+        const Laid laid = lay(shape);
+        EXPECT_TRUE(laid.sound);
+        EXPECT_LT(laid.deepest, 1e-3f) << shape.shape.index();
+        EXPECT_LT(laid.fastest, 0.02f) << shape.shape.index();
+        EXPECT_GT(laid.highest, 0.2f) << shape.shape.index();
+        EXPECT_NEAR(laid.lowest, 0.005f, 1e-3f) << shape.shape.index();
+        EXPECT_GT(laid.held, 100u) << shape.shape.index();
+    }
+}
+
+/// How far a sheet slides in a second down a slope that is the top of `ground` turned by the angle [m].
+double slides_down(const std::function<Collider(const Vector3& normal, float friction)>& ground, double angle,
+                   double friction) {
+    World world = World::create({.gravity = earth}).value();
+    const auto s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
+    const Vector3 normal(s, c, 0), down(c, -s, 0);
+    ClothSettings settings;
+    settings.thickness = 0.005f;
+    settings.friction = 1;
+    settings.air_damping = 0;
+    const Mesh mesh = make_sheet({.rows = 24,
+                                  .columns = 24,
+                                  .origin = to_vec3(Vector3(0.00501f * normal)),
+                                  .u = to_vec3(Vector3(0.5f * down)),
+                                  .v = {0, 0, 0.5f}})
+                          .value();
+    const ClothId id = world.add_cloth(mesh, settings).value();
+    EXPECT_TRUE(world.add_collider(ground(normal, static_cast<float>(friction))));
+    const auto mean = [&] {
+        double sum = 0;
+        const ClothView view = world.cloth(id).value();
+        for (const Vec4& x : view.positions) sum += static_cast<double>(xyz(x).dot(down));
+        return sum / static_cast<double>(view.positions.size());
+    };
+    const double start = mean();
+    for (int step = 0; step < 60; ++step) world.step(1.0f / 60);
+    return mean() - start;
+}
+
+TEST(Shapes, ASheetOnABoxHoldsAndSlidesByCoulombsLaw) {
+    const auto box = [](const Vector3& normal, float friction) {
+        const auto turn = Eigen::Quaternionf::FromTwoVectors(Vector3::UnitY(), normal);
+        return Collider{
+            Box{to_vec3(Vector3(-0.1f * normal)), {turn.x(), turn.y(), turn.z(), turn.w()}, {5, 0.1f, 5}},
+            friction};
+    };
+    const auto plane = [](const Vector3& normal, float friction) {
+        return Collider{Plane{to_vec3(normal), 0}, friction};
+    };
+    const double angle = 0.5, least = std::tan(angle);
+    EXPECT_NEAR(slides_down(box, angle, 1.02 * least), 0, 1e-3);
+    const double g = 9.80665, expected = 0.5 * g * (std::sin(angle) - 0.98 * least * std::cos(angle));
+    EXPECT_GT(slides_down(box, angle, 0.98 * least), 0.5 * expected);
+    for (const double friction : {0.0, 0.3})
+        EXPECT_NEAR(slides_down(box, angle, friction), slides_down(plane, angle, friction), 1e-3);
+}
+
+/// A plate of 30 x 30 x 2 cm, flat against the sheet, that pushes a hung sheet 0.6 m along.
+TEST(Shapes, AThinBoxMovedFastCarriesASheet) {
+    constexpr float h = 1.0f / 60, travel = 0.6f;
+    for (const float speed : {3.0f, 30.0f})
+        for (const float phase : {0.0f, 0.35f, 0.7f}) {
+            World world = World::create({.gravity = earth}).value();
+            ClothSettings settings;
+            settings.thickness = 0.005f;
+            const Mesh mesh =
+                make_sheet(
+                    {.rows = 48, .columns = 48, .origin = {-0.5f, 1, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}})
+                    .value();
+            const ClothId id = world.add_cloth(mesh, settings).value();
+            std::vector<std::uint32_t> top(48);
+            for (std::uint32_t k = 0; k < 48; ++k) top[k] = k;
+            ASSERT_TRUE(world.pin(id, top));
+            const auto at = [&](float t) {
+                const float way = std::clamp(speed * t, 0.0f, travel);
+                return Collider{Box{{0, 0.4f, -0.3f + way}, turned_by(way, {0, 0, 1}), {0.15f, 0.15f, 0.01f}},
+                                0.4f};
+            };
+            const ColliderId plate = world.add_collider(at(0)).value();
+            const int steps = static_cast<int>(std::ceil(travel / speed / h)) + 2;
+            for (int step = 1; step <= steps; ++step) {
+                ASSERT_TRUE(world.move_collider(plate, at((static_cast<float>(step) - phase) * h)));
+                EXPECT_FALSE(has(world.step(h).flags, StepFlags::state_restored));
+            }
+            // All before the plate's face lies ahead of it.
+            std::uint32_t before = 0, behind = 0;
+            for (const Vec4& p : world.cloth(id)->positions) {
+                if (std::abs(p.x) > 0.08f || std::abs(p.y - 0.4f) > 0.08f) continue;
+                (p.z > 0.31f - 1e-3f ? before : behind) += 1;
+            }
+            EXPECT_GT(before, 20u) << speed << ' ' << phase;
+            EXPECT_EQ(behind, 0u) << speed << ' ' << phase;
+        }
+}
+
+TEST(Shapes, ContactsWithABoxSayWhereItsSurfaceIs) {
+    World world = World::create({.gravity = earth, .contact_reports = 4096}).value();
+    const Mesh mesh =
+        make_sheet(
+            {.rows = 9, .columns = 9, .origin = {-0.1f, 0.306f, -0.1f}, .u = {0.2f, 0, 0}, .v = {0, 0, 0.2f}})
+            .value();
+    ClothSettings settings;
+    settings.thickness = 0.005f;
+    ASSERT_TRUE(world.add_cloth(mesh, settings));
+    const ColliderId box = world.add_collider({Box{{0, 0.2f, 0}, {}, {0.4f, 0.1f, 0.4f}}, 0.5f}).value();
+    for (int step = 0; step < 30; ++step) world.step(1.0f / 60);
+    ASSERT_EQ(world.contacts().size(), 81u);
+    for (const Contact& contact : world.contacts()) {
+        EXPECT_EQ(contact.collider, box);
+        EXPECT_NEAR(contact.point.y, 0.3f, 1e-5f);
+        EXPECT_FLOAT_EQ(contact.normal.y, 1);
+    }
+}
+
+}  // namespace
+}  // namespace weft::test
