@@ -12,13 +12,14 @@ namespace weft {
 
 namespace {
 
-/// Calls use(a moving shape, what is thin of it), unless it is clear of the paths by more than the reach.
+/// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the reach.
 template <class Use>
 void if_near(const ColliderMotion& motion, float h, const Reach& reach, const BlockPaths& paths,
              const Use& use) {
     const Pace pace{h, motion.fastest};
     with_shapes(motion, [&](const auto& start, const auto& end) {
-        if (const auto thin = may_meet(start, end, pace, reach, paths)) use(moving(start, end, pace), *thin);
+        if (const auto meeting = may_meet(start, end, pace, reach, paths))
+            use(moving(start, end, pace), *meeting);
     });
 }
 
@@ -27,8 +28,9 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thi
                             std::span<Vec4> positions, std::span<Vec4> velocities) {
     CollidingBlock block{positions, velocities, held, starts, paths_of(starts, positions)};
     for (const ColliderMotion& motion : colliders)
-        if_near(motion, h, {thickness, 0}, block.paths, [&](const auto& moving_shape, float thin) {
-            collide(moving_shape, {thickness, friction * motion.end.friction, h, starts.empty() ? 0 : thin},
+        if_near(motion, h, {thickness, 0}, block.paths, [&](const auto& shape, const Meeting& meeting) {
+            collide(shape,
+                    {thickness, friction * motion.end.friction, h, starts.empty() ? Meeting{} : meeting},
                     block);
         });
     return std::accumulate(block.met.begin(), block.met.end(), 0u);
@@ -67,7 +69,7 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
         const Sweeping fast = with_shapes(motion, [&](const auto& start, const auto& end) {
             return sweeping(start, end, {h, motion.fastest}, thickness);
         });
-        if (!(fast.way > fast.thin)) continue;
+        if (!(fast.way > fast.thin_as_a_whole)) continue;
         const auto block = [&](const BlockRange& range) {
             const std::uint32_t size = range.end - range.begin;
             const std::span<const Vec4> starts = positions.subspan(range.begin, size);
@@ -79,7 +81,7 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
             for (std::uint32_t i = range.begin; i < range.end; ++i)
                 if (positions[i].w > 0)
                     longest = std::max(longest, (h * xyz(velocities[i]) - fast.travel).squaredNorm());
-            const float wanted = std::ceil(std::sqrt(longest) / (2 * fast.thin));
+            const float wanted = std::ceil(std::sqrt(longest) / (2 * fast.thin_as_a_whole));
             return wanted < static_cast<float>(most) ? std::max(static_cast<std::uint32_t>(wanted), 1u)
                                                      : most;
         };
@@ -96,12 +98,12 @@ bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickne
     const BlockPaths paths = place(starts, positions, gamma, velocities, near.points);
     bool is_clear = true, found = false;
     for (const ColliderMotion& motion : colliders)
-        if_near(motion, h, {thickness, reach}, paths, [&](const auto& moving_shape, float thin) {
+        if_near(motion, h, {thickness, reach}, paths, [&](const auto& shape, const Meeting& meeting) {
             if (is_clear) clear(near, reach);
             is_clear = false;
             const ContactSettings settings{thickness, friction * motion.end.friction, h,
-                                           starts.empty() ? 0 : thin};
-            found |= find_nearest(moving_shape, {settings, reach, starts, size}, near);
+                                           starts.empty() ? Meeting{} : meeting};
+            found |= find_nearest(shape, {settings, reach, starts, size}, near);
         });
     return found;
 }

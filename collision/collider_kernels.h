@@ -17,9 +17,9 @@ struct ContactSettings {
     float thickness;  ///< [m]
     float friction;   ///< of cloth and collider together
     float h;          ///< [s]
-    /// Particles that move farther than this against the shape can pass it [m]: their way is looked at. 0:
-    /// none of the block moves as far.
-    float thin = 0;
+    /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
+    /// of the block moves as far.
+    Meeting meeting{};
 };
 
 struct CollidingBlock {
@@ -37,6 +37,7 @@ void collide(const MovingCapsule& capsule, const ContactSettings& settings, Coll
 void collide(const MovingTaperedCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block);
+void collide(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block);
 
 /// points = positions + gamma velocities. Returns their paths from `starts`, of those that are numbers. No
 /// starts: none has moved.
@@ -60,5 +61,6 @@ struct NearestSought {
                                 NearSurfaces& near);
 [[nodiscard]] bool find_nearest(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near);
 [[nodiscard]] bool find_nearest(const MovingBox& box, const NearestSought& sought, NearSurfaces& near);
+[[nodiscard]] bool find_nearest(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near);
 
 }  // namespace weft

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include <Eigen/Geometry>
 
+#include "collision/shapes/held_shape.h"
 #include "collision/shapes/moving_shapes.h"
 
 namespace weft {
@@ -72,10 +74,28 @@ SurfacePoint nearest(const Plane& plane, const Vector3& to) {
     return {to - distance * normal, normal, distance};
 }
 
+SurfacePoint nearest(const PlacedShape& placed, const HeldShape& held, const Vector3& to) {
+    constexpr float sight = 0.1f;
+    const Matrix3 from_own = unit(placed.rotation).toRotationMatrix();
+    const Vec3 own = to_vec3(from_own.transpose() * (to - to_vector(placed.position)));
+    Vec4 found{};
+    find_surfaces(held, {&own, 1}, sight, {&found, 1});
+    if (!(found.w < sight)) return {to, Vector3::UnitY(), std::numeric_limits<float>::infinity()};
+    const Vector3 normal = from_own * xyz(found);
+    return {to - found.w * normal, normal, found.w};
+}
+
 }  // namespace
 
-SurfacePoint nearest_surface(const Collider& collider, const Vector3& to) {
-    return std::visit([&](const auto& shape) { return nearest(shape, to); }, collider.shape);
+SurfacePoint nearest_surface(const Collider& collider, const Vector3& to, const HeldShape* held) {
+    return std::visit(
+        [&]<class Kind>(const Kind& shape) {
+            if constexpr (std::is_same_v<Kind, PlacedShape>)
+                return nearest(shape, *held, to);
+            else
+                return nearest(shape, to);
+        },
+        collider.shape);
 }
 
 }  // namespace weft

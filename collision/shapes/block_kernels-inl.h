@@ -65,7 +65,8 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     const Lanes3 start = starts != nullptr ? xyz(load_rows(starts)) : p;
     auto surface = shape.surface(p, may_meet);
     if constexpr (Shape::is_swept)
-        if (starts != nullptr) surface = first_met(shape, {0, settings.thin}, start, p, is_free, surface);
+        if (starts != nullptr)
+            surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
     if (hn::AllFalse(d, surface.is_near)) return;
     const Lanes4 velocity = load_rows(velocities);
     const Lanes3 relative = xyz(velocity) - surface.velocity;
@@ -89,7 +90,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     const Bounds& bounds = block.paths.ends;
     PathsLanes paths{set3(bounds.lower), set3(bounds.upper), set(block.paths.longest * block.paths.longest)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
-    const bool swept = settings.thin > 0;
+    const bool swept = settings.meeting.thin > 0;
     std::uint32_t i = 0;
     const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
@@ -118,7 +119,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
 template <class Shape>
 HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& sought, NearSurfaces& near) {
     const Tag d;
-    const bool swept = sought.settings.thin > 0;
+    const bool swept = sought.settings.meeting.thin > 0;
     bool found = false;
     for (std::uint32_t i = 0; i < sought.size; i += part_lanes) {
         const Lanes4 point = load_lanes(near.points, i);
@@ -129,7 +130,7 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
         if constexpr (Shape::is_swept)
             if (swept)
                 surface =
-                    first_met(shape, {sought.reach, sought.settings.thin},
+                    first_met(shape, {sought.reach, sought.settings.meeting.thin},
                               xyz(load_rows(sought.starts.data() + i)), p, hn::Gt(point.w, set(0)), surface);
         if (hn::AllFalse(d, surface.is_near)) continue;
         const Lanes gap = hn::Sub(set(sought.reach), surface.penetration);

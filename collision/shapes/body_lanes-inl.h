@@ -20,12 +20,13 @@ struct OwnSurface {
 };
 
 /// Own: the shape as its own space has it, which answers
+///   convex()             whether what draws away from it does not come back
 ///   near(q, thickness)   whether a point may be nearer than that; it may say so too often
 ///   nearest(q, asked)    the surface for those that are asked for
 ///   carried(q)           where a point at the substep's start is if the shape takes it along while it grows
 template <class Own>
 struct BodyLanes {
-    static constexpr bool is_swept = Own::is_swept, is_convex = Own::is_convex, has_faces = true;
+    static constexpr bool is_swept = Own::is_swept, has_faces = true;
     const MovingSpace& space;
     Own own;
     Lanes thickness;
@@ -33,6 +34,7 @@ struct BodyLanes {
     BodyLanes(const MovingSpace& space, const Own& own, float thickness)
         : space(space), own(own), thickness(set(thickness)) {}
 
+    [[nodiscard]] bool convex() const { return own.convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 seen(const Lanes3& p) const {
         return turned(space.to_own, p - set3(space.origin));
     }
@@ -60,9 +62,10 @@ struct BodyLanes {
 };
 
 struct OwnBox {
-    static constexpr bool is_swept = true, is_convex = true;
+    static constexpr bool is_swept = true;
     const MovingBox& box;
 
+    [[nodiscard]] static constexpr bool convex() { return true; }
     [[nodiscard]] HWY_INLINE Lanes3 beyond_faces(const Lanes3& q) const {
         return Lanes3{hn::Abs(q.x), hn::Abs(q.y), hn::Abs(q.z)} - set3(box.half);
     }

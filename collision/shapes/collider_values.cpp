@@ -7,13 +7,13 @@
 
 #include "collision/collider_contacts.h"
 #include "collision/shapes/moving_shapes.h"
+#include "collision/shapes/ranges.h"
 #include "engine/error_text.h"
 
 namespace weft {
 
 namespace {
 
-constexpr float farthest = 1e5f;  // [m]
 constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f;
 
 // Written so that what is not a number fails.
@@ -74,6 +74,11 @@ Result<void> validate_shape(const Box& box) {
     return {};
 }
 
+Result<void> validate_shape(const PlacedShape& placed) {
+    if (auto at = validate_point("PlacedShape::position", placed.position); !at) return at;
+    return validate_rotation("the length of PlacedShape::rotation", placed.rotation);
+}
+
 float blend(float from, float to, float t) {
     return from + t * (to - from);
 }
@@ -113,6 +118,10 @@ Rotation blend(const Rotation& from, const Rotation& to, float t) {
 Box blend(const Box& from, const Box& to, float t) {
     return {blend(from.center, to.center, t), blend(from.rotation, to.rotation, t),
             blend(from.half_extents, to.half_extents, t)};
+}
+
+PlacedShape blend(const PlacedShape& from, const PlacedShape& to, float t) {
+    return {to.shape, blend(from.position, to.position, t), blend(from.rotation, to.rotation, t)};
 }
 
 }  // namespace

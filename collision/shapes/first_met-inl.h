@@ -26,7 +26,8 @@ struct Sweep {
 template <class Shape, class Mask>
 HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, const Lanes3& start,
                                         const Lanes3& end, Mask may_meet, const SurfaceLanes<Mask>& at_end) {
-    constexpr int most_steps = 32;  // past a round body none takes more
+    const bool convex = shape.convex();
+    const int most_steps = convex ? 32 : 64;  // past a round body none takes more than 32
     const Tag d;
     const Lanes3 from = shape.carried(start), way = end - from;
     const Lanes squared = dot(way, way), beyond = set(sweep.beyond);
@@ -48,7 +49,7 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
         contact = either(meets, p, contact);
         met = hn::Or(met, meets);
         Lanes free = hn::Max(clear, near);
-        if constexpr (Shape::is_convex && Shape::has_faces) {
+        if (Shape::has_faces && convex) {
             // All of it lies behind the plane that it shows to p, which a path along a face reaches late.
             const Lanes approach = hn::Neg(hn::Mul(dot(surface.normal, way), per_length));
             traced = hn::And(traced, hn::Gt(approach, set(0)));
@@ -56,12 +57,15 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
         }
         t = hn::MulAdd(free, per_length, t);
         // From a convex shape what draws away does not come back.
-        traced = hn::And(hn::AndNot(Shape::is_convex ? touches : meets, traced), hn::Lt(t, set(1)));
+        traced = hn::And(hn::AndNot(convex ? touches : meets, traced), hn::Lt(t, set(1)));
     }
     if (hn::AllFalse(d, met)) return at_end;
     auto surface = shape.surface(contact, met);
     surface.penetration = hn::Sub(surface.penetration, dot(surface.normal, end - contact));
-    const auto passed = hn::And(met, hn::Gt(surface.penetration, beyond));
+    auto passed = hn::And(met, hn::Gt(surface.penetration, beyond));
+    // Round a corner that is dented it may end deeper in what it did not meet first.
+    const auto deeper = hn::Gt(surface.penetration, at_end.penetration);
+    if (!convex) passed = hn::And(passed, hn::Or(hn::Not(at_end.is_near), deeper));
     return {hn::Or(passed, at_end.is_near), hn::IfThenElse(passed, surface.penetration, at_end.penetration),
             either(passed, surface.normal, at_end.normal), either(passed, surface.velocity, at_end.velocity)};
 }

@@ -44,6 +44,10 @@ Bounds grown(const Bounds& bounds, float by) {
     return {to_vec3(to_vector(bounds.lower) - margin), to_vec3(to_vector(bounds.upper) + margin)};
 }
 
+Meeting meeting_of(const Sweeping& sweep, const BlockPaths& paths) {
+    return {sweep.thin, sweep.way + paths.longest};
+}
+
 // Whether a shape is clear of all that lies in the bounds, by more than `reach`.
 
 /// All the way: its ends go straight.
@@ -93,14 +97,15 @@ struct Filling {
 };
 
 /// As the shape sees it a path goes straight from where it begins, seen at the start, to its end.
-std::optional<float> may_meet(const Pose& start, const Pose& end, const Filling& filling,
-                              const Sweeping& sweep, const Reach& reach, const BlockPaths& paths) {
+std::optional<Meeting> may_meet(const Pose& start, const Pose& end, const Filling& filling,
+                                const Sweeping& sweep, const Reach& reach, const BlockPaths& paths) {
     const Eigen::AlignedBox3f ends = seen_from(end, paths.ends);
     const bool may_pass = sweep.way + paths.longest > sweep.thin;
-    if (!may_pass) return are_apart(ends, filling.at_end, reach.all()) ? std::nullopt : std::optional(0.0f);
+    if (!may_pass)
+        return are_apart(ends, filling.at_end, reach.all()) ? std::nullopt : std::optional(Meeting{});
     const Eigen::AlignedBox3f way = ends.merged(seen_from(start, grown(paths.ends, paths.longest)));
     if (are_apart(way, filling.at_end.merged(filling.at_start), reach.all())) return std::nullopt;
-    return sweep.thin;
+    return meeting_of(sweep, paths);
 }
 
 /// How far what is within `radius` of the origin goes at most while the space moves.
@@ -177,32 +182,56 @@ Sweeping sweeping(const Box& start, const Box& end, const Pace& pace, float thic
             .travel = to_vector(end.center) - to_vector(start.center)};
 }
 
-std::optional<float> may_meet(const Capsule& start, const Capsule& end, const Pace& pace, const Reach& reach,
-                              const BlockPaths& paths) {
-    if (are_clear(start, end, reach.all(), grown(paths.ends, paths.longest))) return std::nullopt;
-    const Sweeping sweep = sweeping(start, end, pace, reach.thickness);
-    if (sweep.way + paths.longest > sweep.thin) return sweep.thin;
-    return are_clear(end, end, reach.all(), paths.ends) ? std::nullopt : std::optional(0.0f);
+// Where paths are longer than a quarter of the thickness they are looked at: a mesh may be as thin as
+// nothing. Ground has no other side.
+Sweeping sweeping(const HeldInstance& start, const HeldInstance& end, const Pace& pace, float thickness) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const PlacedShape &from = start.place, &to = end.place;
+    const Vector3 travel = to_vector(to.position) - to_vector(from.position);
+    if (end.shape.is_ground()) return {.thin = infinity, .way = -infinity, .travel = travel};
+    const Eigen::AlignedBox3f& box = end.shape.box();
+    const float radius = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
+    const float way = way_of_space(from.position, to.position, from.rotation, to.rotation, radius);
+    return {.thin = std::max(0.5f * thickness, 5e-4f),
+            .way = unless_jumped(way, pace),
+            .travel = travel,
+            .thin_as_a_whole = 0.5f * (0.5f * box.sizes().minCoeff() + thickness)};
 }
 
-std::optional<float> may_meet(const TaperedCapsule& start, const TaperedCapsule& end, const Pace& pace,
-                              const Reach& reach, const BlockPaths& paths) {
+std::optional<Meeting> may_meet(const Capsule& start, const Capsule& end, const Pace& pace,
+                                const Reach& reach, const BlockPaths& paths) {
+    if (are_clear(start, end, reach.all(), grown(paths.ends, paths.longest))) return std::nullopt;
+    const Sweeping sweep = sweeping(start, end, pace, reach.thickness);
+    if (sweep.way + paths.longest > sweep.thin) return meeting_of(sweep, paths);
+    return are_clear(end, end, reach.all(), paths.ends) ? std::nullopt : std::optional(Meeting{});
+}
+
+std::optional<Meeting> may_meet(const TaperedCapsule& start, const TaperedCapsule& end, const Pace& pace,
+                                const Reach& reach, const BlockPaths& paths) {
     const Capsule from = widest(start), to = widest(end);
     if (are_clear(from, to, reach.all(), grown(paths.ends, paths.longest))) return std::nullopt;
     const Sweeping sweep = sweeping(start, end, pace, reach.thickness);
-    if (sweep.way + paths.longest > sweep.thin) return sweep.thin;
-    return are_clear(to, to, reach.all(), paths.ends) ? std::nullopt : std::optional(0.0f);
+    if (sweep.way + paths.longest > sweep.thin) return meeting_of(sweep, paths);
+    return are_clear(to, to, reach.all(), paths.ends) ? std::nullopt : std::optional(Meeting{});
 }
 
-std::optional<float> may_meet(const Plane&, const Plane& end, const Pace&, const Reach& reach,
-                              const BlockPaths& paths) {
-    return are_clear(unit(end), reach.all(), paths.ends) ? std::nullopt : std::optional(0.0f);
+std::optional<Meeting> may_meet(const Plane&, const Plane& end, const Pace&, const Reach& reach,
+                                const BlockPaths& paths) {
+    return are_clear(unit(end), reach.all(), paths.ends) ? std::nullopt : std::optional(Meeting{});
 }
 
-std::optional<float> may_meet(const Box& start, const Box& end, const Pace& pace, const Reach& reach,
-                              const BlockPaths& paths) {
+std::optional<Meeting> may_meet(const Box& start, const Box& end, const Pace& pace, const Reach& reach,
+                                const BlockPaths& paths) {
     return may_meet(Pose(start.center, start.rotation), Pose(end.center, end.rotation),
                     {filled(start), filled(end)}, sweeping(start, end, pace, reach.thickness), reach, paths);
+}
+
+std::optional<Meeting> may_meet(const HeldInstance& start, const HeldInstance& end, const Pace& pace,
+                                const Reach& reach, const BlockPaths& paths) {
+    const Eigen::AlignedBox3f& box = end.shape.box();
+    return may_meet(Pose(start.place.position, start.place.rotation),
+                    Pose(end.place.position, end.place.rotation), {box, box},
+                    sweeping(start, end, pace, reach.thickness), reach, paths);
 }
 
 MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace) {
@@ -267,6 +296,12 @@ MovingBox moving(const Box& start, const Box& end, const Pace& pace) {
             .half = half,
             .wider = wider,
             .growth = (wider / pace.h).cwiseMax(-pace.fastest).cwiseMin(pace.fastest)};
+}
+
+MovingHeld moving(const HeldInstance& start, const HeldInstance& end, const Pace& pace) {
+    return {moving_space(start.place.position, start.place.rotation, end.place.position, end.place.rotation,
+                         pace),
+            &end.shape, end.rate};
 }
 
 }  // namespace weft

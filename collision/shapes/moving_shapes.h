@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "collision/collider_contacts.h"
+#include "collision/shapes/held_shape.h"
 #include "engine/vector.h"
 #include "weft/collider.h"
 #include "weft/types.h"
@@ -60,6 +61,18 @@ struct MovingBox {
     Vector3 growth;  ///< of the same [m/s]
 };
 
+/// An instance of a shape that the World holds, at one end of a substep; at both the same shape.
+struct HeldInstance {
+    const PlacedShape& place;
+    const HeldShape& shape;
+    float rate;  ///< see ColliderMotion
+};
+struct MovingHeld {
+    MovingSpace space;
+    const HeldShape* shape;
+    float rate;
+};
+
 /// Where a block's particles end, and how far the farthest has gone.
 struct BlockPaths {
     Bounds ends;
@@ -83,29 +96,40 @@ struct Reach {
 struct Sweeping {
     float thin, way;
     Vector3 travel;
+    float thin_as_a_whole = thin;  ///< for parts_to_meet()
 };
 [[nodiscard]] Sweeping sweeping(const Capsule& start, const Capsule& end, const Pace& pace, float thickness);
 [[nodiscard]] Sweeping sweeping(const TaperedCapsule& start, const TaperedCapsule& end, const Pace& pace,
                                 float thickness);
 [[nodiscard]] Sweeping sweeping(const Plane& start, const Plane& end, const Pace& pace, float thickness);
 [[nodiscard]] Sweeping sweeping(const Box& start, const Box& end, const Pace& pace, float thickness);
+[[nodiscard]] Sweeping sweeping(const HeldInstance& start, const HeldInstance& end, const Pace& pace,
+                                float thickness);
 
-/// Nothing where the shape is clear of the block's paths by more than the reach: first and cheapest. Else
-/// ContactSettings::thin. Paths that are not numbers are clear of nothing.
-[[nodiscard]] std::optional<float> may_meet(const Capsule& start, const Capsule& end, const Pace& pace,
-                                            const Reach& reach, const BlockPaths& paths);
-[[nodiscard]] std::optional<float> may_meet(const TaperedCapsule& start, const TaperedCapsule& end,
-                                            const Pace& pace, const Reach& reach, const BlockPaths& paths);
-[[nodiscard]] std::optional<float> may_meet(const Plane& start, const Plane& end, const Pace& pace,
-                                            const Reach& reach, const BlockPaths& paths);
-[[nodiscard]] std::optional<float> may_meet(const Box& start, const Box& end, const Pace& pace,
-                                            const Reach& reach, const BlockPaths& paths);
+/// `thin`: see ContactSettings; `way`: how far particles go against the shape at most, if it is not 0 [m].
+struct Meeting {
+    float thin = 0, way = 0;
+};
+
+/// Nothing where the shape is clear of the block's paths by more than the reach: first and cheapest. Paths
+/// that are not numbers are clear of nothing.
+[[nodiscard]] std::optional<Meeting> may_meet(const Capsule& start, const Capsule& end, const Pace& pace,
+                                              const Reach& reach, const BlockPaths& paths);
+[[nodiscard]] std::optional<Meeting> may_meet(const TaperedCapsule& start, const TaperedCapsule& end,
+                                              const Pace& pace, const Reach& reach, const BlockPaths& paths);
+[[nodiscard]] std::optional<Meeting> may_meet(const Plane& start, const Plane& end, const Pace& pace,
+                                              const Reach& reach, const BlockPaths& paths);
+[[nodiscard]] std::optional<Meeting> may_meet(const Box& start, const Box& end, const Pace& pace,
+                                              const Reach& reach, const BlockPaths& paths);
+[[nodiscard]] std::optional<Meeting> may_meet(const HeldInstance& start, const HeldInstance& end,
+                                              const Pace& pace, const Reach& reach, const BlockPaths& paths);
 
 [[nodiscard]] MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace);
 [[nodiscard]] MovingTaperedCapsule moving(const TaperedCapsule& start, const TaperedCapsule& end,
                                           const Pace& pace);
 [[nodiscard]] MovingPlane moving(const Plane& start, const Plane& end, const Pace& pace);
 [[nodiscard]] MovingBox moving(const Box& start, const Box& end, const Pace& pace);
+[[nodiscard]] MovingHeld moving(const HeldInstance& start, const HeldInstance& end, const Pace& pace);
 
 [[nodiscard]] inline Capsule as_capsule(const Sphere& sphere) {
     return {sphere.center, sphere.center, sphere.radius};
@@ -119,14 +143,18 @@ struct UnitPlane {
 /// Of unit length, too.
 [[nodiscard]] Eigen::Quaternionf unit(const Rotation& rotation);
 
-/// Calls use(start, end) with a collider's shape at both ends of a substep, a sphere as a capsule.
+/// Calls use(start, end) with a collider's shape at both ends of a substep: a sphere as a capsule, a placed
+/// shape as an instance.
 template <class Use>
 auto with_shapes(const ColliderMotion& motion, const Use& use) {
     return std::visit(
-        [&]<class Shape>(const Shape& end) {
-            const Shape& start = *std::get_if<Shape>(&motion.start.shape);
-            if constexpr (std::is_same_v<Shape, Sphere>)
+        [&]<class Kind>(const Kind& end) {
+            const Kind& start = *std::get_if<Kind>(&motion.start.shape);
+            if constexpr (std::is_same_v<Kind, Sphere>)
                 return use(as_capsule(start), as_capsule(end));
+            else if constexpr (std::is_same_v<Kind, PlacedShape>)
+                return use(HeldInstance{start, *motion.held, motion.rate},
+                           HeldInstance{end, *motion.held, motion.rate});
             else
                 return use(start, end);
         },

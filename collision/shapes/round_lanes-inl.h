@@ -51,7 +51,7 @@ struct SurfaceLanes {
 /// Moving: a MovingCapsule or a MovingTaperedCapsule.
 template <class Moving>
 struct RoundLanes {
-    static constexpr bool is_swept = true, is_convex = true, has_faces = false;
+    static constexpr bool is_swept = true, has_faces = false;
     static constexpr bool is_tapered = std::is_same_v<Moving, MovingTaperedCapsule>;
     const Moving& shape;
     Lanes thickness, reach_squared;
@@ -61,6 +61,7 @@ struct RoundLanes {
           thickness(set(thickness)),
           reach_squared(set((shape.radius + thickness) * (shape.radius + thickness))) {}
 
+    [[nodiscard]] static constexpr bool convex() { return true; }
     /// Fraction of the way from a to b of the axis point whose ball is nearest to p.
     [[nodiscard]] HWY_INLINE Lanes along(const Lanes3& from_a) const {
         const Lanes t = hn::Mul(dot(from_a, set3(shape.axis)), set(shape.per_length_squared));

@@ -2,6 +2,7 @@
 // Particles against colliders one by one, as the definitions say it: what the kernels are compared with.
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 
 #include <Eigen/Geometry>
@@ -83,6 +84,11 @@ inline ReferenceSurface reference_surface(const Box& start, const Box& end, floa
     const V before = to_vector(start.center).cast<double>() + turn(start.rotation) * q;
     return {static_cast<float>(distance), (turn(end.rotation) * normal).cast<float>(),
             ((p - before) / static_cast<double>(h)).cast<float>()};
+}
+
+/// What a World holds has references of its own.
+inline ReferenceSurface reference_surface(const PlacedShape&, const PlacedShape&, float, const Vector3&) {
+    return {std::numeric_limits<float>::infinity(), Vector3::UnitY(), Vector3::Zero()};
 }
 
 inline ReferenceSurface reference_surface(const Plane& start, const Plane& end, float h, const Vector3& p) {

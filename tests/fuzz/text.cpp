@@ -80,6 +80,9 @@ static std::string text_of(const Rotation& r) {
 static std::string text_of(const Box& s) {
     return braced("Box", {text_of(s.center), text_of(s.rotation), text_of(s.half_extents)});
 }
+static std::string text_of(const PlacedShape& s) {
+    return braced("PlacedShape", {text_of(s.shape.index), text_of(s.position), text_of(s.rotation)});
+}
 static std::string text_of(const Plane& s) {
     return braced("Plane", {text_of(s.normal), text_of(s.offset)});
 }

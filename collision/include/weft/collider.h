@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "weft/shapes.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -45,8 +46,15 @@ struct Plane {
     float offset = 0;      ///< [m], along the unit normal, from -1e5 to 1e5
 };
 
+/// An instance of a shape that the World holds.
+struct PlacedShape {
+    ShapeId shape{};
+    Vec3 position{};      ///< of its origin [m], each coordinate from -1e5 to 1e5
+    Rotation rotation{};  ///< of its axes from the World's
+};
+
 struct Collider {
-    std::variant<Sphere, Capsule, Plane, TaperedCapsule, Box> shape{};
+    std::variant<Sphere, Capsule, Plane, TaperedCapsule, Box, PlacedShape> shape{};
     float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
 };
 

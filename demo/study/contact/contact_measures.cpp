@@ -77,6 +77,9 @@ struct DistanceTo {
         const Vector3d beyond = q.cwiseAbs() - in_double(box.half_extents);
         return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
     }
+    double operator()(const PlacedShape&) const {  // no scene of the study has one
+        return std::numeric_limits<double>::infinity();
+    }
     double operator()(const Plane& plane) const {
         return in_double(plane.normal).normalized().dot(p) - static_cast<double>(plane.offset);
     }
