@@ -18,6 +18,21 @@ struct Sweep {
     float thin;    ///< see thin_part() [m]
 };
 
+/// Of a shape that may be as thin as nothing. Who goes no farther than twice the thickness, which is four
+/// times `thin`, and passes something, ends near it; and where it came through the plane of the surface that
+/// is nearest there, from outside, it did not come through another. Who goes farther passes nothing where the
+/// end is clear by as much.
+template <class Mask>
+HWY_INLINE Mask may_have_passed(const Sweep& sweep, const Lanes3& way, Lanes squared,
+                                const SurfaceLanes<Mask>& at_end) {
+    const Lanes clear = hn::Sub(set(sweep.beyond), at_end.penetration);
+    const Lanes began = hn::Sub(clear, dot(at_end.normal, way));  // from the plane, less the thickness
+    const auto from_behind = hn::And(at_end.is_near, hn::Lt(began, set(-2.5f * sweep.thin)));
+    const auto is_far = hn::Gt(squared, set(16 * sweep.thin * sweep.thin));
+    const auto is_within = hn::Or(hn::Lt(clear, set(0)), hn::Lt(hn::Mul(clear, clear), squared));
+    return hn::Or(from_behind, hn::And(is_far, is_within));
+}
+
 /// Where paths first come nearer than the thickness, if they end beyond the plane of contact there: the shape
 /// takes this plane along to the substep's end, so that what passed it meets it. Else `at_end`. Paths are
 /// straight for who moves along with the shape, so where one substep's ends, the next one's begins, and
@@ -32,6 +47,8 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
     const Lanes3 from = shape.carried(start), way = end - from;
     const Lanes squared = dot(way, way), beyond = set(sweep.beyond);
     auto traced = hn::And(may_meet, hn::Gt(squared, set(sweep.thin * sweep.thin)));
+    if (hn::AllFalse(d, traced)) return at_end;
+    if (!convex) traced = hn::And(traced, may_have_passed(sweep, way, squared, at_end));
     if (hn::AllFalse(d, traced)) return at_end;
 
     const Lanes per_length = hn::Div(set(1), hn::Sqrt(squared)), near = set(0.05f * sweep.thin);

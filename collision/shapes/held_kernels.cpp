@@ -15,18 +15,22 @@ namespace weft::HWY_NAMESPACE {
 namespace {
 
 void collide_held(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block) {
-    const OwnHeld own{*held.shape, settings.thickness + settings.meeting.way, held.rate};
+    // What lies at the thickness is not to be looked for from deep inside.
+    constexpr float beyond = 4e-3f;
+    const OwnHeld own{*held.shape, {settings.thickness + settings.meeting.way + beyond}, held.rate};
     collide_block(BodyLanes(held.space, own, settings.thickness), settings, block);
 }
 
 bool nearest_of_held(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near) {
-    const OwnHeld own{*held.shape, sought.all() + sought.settings.meeting.way, held.rate};
+    // The equation leaves to collide() what is deep inside.
+    const OwnHeld own{
+        *held.shape, {sought.all() + sought.settings.meeting.way, sought.reach == 0}, held.rate};
     return find_nearest_in_block(BodyLanes(held.space, own, sought.all()), sought, near);
 }
 
 void find_surfaces_of(const HeldShape& shape, std::span<const Vec3> points, float sight,
                       std::span<Vec4> surfaces) {
-    const OwnHeld own{shape, sight, 0};
+    const OwnHeld own{shape, {sight}, 0};
     for (std::size_t first = 0; first < points.size(); first += part_lanes) {
         const std::size_t count = std::min<std::size_t>(part_lanes, points.size() - first);
         LaneByLane of_points;

@@ -124,15 +124,34 @@ inline Seen seen_from(const Vector3& gap, const Vector3& front, bool is_solid, c
     return {normal, is_inside ? -length : length};
 }
 
+/// How far a point sees [m], and whether it sees the surface from inside however deep it is.
+struct Sight {
+    float far;
+    bool deep = true;
+};
+
+/// Of those that are lost.
+template <class Mask>
+inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, float sight) {
+    const LaneByLane points(q, hn::IfThenElse(lost, set(1), set(0)));
+    LaneByLane answers;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane)
+        if (points.w[lane] != 0 && shape.may_be_deeper(points.vector(lane), sight)) answers.w[lane] = 1;
+    return hn::Gt(load_lanes(answers.w), set(0));
+}
+
 /// What is not found within sight is that far away.
 template <class Mask>
-inline OwnSurface nearest_in(const TriangleTree& tree, const Lanes3& q, Mask asked, float sight, float rate) {
+inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const Lanes3& q, Mask asked,
+                             const Sight& sight_of, float rate) {
     const Tag d;
+    const float sight = sight_of.far;
     NearestTriangle best{within(asked, sight)};
     search(tree, q, best);
-    if (tree.is_closed()) {  // what is deeper inside than it sees
-        const Lanes inside = squared_distance(q, tree.nodes()[0]);
-        const auto lost = hn::And(asked, hn::And(hn::Lt(best.number, set(0)), hn::Eq(inside, set(0))));
+    if (tree.is_closed() && sight_of.deep) {  // what is deeper inside than it sees
+        const Lanes in_box = squared_distance(q, tree.nodes()[0]);
+        auto lost = hn::And(asked, hn::And(hn::Lt(best.number, set(0)), hn::Eq(in_box, set(0))));
+        if (!hn::AllFalse(d, lost)) lost = hn::And(lost, may_be_deeper(shape, q, lost, sight));
         if (!hn::AllFalse(d, lost)) {
             NearestTriangle all{within(lost, std::numeric_limits<float>::infinity())};
             search(tree, q, all);
@@ -304,18 +323,20 @@ inline OwnSurface nearest_in(const HeldDistances& field, const Lanes3& q, Mask a
 struct OwnHeld {
     static constexpr bool is_swept = true;
     const HeldShape& shape;
-    float sight, rate;  // how far a point sees [m]; steps of the host a second, if the shape deforms
+    Sight sight;
+    float rate;  // steps of the host a second, if the shape deforms
 
     [[nodiscard]] bool convex() const { return shape.is_convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& q) const { return q; }
-    [[nodiscard]] HWY_INLINE auto near(const Lanes3& q, Lanes thickness) const {
+    /// Where a path ends that may have met the shape, too.
+    [[nodiscard]] HWY_INLINE auto near(const Lanes3& q, Lanes) const {
         const auto beyond = [](Lanes at, float lower, float upper) HWY_ATTR {
             return hn::Max(hn::Sub(set(lower), at), hn::Sub(at, set(upper)));
         };
         const Vector3 &lower = shape.box().min(), &upper = shape.box().max();
         const Lanes of_x = beyond(q.x, lower.x(), upper.x()), of_y = beyond(q.y, lower.y(), upper.y()),
                     of_z = beyond(q.z, lower.z(), upper.z());
-        return hn::Lt(hn::Max(of_x, hn::Max(of_y, of_z)), thickness);
+        return hn::Lt(hn::Max(of_x, hn::Max(of_y, of_z)), set(sight.far));
     }
     template <class Mask>
     [[nodiscard]] OwnSurface nearest(const Lanes3& q, Mask asked) const {
@@ -323,10 +344,10 @@ struct OwnHeld {
         const auto numbers = hn::And(asked, hn::Lt(size, set(1e30f)));
         const HeldShape::Data& data = shape.data();
         if (const auto* const tree = std::get_if<TriangleTree>(&data))
-            return nearest_in(*tree, q, numbers, sight, rate);
+            return nearest_in(shape, *tree, q, numbers, sight, rate);
         if (const auto* const ground = std::get_if<HeldHeights>(&data))
-            return nearest_in(*ground, q, numbers, sight, rate);
-        return nearest_in(*std::get_if<HeldDistances>(&data), q, numbers, sight, rate);
+            return nearest_in(*ground, q, numbers, sight.far, rate);
+        return nearest_in(*std::get_if<HeldDistances>(&data), q, numbers, sight.far, rate);
     }
 };
 

@@ -52,42 +52,53 @@ Result<HeldShape::Data> make_data(const HeightField& field) {
         HeldHeights{field.rows, field.columns, field.spacing, {field.heights.begin(), field.heights.end()}});
 }
 
-/// Distances from the mesh at the corners of cells that go two beyond it.
+/// At the corners of cells that go `margin` beyond a box.
+HeldDistances cells_about(const Eigen::AlignedBox3f& box, float cell, float margin) {
+    HeldDistances made{box.min() - Vector3::Constant(margin * cell), cell, {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float cells = std::ceil(box.sizes()[static_cast<int>(k)] / cell + 2 * margin);
+        made.corners[k] = static_cast<std::uint32_t>(cells) + 1;
+    }
+    return made;
+}
+
+std::size_t corners_of(const HeldDistances& cells) {
+    return std::size_t{cells.corners[0]} * cells.corners[1] * cells.corners[2];
+}
+
+Vector3 corner_of(const HeldDistances& cells, std::size_t x, std::size_t y, std::size_t z) {
+    return cells.origin +
+           cells.cell * Vector3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+}
+
+void find_distances(const HeldShape& mesh, HeldDistances& cells) {
+    cells.distances.resize(corners_of(cells));
+    std::vector<Vec3> row(cells.corners[0]);
+    std::vector<Vec4> surfaces(row.size());
+    for (std::size_t z = 0; z < cells.corners[2]; ++z)
+        for (std::size_t y = 0; y < cells.corners[1]; ++y) {
+            for (std::size_t x = 0; x < row.size(); ++x) row[x] = to_vec3(corner_of(cells, x, y, z));
+            find_surfaces(mesh, row, std::numeric_limits<float>::infinity(), surfaces);
+            for (std::size_t x = 0; x < row.size(); ++x)
+                cells.distances[cells.index(x, y, z)] = surfaces[x].w;
+        }
+}
+
 Result<HeldShape::Data> make_data(const DistanceField& field) {
     if (!field.mesh.closed) return invalid("DistanceField::mesh is not closed; it must be");
     const auto mesh = HeldShape::make(field.mesh);
     if (!mesh) return mesh.error();
-    const Vector3 sizes = mesh->box().sizes();
-    if (!(field.cell >= sizes.maxCoeff() / 512 && field.cell <= farthest))
+    const float longest = mesh->box().sizes().maxCoeff();
+    if (!(field.cell >= longest / 512 && field.cell <= farthest))
         return out_of_range("DistanceField::cell", static_cast<double>(field.cell),
                             "from a 512th of the mesh's longest side, " +
-                                number_text(static_cast<double>(sizes.maxCoeff() / 512)) + " m, to 1e5 m");
-    constexpr float margin = 2;
-    HeldDistances made{};
-    made.cell = field.cell;
-    made.origin = mesh->box().min() - Vector3::Constant(margin * field.cell);
-    std::size_t count = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto cells = static_cast<std::uint32_t>(std::ceil(sizes[axis] / field.cell + 2 * margin));
-        made.corners[static_cast<std::size_t>(axis)] = cells + 1;
-        count *= cells + 1;
-    }
-    if (count > most_corners)
-        return out_of_range("DistanceField::cell", static_cast<double>(field.cell),
-                            "so large that there are 2^24 corners at most, not " + std::to_string(count));
-    made.distances.resize(count);
-    std::vector<Vec3> row(made.corners[0]);
-    std::vector<Vec4> surfaces(row.size());
-    std::size_t next = 0;
-    for (std::uint32_t z = 0; z < made.corners[2]; ++z)
-        for (std::uint32_t y = 0; y < made.corners[1]; ++y) {
-            for (std::uint32_t x = 0; x < row.size(); ++x)
-                row[x] =
-                    to_vec3(made.origin + made.cell * Vector3(static_cast<float>(x), static_cast<float>(y),
-                                                              static_cast<float>(z)));
-            find_surfaces(*mesh, row, std::numeric_limits<float>::infinity(), surfaces);
-            for (const Vec4& surface : surfaces) made.distances[next++] = surface.w;
-        }
+                                number_text(static_cast<double>(longest / 512)) + " m, to 1e5 m");
+    HeldDistances made = cells_about(mesh->box(), field.cell, 2);
+    if (corners_of(made) > most_corners)
+        return out_of_range(
+            "DistanceField::cell", static_cast<double>(field.cell),
+            "so large that there are 2^24 corners at most, not " + std::to_string(corners_of(made)));
+    find_distances(*mesh, made);
     return HeldShape::Data(std::move(made));
 }
 
@@ -96,13 +107,48 @@ Result<HeldShape::Data> make_data(const DistanceField& field) {
 Result<HeldShape> HeldShape::make(const Shape& shape) {
     auto data = std::visit([](const auto& of_kind) { return make_data(of_kind); }, shape);
     if (!data) return data.error();
-    return HeldShape(std::move(data).value(), std::holds_alternative<ConvexHull>(shape));
+    HeldShape made(std::move(data).value(), std::holds_alternative<ConvexHull>(shape));
+    made.find_coarse();
+    return made;
+}
+
+void HeldShape::find_coarse() {
+    constexpr float cells = 32;  // to the longest side
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr || !tree->is_closed()) return;
+    HeldDistances coarse = cells_about(box_, box_.sizes().maxCoeff() / cells, 0.5f);
+    find_distances(*this, coarse);
+    coarse_ = std::move(coarse);
+}
+
+// Nowhere is a distance less than that at a corner, less the way there.
+bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
+    if (coarse_.distances.empty()) return true;  // they are being made
+    std::array<std::size_t, 3> first{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        const float at = std::floor((q[axis] - coarse_.origin[axis]) / coarse_.cell);
+        const float most = static_cast<float>(std::max(coarse_.corners[k], 2u) - 2);
+        first[k] = static_cast<std::size_t>(std::clamp(at, 0.0f, most));
+    }
+    float least = -std::numeric_limits<float>::infinity();
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::size_t x = first[0] + (corner & 1), y = first[1] + (corner >> 1 & 1),
+                          z = first[2] + (corner >> 2);
+        const float way = (q - corner_of(coarse_, x, y, z)).norm() + deformed_by_;
+        least = std::max(least, coarse_.distances[coarse_.index(x, y, z)] - 1.001f * way);
+    }
+    return least < -than;
 }
 
 Result<void> HeldShape::deform(std::span<const Vec3> vertices, std::uint64_t step) {
     auto* const tree = std::get_if<TriangleTree>(&data_);
     if (tree == nullptr || convex_) return invalid("the shape is no TriangleMesh; only those deform");
     if (auto done = tree->deform("TriangleMesh", vertices, deforms_in_ == step); !done) return done;
+    float farthest_moved = 0;
+    for (const Vec3& way : tree->displacements())
+        farthest_moved = std::max(farthest_moved, to_vector(way).norm());
+    deformed_by_ += farthest_moved;
     deforms_in_ = step;
     find_box();
     return {};
@@ -131,7 +177,7 @@ ShapeInfo HeldShape::info() const {
     ShapeInfo info{.bounds = {to_vec3(box_.min()), to_vec3(box_.max())}};
     if (const auto* const tree = std::get_if<TriangleTree>(&data_)) {
         info.triangles = static_cast<std::uint32_t>(tree->size());
-        info.bytes = sizeof(HeldShape) + tree->bytes();
+        info.bytes = sizeof(HeldShape) + tree->bytes() + coarse_.distances.capacity() * sizeof(float);
     } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
         info.triangles = ground->triangles();
         info.bytes = sizeof(HeldShape) + ground->heights.capacity() * sizeof(float);

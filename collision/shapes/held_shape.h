@@ -37,6 +37,10 @@ struct HeldDistances {
     float cell;  ///< [m]
     std::array<std::uint32_t, 3> corners;
     std::vector<float> distances;  ///< x is fastest, then y
+
+    [[nodiscard]] std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
+        return x + corners[0] * (y + std::size_t{corners[1]} * z);
+    }
 };
 
 class HeldShape {
@@ -52,15 +56,21 @@ class HeldShape {
     [[nodiscard]] bool is_convex() const noexcept { return convex_; }
     /// Whoever passes it is inside, however deep.
     [[nodiscard]] bool is_ground() const noexcept { return std::holds_alternative<HeldHeights>(data_); }
+    /// False only where the point of a closed mesh is not farther inside than that: by distances at the
+    /// corners of coarse cells, which are wrong by what the mesh has deformed since.
+    [[nodiscard]] bool may_be_deeper(const Vector3& q, float than) const;
     [[nodiscard]] bool deforms_in(std::uint64_t step) const noexcept { return deforms_in_ == step; }
     [[nodiscard]] ShapeInfo info() const;
 
   private:
     HeldShape(Data&& data, bool convex) : data_(std::move(data)), convex_(convex) { find_box(); }
     void find_box();
+    void find_coarse();
 
     Data data_;
     Eigen::AlignedBox3f box_;
+    HeldDistances coarse_{};  // of a closed mesh
+    float deformed_by_ = 0;   // at most, since then [m]
     bool convex_;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };

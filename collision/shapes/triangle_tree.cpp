@@ -14,7 +14,7 @@ namespace weft {
 namespace {
 
 constexpr std::size_t most_triangles = std::size_t{1} << 22;
-constexpr std::uint32_t most_in_leaf = 4;
+constexpr std::uint32_t most_in_leaf = 2;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 Error invalid(const char* name, const std::string& rest) {

@@ -47,6 +47,7 @@ TEST(HeldShapes, DistancesAreBruteForcesWithItsSign) {
         std::vector<Vec3> points = points_about({1, 0.4f, 1}, 600);
         for (const Vec3& v : solid.vertices)  // beside corners and edges
             points.push_back({v.x + 1e-3f, v.y - 2e-3f, v.z + 5e-4f});
+        for (const Vec3& v : solid.vertices) points.push_back({0.9f * v.x + 0.075f, 0.9f * v.y, 0.9f * v.z});
         const std::vector<Vec4> surfaces = surfaces_of(held, points), near = surfaces_of(held, points, 0.02f);
         std::size_t inside = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
