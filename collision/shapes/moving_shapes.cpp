@@ -136,6 +136,18 @@ Eigen::AlignedBox3f filled(const Box& box) {
     return {-half, half};
 }
 
+/// Of the ball about the origin that holds it.
+float radius_of(const Eigen::AlignedBox3f& box) {
+    return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
+}
+
+/// Far from a ball about where it turns.
+bool are_clear(const Vec3& start, const Vec3& end, float radius, const Reach& reach,
+               const BlockPaths& paths) {
+    return are_clear(Capsule{start, start, radius}, Capsule{end, end, radius}, reach.all(),
+                     grown(paths.ends, paths.longest));
+}
+
 Capsule widest(const TaperedCapsule& shape) {
     return {shape.a, shape.b, std::max(shape.radius_a, shape.radius_b)};
 }
@@ -190,8 +202,7 @@ Sweeping sweeping(const HeldInstance& start, const HeldInstance& end, const Pace
     const Vector3 travel = to_vector(to.position) - to_vector(from.position);
     if (end.shape.is_ground()) return {.thin = infinity, .way = -infinity, .travel = travel};
     const Eigen::AlignedBox3f& box = end.shape.box();
-    const float radius = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
-    const float way = way_of_space(from.position, to.position, from.rotation, to.rotation, radius);
+    const float way = way_of_space(from.position, to.position, from.rotation, to.rotation, radius_of(box));
     return {.thin = std::max(0.5f * thickness, 5e-4f),
             .way = unless_jumped(way, pace),
             .travel = travel,
@@ -222,6 +233,8 @@ std::optional<Meeting> may_meet(const Plane&, const Plane& end, const Pace&, con
 
 std::optional<Meeting> may_meet(const Box& start, const Box& end, const Pace& pace, const Reach& reach,
                                 const BlockPaths& paths) {
+    const float radius = std::max(to_vector(start.half_extents).norm(), to_vector(end.half_extents).norm());
+    if (are_clear(start.center, end.center, radius, reach, paths)) return std::nullopt;
     return may_meet(Pose(start.center, start.rotation), Pose(end.center, end.rotation),
                     {filled(start), filled(end)}, sweeping(start, end, pace, reach.thickness), reach, paths);
 }
@@ -229,6 +242,8 @@ std::optional<Meeting> may_meet(const Box& start, const Box& end, const Pace& pa
 std::optional<Meeting> may_meet(const HeldInstance& start, const HeldInstance& end, const Pace& pace,
                                 const Reach& reach, const BlockPaths& paths) {
     const Eigen::AlignedBox3f& box = end.shape.box();
+    if (are_clear(start.place.position, end.place.position, radius_of(box), reach, paths))
+        return std::nullopt;
     return may_meet(Pose(start.place.position, start.place.rotation),
                     Pose(end.place.position, end.place.rotation), {box, box},
                     sweeping(start, end, pace, reach.thickness), reach, paths);
