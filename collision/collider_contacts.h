@@ -1,5 +1,5 @@
 #pragma once
-// Particles against spheres, capsules and planes, moving or not, with Coulomb friction.
+// Particles against colliders, moving or not, with Coulomb friction.
 
 #include <array>
 #include <cstdint>
@@ -14,12 +14,16 @@
 
 namespace weft {
 
+class HeldShape;
+
 /// One collider over one substep: where it was at its start and is at its end.
 struct ColliderMotion {
     Collider start, end;  // the same alternative in both
     /// No point of its axis, and no surface that grows or is a plane, moves what it meets faster than this,
     /// however far the collider jumps [m/s].
     float fastest = std::numeric_limits<float>::max();
+    const HeldShape* held = nullptr;  ///< of a PlacedShape
+    float rate = 0;  ///< steps of the host a second, where what is held deforms in this one [1/s]
 };
 
 /// Error: a value outside its range in collider.h.

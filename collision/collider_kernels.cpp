@@ -1,49 +1,17 @@
 #include "collision/collider_kernels.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/collider_kernels.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/block_lanes-inl.h"
-#include "collision/coulomb-inl.h"
-#include "collision/shape_lanes-inl.h"
-#include "engine/simd/lanes-inl.h"
+#include "collision/shapes/block_kernels-inl.h"
+#include "collision/shapes/body_lanes-inl.h"
+#include "collision/shapes/round_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-struct PathsLanes {
-    Lanes3 lower, upper;
-    Lanes way_squared;
-
-    /// On x86 what is not a number leaves all as it is; elsewhere it may make it not a number.
-    HWY_INLINE void add(const Lanes3& start, const Lanes3& end) {
-        lower = {hn::Min(end.x, lower.x), hn::Min(end.y, lower.y), hn::Min(end.z, lower.z)};
-        upper = {hn::Max(end.x, upper.x), hn::Max(end.y, upper.y), hn::Max(end.z, upper.z)};
-        const Lanes3 way = end - start;
-        way_squared = hn::Max(dot(way, way), way_squared);
-    }
-    [[nodiscard]] HWY_INLINE BlockPaths all() const {
-        const Tag d;
-        const auto least = [&](Lanes v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
-        const auto most = [&](Lanes v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
-        return {
-            {{least(lower.x), least(lower.y), least(lower.z)}, {most(upper.x), most(upper.y), most(upper.z)}},
-            std::sqrt(most(way_squared))};
-    }
-};
-
-HWY_INLINE PathsLanes no_paths() {
-    const Lanes infinity = set(std::numeric_limits<float>::infinity());
-    return {
-        {infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}, set(0)};
-}
 
 BlockPaths paths(std::span<const Vec4> starts, std::span<const Vec4> positions) {
     const Vec4* const from = (starts.empty() ? positions : starts).data();
@@ -55,81 +23,20 @@ BlockPaths paths(std::span<const Vec4> starts, std::span<const Vec4> positions) 
     return paths.all();
 }
 
-/// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
-/// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
-/// rest.
-template <class Shape>
-HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
-                             const Vec4* starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
-                             PathsLanes& paths) {
-    const Tag d;
-    const hn::RebindToUnsigned<Tag> du;
-    const Lanes zero = set(0);
-    const Lanes4 position = load_rows(positions);
-    const Lanes3 p = xyz(position);
-    const auto is_free = hn::Gt(position.w, zero);
-    const auto may_meet = hn::And(shape.near(p), is_free);
-    if (starts == nullptr && hn::AllFalse(d, may_meet)) return;
-
-    const Lanes3 start = starts != nullptr ? xyz(load_rows(starts)) : p;
-    auto surface = shape.surface(p, may_meet);
-    if constexpr (Shape::is_swept)
-        if (starts != nullptr) surface = first_met(shape, {0, settings.thin}, start, p, is_free, surface);
-    if (hn::AllFalse(d, surface.is_near)) return;
-    const Lanes4 velocity = load_rows(velocities);
-    const Lanes3 relative = xyz(velocity) - surface.velocity;
-    const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
-    const Lanes3 sliding = mul_add(approach, surface.normal, relative);
-    const auto rubs = hn::And(hn::Gt(approach, zero), hn::Eq(dot(held, held), zero));
-    const Lanes3 stopped =
-        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
-    const Lanes3 kick = approach * surface.normal - stopped;
-    const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
-    const Lanes3 moved = either(surface.is_near, p + displacement, p);
-    store_rows(moved, position.w, positions);
-    store_rows(either(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
-    paths.add(start, moved);
-    const auto one = hn::IfThenElseZero(hn::RebindMask(du, surface.is_near), hn::Set(du, 1));
-    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
-}
-
-template <class Shape>
-HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& settings, CollidingBlock& block) {
-    const Bounds& bounds = block.paths.ends;
-    PathsLanes paths{set3(bounds.lower), set3(bounds.upper), set(block.paths.longest * block.paths.longest)};
-    const auto size = static_cast<std::uint32_t>(block.positions.size());
-    const bool swept = settings.thin > 0;
-    std::uint32_t i = 0;
-    const Lanes3 none = zero3();
-    for (; i + part_lanes <= size; i += part_lanes)
-        collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
-                     swept ? &block.starts[i] : nullptr, &block.positions[i], &block.velocities[i],
-                     &block.met[i], paths);
-    if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
-        Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
-             held[part_lanes] = {};
-        std::copy(block.positions.begin() + i, block.positions.end(), positions);
-        std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
-        if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
-        if (swept) std::copy(block.starts.begin() + i, block.starts.end(), starts);
-        PathsLanes with_added = paths;
-        collide_part(shape, settings, xyz(load_rows(held)), swept ? starts : nullptr, positions, velocities,
-                     &block.met[i], with_added);
-        for (std::uint32_t k = 0; k < size - i; ++k) {
-            block.positions[i + k] = positions[k];
-            block.velocities[i + k] = velocities[k];
-            paths.add(set3(swept ? starts[k] : positions[k]), set3(positions[k]));
-        }
-    }
-    block.paths = paths.all();
-}
+// Each is compiled as a function of its own.
 
 void collide_capsule(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
-    collide_block(CapsuleLanes(capsule, settings.thickness), settings, block);
+    collide_block(RoundLanes(capsule, settings.thickness), settings, block);
 }
-
+void collide_tapered(const MovingTaperedCapsule& capsule, const ContactSettings& settings,
+                     CollidingBlock& block) {
+    collide_block(RoundLanes(capsule, settings.thickness), settings, block);
+}
 void collide_plane(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block) {
     collide_block(PlaneLanes(plane, settings.thickness), settings, block);
+}
+void collide_box(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block) {
+    collide_block(BodyLanes(box.space, OwnBox{box}, settings.thickness), settings, block);
 }
 
 BlockPaths place_block(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
@@ -145,44 +52,18 @@ BlockPaths place_block(std::span<const Vec4> starts, std::span<const Vec4> posit
     return paths.all();
 }
 
-template <class Shape>
-HWY_INLINE bool find_nearest_in(const Shape& shape, const ContactSettings& settings, float reach,
-                                std::span<const Vec4> starts, std::uint32_t size, NearSurfaces& near) {
-    const Tag d;
-    const bool swept = settings.thin > 0;
-    bool found = false;
-    for (std::uint32_t i = 0; i < size; i += part_lanes) {
-        const Lanes4 point = load_lanes(near.points, i);
-        const Lanes3 p = xyz(point);
-        const auto may_meet = shape.near(p);
-        if (!swept && hn::AllFalse(d, may_meet)) continue;
-        auto surface = shape.surface(p, may_meet);
-        if constexpr (Shape::is_swept)
-            if (swept)
-                surface = first_met(shape, {reach, settings.thin}, xyz(load_rows(starts.data() + i)), p,
-                                    hn::Gt(point.w, set(0)), surface);
-        if (hn::AllFalse(d, surface.is_near)) continue;
-        const Lanes gap = hn::Sub(set(reach), surface.penetration);
-        const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
-        const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
-        store_lanes(either(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
-        store_lanes(either(nearer, with_w(surface.velocity, set(settings.friction)), motion), near.motions,
-                    i);
-        found = true;
-    }
-    return found;
+bool nearest_of_capsule(const MovingCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
+    return find_nearest_in_block(RoundLanes(capsule, sought.all()), sought, near);
 }
-
-bool find_nearest_capsule(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
-                          std::span<const Vec4> starts, std::uint32_t size, NearSurfaces& near) {
-    return find_nearest_in(CapsuleLanes(capsule, settings.thickness + reach), settings, reach, starts, size,
-                           near);
+bool nearest_of_tapered(const MovingTaperedCapsule& capsule, const NearestSought& sought,
+                        NearSurfaces& near) {
+    return find_nearest_in_block(RoundLanes(capsule, sought.all()), sought, near);
 }
-
-bool find_nearest_plane(const MovingPlane& plane, const ContactSettings& settings, float reach,
-                        std::span<const Vec4> starts, std::uint32_t size, NearSurfaces& near) {
-    return find_nearest_in(PlaneLanes(plane, settings.thickness + reach), settings, reach, starts, size,
-                           near);
+bool nearest_of_plane(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near) {
+    return find_nearest_in_block(PlaneLanes(plane, sought.all()), sought, near);
+}
+bool nearest_of_box(const MovingBox& box, const NearestSought& sought, NearSurfaces& near) {
+    return find_nearest_in_block(BodyLanes(box.space, OwnBox{box}, sought.all()), sought, near);
 }
 
 }  // namespace
@@ -194,10 +75,14 @@ namespace weft {
 
 HWY_EXPORT(paths);
 HWY_EXPORT(collide_capsule);
+HWY_EXPORT(collide_tapered);
 HWY_EXPORT(collide_plane);
+HWY_EXPORT(collide_box);
 HWY_EXPORT(place_block);
-HWY_EXPORT(find_nearest_capsule);
-HWY_EXPORT(find_nearest_plane);
+HWY_EXPORT(nearest_of_capsule);
+HWY_EXPORT(nearest_of_tapered);
+HWY_EXPORT(nearest_of_plane);
+HWY_EXPORT(nearest_of_box);
 
 BlockPaths paths_of(std::span<const Vec4> starts, std::span<const Vec4> positions) {
     return HWY_DYNAMIC_DISPATCH(paths)(starts, positions);
@@ -206,9 +91,14 @@ BlockPaths paths_of(std::span<const Vec4> starts, std::span<const Vec4> position
 void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
     HWY_DYNAMIC_DISPATCH(collide_capsule)(capsule, settings, block);
 }
-
+void collide(const MovingTaperedCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
+    HWY_DYNAMIC_DISPATCH(collide_tapered)(capsule, settings, block);
+}
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block) {
     HWY_DYNAMIC_DISPATCH(collide_plane)(plane, settings, block);
+}
+void collide(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block) {
+    HWY_DYNAMIC_DISPATCH(collide_box)(box, settings, block);
 }
 
 BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
@@ -216,14 +106,17 @@ BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, 
     return HWY_DYNAMIC_DISPATCH(place_block)(starts, positions, gamma, velocities, points);
 }
 
-bool find_nearest(const MovingCapsule& capsule, const ContactSettings& settings, float reach,
-                  std::span<const Vec4> starts, std::uint32_t size, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(find_nearest_capsule)(capsule, settings, reach, starts, size, near);
+bool find_nearest(const MovingCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_capsule)(capsule, sought, near);
 }
-
-bool find_nearest(const MovingPlane& plane, const ContactSettings& settings, float reach,
-                  std::span<const Vec4> starts, std::uint32_t size, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(find_nearest_plane)(plane, settings, reach, starts, size, near);
+bool find_nearest(const MovingTaperedCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_tapered)(capsule, sought, near);
+}
+bool find_nearest(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_plane)(plane, sought, near);
+}
+bool find_nearest(const MovingBox& box, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_box)(box, sought, near);
 }
 
 }  // namespace weft

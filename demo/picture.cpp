@@ -2,7 +2,26 @@
 
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace weft::demo {
+
+namespace {
+
+render::DrawnBox drawn(const Box& box) {
+    const Rotation& r = box.rotation;
+    const Eigen::Matrix3f axes = Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
+    const auto to_face = [&](int axis, float half) {
+        const Eigen::Vector3f way = half * axes.col(axis);
+        return Vec3{way.x(), way.y(), way.z()};
+    };
+    return {.center = box.center,
+            .x = to_face(0, box.half_extents.x),
+            .y = to_face(1, box.half_extents.y),
+            .z = to_face(2, box.half_extents.z)};
+}
+
+}  // namespace
 
 Picture::Picture(render::SceneRenderer renderer) : renderer_(std::move(renderer)) {}
 
@@ -40,6 +59,8 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
                                   float alpha) {
     spheres_.clear();
     capsules_.clear();
+    tapered_capsules_.clear();
+    boxes_.clear();
     for (const ColliderId id : simulation.content().drawn_colliders) {
         const auto collider = simulation.world().collider(id);
         if (!collider) continue;
@@ -47,12 +68,18 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
             spheres_.push_back({sphere->center, sphere->radius});
         } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
             capsules_.push_back({capsule->a, capsule->b, capsule->radius});
+        } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
+            tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
+        } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
+            boxes_.push_back(drawn(*box));
         }
     }
     view_.camera = camera;
     view_.alpha = alpha;
     view_.spheres = spheres_;
     view_.capsules = capsules_;
+    view_.tapered_capsules = tapered_capsules_;
+    view_.boxes = boxes_;
     view_.wind = simulation.world().settings().wind.velocity;
     return view_;
 }

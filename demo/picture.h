@@ -30,6 +30,8 @@ class Picture {
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;
+    std::vector<render::DrawnTaperedCapsule> tapered_capsules_;
+    std::vector<render::DrawnBox> boxes_;
     render::View view_;
 };
 

@@ -56,24 +56,29 @@ CapsuleMesh::CapsuleMesh() : vertex_array_(VertexArray::make()) {
     glBindVertexArray(0);
 }
 
-void CapsuleMesh::draw(const Program& program, const DrawnCapsule& capsule) const {
+void CapsuleMesh::draw(const Program& program, const DrawnTaperedCapsule& capsule) const {
     program.set("end_a", capsule.a);
     program.set("end_b", capsule.b);
-    program.set("radius", capsule.radius);
+    program.set("radius_a", capsule.radius_a);
+    program.set("radius_b", capsule.radius_b);
     program.set("color", capsule.color);
     glBindVertexArray(vertex_array_.id());
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-DrawnCapsule as_capsule(const DrawnSphere& sphere) {
-    return {sphere.center, sphere.center, sphere.radius, sphere.color};
+DrawnTaperedCapsule as_tapered(const DrawnSphere& sphere) {
+    return {sphere.center, sphere.center, sphere.radius, sphere.radius, sphere.color};
 }
 
-Box bounds_of(const DrawnCapsule& capsule) {
-    Box box(to_vector(capsule.a));
-    box.extend(to_vector(capsule.b));
-    const Vector3 margin = Vector3::Constant(capsule.radius);
-    return {box.min() - margin, box.max() + margin};
+DrawnTaperedCapsule as_tapered(const DrawnCapsule& capsule) {
+    return {capsule.a, capsule.b, capsule.radius, capsule.radius, capsule.color};
+}
+
+Box bounds_of(const DrawnTaperedCapsule& capsule) {
+    const Vector3 a = Vector3::Constant(capsule.radius_a), b = Vector3::Constant(capsule.radius_b);
+    Box box(to_vector(capsule.a) - a, to_vector(capsule.a) + a);
+    box.extend(Box(to_vector(capsule.b) - b, to_vector(capsule.b) + b));
+    return box;
 }
 
 }  // namespace weft::render

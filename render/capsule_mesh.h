@@ -13,7 +13,7 @@ class CapsuleMesh {
   public:
     CapsuleMesh();
     /// With a program made of solid.vert in use.
-    void draw(const Program& program, const DrawnCapsule& capsule) const;
+    void draw(const Program& program, const DrawnTaperedCapsule& capsule) const;
 
   private:
     VertexArray vertex_array_;
@@ -21,7 +21,8 @@ class CapsuleMesh {
     GLsizei index_count_ = 0;
 };
 
-[[nodiscard]] DrawnCapsule as_capsule(const DrawnSphere& sphere);
-[[nodiscard]] Box bounds_of(const DrawnCapsule& capsule);
+[[nodiscard]] DrawnTaperedCapsule as_tapered(const DrawnSphere& sphere);
+[[nodiscard]] DrawnTaperedCapsule as_tapered(const DrawnCapsule& capsule);
+[[nodiscard]] Box bounds_of(const DrawnTaperedCapsule& capsule);
 
 }  // namespace weft::render

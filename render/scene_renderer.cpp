@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <map>
 
+#include "render/box_mesh.h"
 #include "render/capsule_mesh.h"
 #include "render/cloth_mesh.h"
 #include "render/gl_state.h"
@@ -77,7 +78,9 @@ struct SceneRenderer::Impl {
     Buffer frame_uniforms = Buffer::make();
     VertexArray no_attributes = VertexArray::make();  // for vertices made from gl_VertexID
     CapsuleMesh capsule_mesh;
-    std::vector<DrawnCapsule> solids;  // of the picture being drawn
+    BoxMesh box_mesh;
+    std::vector<DrawnTaperedCapsule> solids;  // of the picture being drawn, but for its boxes
+    std::vector<DrawnBox> boxes;
 
     std::map<ClothHandle, ClothMesh> cloths;
     ClothHandle last_handle = 0;
@@ -129,14 +132,17 @@ void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned
 }
 
 void SceneRenderer::Impl::gather_solids(const View& view) {
-    solids.assign(view.capsules.begin(), view.capsules.end());
-    for (const DrawnSphere& sphere : view.spheres) solids.push_back(as_capsule(sphere));
+    solids.assign(view.tapered_capsules.begin(), view.tapered_capsules.end());
+    for (const DrawnCapsule& capsule : view.capsules) solids.push_back(as_tapered(capsule));
+    for (const DrawnSphere& sphere : view.spheres) solids.push_back(as_tapered(sphere));
+    boxes.assign(view.boxes.begin(), view.boxes.end());
 }
 
 Box SceneRenderer::Impl::scene_bounds() const {
     Box box;
     for (const auto& [handle, cloth] : cloths) box.extend(cloth.bounds());
-    for (const DrawnCapsule& solid : solids) box.extend(bounds_of(solid));
+    for (const DrawnTaperedCapsule& solid : solids) box.extend(bounds_of(solid));
+    for (const DrawnBox& solid : boxes) box.extend(bounds_of(solid));
     if (box.isEmpty()) box.extend(Vector3(0, 0, 0));
     return box;
 }
@@ -198,7 +204,8 @@ void SceneRenderer::Impl::draw_ground() const {
 void SceneRenderer::Impl::draw_solids(const Program& program, const Matrix4f& clip) const {
     program.use();
     program.set("clip", to_matrix4(clip));
-    for (const DrawnCapsule& solid : solids) capsule_mesh.draw(program, solid);
+    for (const DrawnTaperedCapsule& solid : solids) capsule_mesh.draw(program, solid);
+    for (const DrawnBox& solid : boxes) box_mesh.draw(program, solid);
 }
 
 void SceneRenderer::Impl::draw_cloths(const Matrix4f& clip, float alpha) const {

@@ -190,7 +190,7 @@ void Simulation::find_touched_colliders(Worker& worker, Cloth& cloth) const {
     const auto touched = [&](const Vector3& position, const Vector3& impulse) {
         float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;
         state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
-            const SurfacePoint surface = nearest_surface(slot.target, position);
+            const SurfacePoint surface = nearest_surface(slot.target, position, held_by(slot.target));
             if (!(surface.distance < least)) return;
             least = surface.distance;
             along = surface.normal.dot(impulse);
@@ -213,8 +213,9 @@ void Simulation::log_colliders(Cloth& cloth) {
         const Vec4 impulse = std::exchange(cloth.collider_impulses[i], Vec4{});
         if (impulse.w == 0) continue;
         const ColliderId id = collider_ids_[static_cast<std::uint32_t>(impulse.w) - 1];
+        const Collider& collider = state.colliders.find(id)->target;
         const SurfacePoint surface =
-            nearest_surface(state.colliders.find(id)->target, xyz(cloth.state.positions[i]));
+            nearest_surface(collider, xyz(cloth.state.positions[i]), held_by(collider));
         log_contact(contact_reports_.of_thread(0), cloth,
                     {.cloth = cloth.id,
                      .collider = id,

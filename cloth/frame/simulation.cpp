@@ -121,6 +121,12 @@ void Simulation::cloth_has_gone() noexcept {
     if (count < 2) together_.reset();
 }
 
+const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
+    const auto* const placed = std::get_if<PlacedShape>(&collider.shape);
+    const std::unique_ptr<HeldShape>* const held = placed != nullptr ? shapes.find(placed->shape) : nullptr;
+    return held != nullptr ? held->get() : nullptr;
+}
+
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
     reserve_collider_ids(reports_contacts());

@@ -11,6 +11,7 @@
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "cloth/solvers/stages.h"
 #include "collision/collider_contacts.h"
+#include "collision/shapes/held_shape.h"
 #include "engine/parallel_blocks.h"
 #include "engine/profiler.h"
 #include "engine/slot_map.h"
@@ -64,8 +65,12 @@ struct Simulation {
     Profiler profiler;
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
+    /// Only calls of the host change them.
+    SlotMap<ShapeId, std::unique_ptr<HeldShape>> shapes{new_first_generation()};
     StepReport report;
 
+    /// The shape that it is an instance of; null: it is none, or of one that is not there.
+    [[nodiscard]] const HeldShape* held_by(const Collider& collider) const noexcept;
     /// Of the last step.
     [[nodiscard]] std::span<const Contact> contacts() const noexcept { return contact_reports_.list(); }
     void clear_contacts() noexcept { contact_reports_.clear(); }

@@ -112,6 +112,17 @@ void for_each_part(State& state, const Visit& visit) {
     visit(std::span(&state.halved, 1));
 }
 
+/// Which shape an instance is of does not change, and its id is another in every World.
+template <class Kind, class Visit>
+void visit_shape(Kind& shape, const Visit& visit) {
+    if constexpr (std::same_as<std::remove_const_t<Kind>, PlacedShape>) {
+        visit(std::span(&shape.position, 1));
+        visit(std::span(&shape.rotation, 1));
+    } else {
+        visit(std::span(&shape, 1));
+    }
+}
+
 template <class State, class Visit>
 requires std::same_as<std::remove_const_t<State>, WorldState>
 void for_each_part(State& state, const Visit& visit) {
@@ -121,7 +132,7 @@ void for_each_part(State& state, const Visit& visit) {
     state.colliders.for_each([&](ColliderId, auto& slot) {
         for (auto* collider : {&slot.current, &slot.target}) {
             visit(std::span(&collider->friction, 1));
-            std::visit([&](auto& shape) { visit(std::span(&shape, 1)); }, collider->shape);
+            std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
         }
     });
 }

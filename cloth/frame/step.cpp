@@ -185,8 +185,12 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
 void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
     worker.motions.clear();
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        worker.motions.push_back({blend(slot.current, slot.target, substep.begin()),
-                                  blend(slot.current, slot.target, substep.end()), settings.max_speed});
+        ColliderMotion& motion = worker.motions.emplace_back(
+            ColliderMotion{blend(slot.current, slot.target, substep.begin()),
+                           blend(slot.current, slot.target, substep.end()), settings.max_speed});
+        motion.held = held_by(slot.target);
+        if (motion.held != nullptr && motion.held->deforms_in(state.steps))
+            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
     });
 }
 

@@ -95,7 +95,7 @@ inline constexpr float least_squared_sine = 1e-6f;
 HWY_INLINE Lanes3 perpendicular(const Lanes3& v) {
     const auto is_steep = hn::Gt(hn::Abs(v.y), hn::Max(hn::Abs(v.x), hn::Abs(v.z)));
     const Lanes zero = set(0);
-    return either(is_steep, {v.y, hn::Neg(v.x), zero}, {hn::Neg(v.z), zero, v.x});
+    return either(is_steep, Lanes3{v.y, hn::Neg(v.x), zero}, Lanes3{hn::Neg(v.z), zero, v.x});
 }
 
 /// Gap vector and weights, and a second axis: across the triangle or both edges, of any length.

@@ -57,6 +57,31 @@ TEST(Colliders, CapsuleKeepsParticlesAtItsSignedDistance) {
     });
 }
 
+TEST(Colliders, TaperedCapsuleKeepsParticlesAtItsSignedDistance) {
+    // Wider at either end, with one end's ball in the other's, and a cone all but flat.
+    for (const TaperedCapsule& shape : {TaperedCapsule{{-0.6f, 0.1f, 0}, {0.3f, -0.2f, 0.5f}, 0.3f, 0.1f},
+                                        TaperedCapsule{{-0.6f, 0.1f, 0}, {0.3f, -0.2f, 0.5f}, 0.05f, 0.4f},
+                                        TaperedCapsule{{0, 0.1f, 0}, {0, 0.3f, 0}, 0.6f, 0.1f},
+                                        TaperedCapsule{{0, 0.1f, 0}, {0, 0.3f, 0}, 0.1f, 0.6f},
+                                        TaperedCapsule{{0, 0.1f, 0}, {0, 0.3f, 0}, 0.1f, 0.295f}})
+        expect_pushed_to_surface({shape, 0.4f}, [&](const Vec4& p) {
+            float nearest = inf;
+            for (int k = 0; k <= 4000; ++k) {
+                const float t = static_cast<float>(k) / 4000.0f;
+                const Vector3 center = to_vector(shape.a) + t * (to_vector(shape.b) - to_vector(shape.a));
+                nearest = std::min(nearest, (xyz(p) - center).norm() - shape.radius_a -
+                                                t * (shape.radius_b - shape.radius_a));
+            }
+            return nearest;
+        });
+}
+
+TEST(Colliders, BoxKeepsParticlesAtItsSignedDistance) {
+    const Box box{{0.1f, 0.05f, -0.1f}, {0.2f, -0.4f, 0.4f, 0.8f}, {0.5f, 0.2f, 0.35f}};
+    expect_pushed_to_surface({box, 0.4f},
+                             [&](const Vec4& p) { return reference_surface(box, box, h, xyz(p)).distance; });
+}
+
 TEST(Colliders, PlaneKeepsParticlesAtItsSignedDistance) {
     expect_pushed_to_surface({Plane{{3, 4, 0}, -0.2f}, 0.4f},
                              [](const Vec4& p) { return 0.6f * p.x + 0.8f * p.y + 0.2f; });
@@ -82,6 +107,9 @@ TEST(Colliders, ParticlesOnTheAxisLeaveByADefiniteWay) {
     Particles particles{{{1, 1, 1, 1}}, {{}}};
     meet(particles, {at_rest(sphere)}, 0.1f);
     EXPECT_NEAR(particles.positions[0].y, 1.6f, 1e-6f);
+    particles = {{{1, 1, 1, 1}}, {{}}};
+    meet(particles, {at_rest({Box{{1, 1, 1}, {}, {0.5f, 0.4f, 0.5f}}, 0.4f})}, 0.1f);
+    EXPECT_NEAR(particles.positions[0].y, 1.5f, 1e-6f);
     particles = {{{1, 0, 0, 1}}, {{}}};
     meet(particles, {at_rest(capsule)}, 0.1f);
     EXPECT_EQ(particles.positions[0].x, 1);
@@ -92,6 +120,9 @@ TEST(Colliders, ParticlesThatAreNotFiniteAreLeft) {
     Particles particles{{{nan, 0, 0, 1}, {inf, 0, 0, 1}}, {{}, {}}};
     const std::vector<ColliderMotion> all{at_rest({Sphere{{0, 0, 0}, 1}, 0.4f}),
                                           at_rest({Capsule{{0, 0, 0}, {1, 0, 0}, 1}, 0.4f}),
+                                          at_rest({TaperedCapsule{{}, {1, 0, 0}, 1, 0.5f}, 0.4f}),
+                                          at_rest({Box{{}, {}, {1, 1, 1}}, 0.4f}),
+                                          at_rest({Box{{}, {0.6f, 0, 0, 0.8f}, {1, 1, 1}}, 0.4f}),
                                           at_rest({Plane{}, 0.4f})};
     EXPECT_EQ(meet(particles, all, 0.1f), 0u);
 }
@@ -170,8 +201,39 @@ TEST(Colliders, AGrowingSphereASwingingCapsuleAndATurningPlanePushAtTheirSurface
     EXPECT_NEAR(particles.velocities[0].y, 2, 0.05f);
 }
 
+TEST(Colliders, ATurningBoxAndOneThatGrowsPushAtTheirSurfacesSpeed) {
+    // 1 rad/s about z: 0.8 m out on the top the surface rises at 0.8 m/s, and comes back at 0.1 m/s.
+    const float turn = 0.5f * h;
+    const Box still{{}, {}, {1, 0.1f, 1}}, turned{{}, {0, 0, std::sin(turn), std::cos(turn)}, {1, 0.1f, 1}};
+    Particles particles{{{0.8f, 0.1f, 0, 1}}, {{}}};
+    meet(particles, {{{still, 0}, {turned, 0}}}, 0);
+    EXPECT_NEAR(particles.velocities[0].y, 0.8f, 0.01f);
+    particles = {{{0.8f, 0.1f, 0, 1}}, {{}}};
+    meet(particles, {{{still, 1e3f}, {turned, 1e3f}}}, 0);  // it takes all along
+    EXPECT_NEAR(particles.velocities[0].x, -0.1f, 0.01f);
+
+    particles = {{{0.8f, 0.1f, 0, 1}}, {{}}};
+    meet(particles, {{{still, 0}, {Box{{}, {}, {1, 0.1f + 2 * h, 1}}, 0}}}, 0);
+    EXPECT_NEAR(particles.velocities[0].y, 2, 1e-3f);
+    EXPECT_NEAR(particles.positions[0].y, 0.1f + 2 * h, 1e-6f);
+}
+
+TEST(Colliders, ATaperedCapsuleThatGrowsAtOneEndPushesThere) {
+    const auto shape = [](float radius_b) {
+        return Collider{TaperedCapsule{{-1, 0, 0}, {1, 0, 0}, 0.2f, radius_b}, 0};
+    };
+    Particles particles{{{1, 0.2f, 0, 1}, {-1, 0.2f, 0, 1}}, {{}, {}}};
+    meet(particles, {{shape(0.2f), shape(0.2f + 3 * h)}}, 0);
+    EXPECT_NEAR(particles.velocities[0].y, 3, 0.01f);
+    EXPECT_NEAR(particles.velocities[1].y, 0, 0.05f);
+}
+
 TEST(Colliders, ManyAtATimeDoAsOneByOne) {
     const std::vector<ColliderMotion> all{
+        {{TaperedCapsule{{-0.8f, -0.4f, 0}, {0.6f, -0.5f, 0.1f}, 0.3f, 0.1f}, 0.3f},
+         {TaperedCapsule{{-0.8f, -0.42f, 0}, {0.61f, -0.5f, 0.1f}, 0.31f, 0.1f}, 0.3f}},
+        {{Box{{0.5f, 0.6f, -0.4f}, {0.1f, 0.2f, 0.3f, 0.927362f}, {0.3f, 0.2f, 0.4f}}, 0.3f},
+         {Box{{0.51f, 0.6f, -0.41f}, {0.11f, 0.2f, 0.3f, 0.926220f}, {0.3f, 0.2f, 0.4f}}, 0.3f}},
         {{Sphere{{0, 0, 0}, 0.5f}, 0.4f}, {Sphere{{0.01f, 0, 0.02f}, 0.51f}, 0.4f}},
         {{Capsule{{-1, 0.4f, 0}, {1, 0.5f, 0}, 0.2f}, 0.2f},
          {Capsule{{-1, 0.42f, 0}, {1, 0.5f, 0.02f}, 0.2f}, 0.2f}},
@@ -247,11 +309,15 @@ TEST(Colliders, OfSeveralTheNearestSurfaceIsFoundWhateverTheirOrder) {
         {{Capsule{{-1, 0.4f, 0}, {1, 0.5f, 0}, 0.2f}, 0.2f},
          {Capsule{{-1, 0.42f, 0}, {1, 0.5f, 0.02f}, 0.2f}, 0.2f}},
         {{Plane{{0, 1, 0.1f}, -0.2f}, 0.9f}, {Plane{{0, 2, 0.21f}, -0.19f}, 0.9f}},
+        {{TaperedCapsule{{-0.8f, 0.4f, 0.5f}, {0.6f, 0.5f, 0.4f}, 0.2f, 0.1f}, 0.3f},
+         {TaperedCapsule{{-0.8f, 0.42f, 0.5f}, {0.61f, 0.5f, 0.4f}, 0.21f, 0.1f}, 0.3f}},
+        {{Box{{0.5f, 0.6f, -0.4f}, {0.1f, 0.2f, 0.3f, 0.927362f}, {0.3f, 0.2f, 0.4f}}, 0.7f},
+         {Box{{0.51f, 0.6f, -0.41f}, {0.11f, 0.2f, 0.3f, 0.926220f}, {0.3f, 0.2f, 0.4f}}, 0.7f}},
         at_rest({Sphere{{0.3f, 0.2f, 0}, 0.4f}, 0.6f})};
     const Particles particles = cloud(block_size);
     const float thickness = 0.02f, reach = 0.1f, gamma = 0.02f;
     std::size_t contested = 0;
-    for (int order = 0; order < 4; ++order) {
+    for (int order = 0; order < 6; ++order) {
         std::ranges::rotate(all, all.begin() + 1);
         NearSurfaces near;
         ASSERT_TRUE(find_near_surfaces(all, thickness, 0.5f, h, reach, {}, particles.positions, gamma,

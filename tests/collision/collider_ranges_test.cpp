@@ -26,6 +26,17 @@ TEST(Colliders, ValidateNamesTheBadValue) {
     expect_names({Capsule{{0, inf, 0}, {0, 0, 0}, 1}, 0.4f}, "Capsule::a", "inf");
     expect_names({Capsule{{0, 0, 0}, {0, 0, nan}, 1}, 0.4f}, "Capsule::b", "nan");
     expect_names({Capsule{{0, 0, 0}, {0, 0, 0}, -2}, 0.4f}, "Capsule::radius", "-2");
+    expect_names({TaperedCapsule{{0, inf, 0}, {}, 1, 1}, 0.4f}, "TaperedCapsule::a", "inf");
+    expect_names({TaperedCapsule{{}, {nan, 0, 0}, 1, 1}, 0.4f}, "TaperedCapsule::b", "nan");
+    expect_names({TaperedCapsule{{}, {}, -1, 1}, 0.4f}, "TaperedCapsule::radius_a", "-1");
+    expect_names({TaperedCapsule{{}, {}, 1, 2e5f}, 0.4f}, "TaperedCapsule::radius_b", "200000");
+    expect_names({Box{{0, nan, 0}}, 0.4f}, "Box::center", "nan");
+    expect_names({Box{{}, {0, 0, 0, 0.5f}}, 0.4f}, "Box::rotation", "0.5");
+    expect_names({Box{{}, {nan, 0, 0, 1}}, 0.4f}, "Box::rotation", "nan");
+    expect_names({Box{{}, {}, {1, -1, 1}}, 0.4f}, "Box::half_extents", "-1");
+    expect_names({Box{{}, {}, {1, 1, nan}}, 0.4f}, "Box::half_extents", "nan");
+    EXPECT_TRUE(validate({Box{{1e5f, 0, 0}, {0.5f, -0.5f, 0.5f, 0.5f}, {1e-6f, 1, 1e5f}}, 0.4f}).ok());
+    EXPECT_TRUE(validate({TaperedCapsule{{}, {}, 1e-6f, 1e5f}, 0.4f}).ok());
     expect_names({Plane{{0, 0, 0}, 1}, 0.4f}, "Plane::normal", "0");
     expect_names({Plane{{0, nan, 0}, 1}, 0.4f}, "Plane::normal", "nan");
     expect_names({Plane{{0, 1, 0}, -inf}, 0.4f}, "Plane::offset", "-inf");
@@ -70,6 +81,12 @@ std::vector<Collider> extreme_colliders() {
                 all.push_back({Capsule{center, center, radius}, friction});
                 for (const float axis : {1e-40f, 1e-20f, 1e-7f, 1.0f, 1e5f})
                     all.push_back({Capsule{center, {axis, 0, axis}, radius}, friction});
+                for (const float axis : {1e-20f, 0.3f, 1e5f})
+                    for (const float other : {1e-6f, 0.31f, 1e5f})
+                        all.push_back({TaperedCapsule{center, {axis, 0, axis}, radius, other}, friction});
+                for (const Rotation turn : {Rotation{}, Rotation{0.6f, 0, -0.8f, 0}})
+                    for (const float other : {1e-6f, 0.3f, 1e5f})
+                        all.push_back({Box{center, turn, {radius, other, 0.2f}}, friction});
             }
         }
         for (const float length : {2e-12f, 1.0f, 9e11f})
@@ -151,6 +168,27 @@ TEST(Colliders, BlendGoesFromOneToTheOther) {
     EXPECT_NEAR(std::get<Plane>(plane.shape).normal.x, std::sqrt(0.5f), 1e-6f);
     EXPECT_NEAR(std::get<Plane>(plane.shape).normal.y, std::sqrt(0.5f), 1e-6f);
     EXPECT_FLOAT_EQ(std::get<Plane>(plane.shape).offset, 2);
+
+    const Collider tapered = blend({TaperedCapsule{{0, 0, 0}, {1, 0, 0}, 1, 2}, 0},
+                                   {TaperedCapsule{{0, 2, 0}, {3, 0, 0}, 3, 6}, 0}, 0.5f);
+    EXPECT_FLOAT_EQ(std::get<TaperedCapsule>(tapered.shape).a.y, 1);
+    EXPECT_FLOAT_EQ(std::get<TaperedCapsule>(tapered.shape).b.x, 2);
+    EXPECT_FLOAT_EQ(std::get<TaperedCapsule>(tapered.shape).radius_a, 2);
+    EXPECT_FLOAT_EQ(std::get<TaperedCapsule>(tapered.shape).radius_b, 4);
+
+    // A third of a right angle about y, whichever of its two signs the second quaternion has.
+    const float half = std::sqrt(0.5f), sixth = std::sin(0.25f * std::acos(0.0f) / 1.5f);
+    for (const float sign : {1.0f, -1.0f}) {
+        const Collider box =
+            blend({Box{{0, 0, 0}, {}, {1, 1, 1}}, 0},
+                  {Box{{3, 0, 0}, {0, sign * half, 0, sign * half}, {1, 4, 1}}, 0}, 1.0f / 3);
+        EXPECT_FLOAT_EQ(std::get<Box>(box.shape).center.x, 1);
+        EXPECT_NEAR(std::get<Box>(box.shape).rotation.y, sixth, 1e-6f);
+        EXPECT_FLOAT_EQ(std::get<Box>(box.shape).half_extents.y, 2);
+    }
+    const Rotation odd{0.1f, 0.2f, 0.3f, 0.9274f};
+    const Collider still = blend({Box{{}, odd}, 0}, {Box{{}, odd}, 0}, 0.37f);
+    EXPECT_EQ(std::get<Box>(still.shape).rotation.w, odd.w);  // every byte
 
     const Collider turned = blend({Plane{{0, 1, 0}, 0}, 0}, {Plane{{0, -1, 0}, 0}, 0}, 0.5f);
     EXPECT_TRUE(validate(turned).ok());

@@ -10,18 +10,10 @@
 
 #include "collision/collider_contacts.h"
 #include "particle_cloud.h"
+#include "swept_way.h"
 
 namespace weft::test {
 namespace {
-
-constexpr float thickness = 0.01f;
-
-/// Rigid, from the start to the end of a substep.
-struct Placed {
-    Eigen::Quaternionf turn = Eigen::Quaternionf::Identity();
-    Vector3 origin = Vector3::Zero();
-    [[nodiscard]] Vector3 operator()(const Vector3& p) const { return origin + turn * p; }
-};
 
 /// A capsule along its own x.
 struct Bar {
@@ -35,14 +27,6 @@ struct Bar {
         return (p - Vector3(std::clamp(p.x(), -half_length, half_length), 0, 0)).norm() - radius;
     }
 };
-
-std::uint32_t meet_on_the_way(Particles& particles, const std::vector<Vec4>& starts,
-                              const ColliderMotion& motion, int threads = 1) {
-    Parallel parallel(threads);
-    std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(starts.size())));
-    return collide(parallel, {&motion, 1}, thickness, 0, h, {}, starts, particles.positions,
-                   particles.velocities, partials);
-}
 
 /// As the bar sees it: least distance along the straight way.
 float nearest_on_way(const Bar& bar, const Vector3& from, const Vector3& to) {

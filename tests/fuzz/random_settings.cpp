@@ -166,10 +166,23 @@ Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
         (random.chance(0.5) ? sphere->radius : sphere->center.x) = not_a_number;
     } else if (auto* const capsule = std::get_if<Capsule>(&collider.shape)) {
         (random.chance(0.5) ? capsule->radius : capsule->b.y) = not_a_number;
+    } else if (auto* const tapered = std::get_if<TaperedCapsule>(&collider.shape)) {
+        (random.chance(0.5) ? tapered->radius_b : tapered->a.z) = random.one_of({-infinity, not_a_number});
+    } else if (auto* const box = std::get_if<Box>(&collider.shape)) {
+        float* const fields[] = {&box->center.y, &box->rotation.x, &box->half_extents.z};
+        *fields[random.below(std::size(fields))] = random.one_of({infinity, not_a_number});
+        if (random.chance(0.3)) box->half_extents.x = -1;
     } else {
         std::get<Plane>(collider.shape).normal = random.chance(0.5) ? Vec3{} : Vec3{0, infinity, 0};
     }
     return {collider, Answer::refused};
+}
+
+Rotation turned(Random& random) {
+    const Vec3 axis = random.point(1);
+    const float w = random.between(0.1f, 1);  // never of no length
+    const float length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z + w * w);
+    return {axis.x / length, axis.y / length, axis.z / length, w / length};
 }
 
 Vec3 moved(Random& random, const Vec3& from) {
@@ -275,13 +288,26 @@ Drawn<Collider> random_collider(Random& random) {
     Collider collider;
     collider.friction = fields.zero_or_more(1e-2f, 2);
     const float radius = fields.positive(0.01f, 1);
-    switch (random.below(3)) {
+    switch (random.below(5)) {
         case 0:
             collider.shape = Sphere{fields.vector(2), radius};
             break;
         case 1: {
             const Vec3 a = fields.vector(2);
             collider.shape = Capsule{a, random.chance(0.2) ? a : fields.vector(2), radius};
+            break;
+        }
+        case 2: {
+            const Vec3 a = fields.vector(2);
+            collider.shape = TaperedCapsule{a, random.chance(0.2) ? a : fields.vector(2), radius,
+                                            fields.positive(0.01f, 1)};
+            break;
+        }
+        case 3: {
+            const Vec3 center = fields.vector(2);
+            collider.shape = Box{center,
+                                 random.chance(0.3) ? Rotation{} : turned(random),
+                                 {radius, fields.positive(0.01f, 1), fields.positive(0.01f, 1)}};
             break;
         }
         default: {
@@ -302,6 +328,13 @@ Drawn<Collider> random_move(Random& random, const Collider& from) {
     } else if (auto* const capsule = std::get_if<Capsule>(&to.shape)) {
         capsule->a = moved(random, capsule->a);
         capsule->b = moved(random, capsule->b);
+    } else if (auto* const tapered = std::get_if<TaperedCapsule>(&to.shape)) {
+        tapered->a = moved(random, tapered->a);
+        if (random.chance(0.2)) tapered->radius_b *= random.between(0.5f, 2);
+    } else if (auto* const box = std::get_if<Box>(&to.shape)) {
+        box->center = moved(random, box->center);
+        if (random.chance(0.5)) box->rotation = turned(random);
+        if (random.chance(0.1)) box->half_extents.y *= random.between(0.5f, 2);
     } else {
         auto& plane = std::get<Plane>(to.shape);
         plane.offset += random.between(-0.5f, 0.5f);

@@ -71,6 +71,18 @@ static std::string text_of(const Sphere& s) {
 static std::string text_of(const Capsule& s) {
     return braced("Capsule", {text_of(s.a), text_of(s.b), text_of(s.radius)});
 }
+static std::string text_of(const TaperedCapsule& s) {
+    return braced("TaperedCapsule", {text_of(s.a), text_of(s.b), text_of(s.radius_a), text_of(s.radius_b)});
+}
+static std::string text_of(const Rotation& r) {
+    return braced("", {text_of(r.x), text_of(r.y), text_of(r.z), text_of(r.w)});
+}
+static std::string text_of(const Box& s) {
+    return braced("Box", {text_of(s.center), text_of(s.rotation), text_of(s.half_extents)});
+}
+static std::string text_of(const PlacedShape& s) {
+    return braced("PlacedShape", {text_of(s.shape.index), text_of(s.position), text_of(s.rotation)});
+}
 static std::string text_of(const Plane& s) {
     return braced("Plane", {text_of(s.normal), text_of(s.offset)});
 }

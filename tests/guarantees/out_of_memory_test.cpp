@@ -21,6 +21,12 @@ constexpr float frame_time = 1.0f / 60;
 constexpr std::uint32_t side = 7;
 constexpr std::uint64_t most_allocations = 100'000;  // of one call
 
+struct Tetrahedron {
+    std::array<Vec3, 4> vertices{{{0, 0, 0}, {0.2f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};
+    std::array<std::array<std::uint32_t, 3>, 4> triangles{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    [[nodiscard]] TriangleMesh mesh() const { return {vertices, triangles}; }
+};
+
 /// Two cloths that hang, with wind and a collider that they meet, after some steps.
 struct Scene {
     explicit Scene(const ClothSettings& settings = {}, bool bare = false)
@@ -29,6 +35,7 @@ struct Scene {
         other = world.add_cloth(LoweredSheet::mesh(false, side), {}).value();
         for (const ClothId id : {cloth, other}) EXPECT_TRUE(world.pin(id, 0));
         if (!bare) collider = world.add_collider({.shape = Sphere{{0, 0.3f, 0.05f}, 0.1f}}).value();
+        if (!bare) shape = world.add_shape(Tetrahedron{}.mesh()).value();
         step();
     }
     static WorldSettings windy() {
@@ -52,6 +59,7 @@ struct Scene {
     World world;
     ClothId cloth, other;
     ColliderId collider;
+    ShapeId shape;
 };
 
 using Answer = Result<void>;
@@ -229,6 +237,24 @@ std::vector<Call> other_calls() {
         return s.world.collider(s.collider) ? s.world.remove_collider(s.collider) : Answer();
     });
     add("collider", [](Scene& s) { return without_value(s.world.collider(s.collider)); });
+    add("add_mesh", [](Scene& s) { return without_value(s.world.add_shape(Tetrahedron{}.mesh())); });
+    add("add_hull",
+        [](Scene& s) { return without_value(s.world.add_shape(ConvexHull{Tetrahedron{}.vertices})); });
+    add("add_height_field", [](Scene& s) {
+        const std::array<float, 4> heights{0, 0.1f, 0.2f, 0};
+        return without_value(s.world.add_shape(HeightField{2, 2, 0.5f, heights}));
+    });
+    add("add_distance_field", [](Scene& s) {
+        return without_value(s.world.add_shape(DistanceField{Tetrahedron{}.mesh(), 0.05f}));
+    });
+    add("deform_shape", [](Scene& s) {
+        Tetrahedron moved;
+        for (Vec3& v : moved.vertices) v.y += 0.01f;
+        return s.world.deform_shape(s.shape, moved.vertices);
+    });
+    add("place_shape", [](Scene& s) {
+        return without_value(s.world.add_collider({.shape = PlacedShape{s.shape, {0, 0.2f, 0}}}));
+    });
     calls.push_back({.name = "first_collider",
                      .make = [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); },
                      .bare = true});

@@ -103,6 +103,38 @@ TEST_F(ScenePicture, SpheresAndCapsulesFillTheirOutline) {
     EXPECT_NEAR(green.bottom - green.top, 1.2f * per_metre, 4);
 }
 
+TEST_F(ScenePicture, BoxesAndTaperedCapsulesFillTheirOutline) {
+    const float s = std::sqrt(0.5f);  // turned by 45 degrees about z, half extents 0.4, 0.2, 0.1
+    const DrawnBox box{
+        {-0.8f, 0, 0}, {0.4f * s, 0.4f * s, 0}, {-0.2f * s, 0.2f * s, 0}, {0, 0, 0.1f}, {0.6f, 0.01f, 0.01f}};
+    const DrawnTaperedCapsule capsule{{0.8f, -0.4f, 0}, {0.8f, 0.4f, 0}, 0.3f, 0.1f, {0.01f, 0.4f, 0.01f}};
+    View view;
+    view.camera = {.target = {0, 0, 0}, .distance = 8, .yaw = 0, .pitch = 0, .vertical_fov = 0.3f};
+    view.ground = false;
+    view.sun_direction = {0, 0.3f, 1};
+    view.boxes = {&box, 1};
+    view.tapered_capsules = {&capsule, 1};
+    const Image image = renderer().capture(view, scene_width, scene_height);
+    const float per_metre = 0.5f * scene_height / (8 * std::tan(0.15f));
+
+    const PixelBox red = box_of(image, [](const Pixel& p) { return p.is_red(); });
+    EXPECT_NEAR(red.right - red.left, 1.2f * s * per_metre, 5);
+    EXPECT_NEAR(red.bottom - red.top, 1.2f * s * per_metre, 5);
+    EXPECT_NEAR(0.5f * static_cast<float>(red.left + red.right), 0.5f * scene_width - 0.8f * per_metre, 3);
+    const PixelBox green = box_of(image, [](const Pixel& p) { return p.is_green(); });
+    EXPECT_NEAR(green.right - green.left, 0.6f * per_metre, 4);
+    EXPECT_NEAR(green.bottom - green.top, 1.2f * per_metre, 4);
+    // The upper half is as wide as the cone there, and the box has a corner and not an edge at its top.
+    const auto at = [&](float x, float y) {
+        return pixel(image, static_cast<int>(0.5f * scene_width + x * per_metre),
+                     static_cast<int>(0.5f * scene_height - y * per_metre));
+    };
+    EXPECT_TRUE(at(0.8f + 0.18f, 0).is_green());
+    EXPECT_FALSE(at(0.8f + 0.18f, 0.3f).is_green());
+    EXPECT_TRUE(at(-0.8f + 0.1f, 0.1f).is_red());
+    EXPECT_FALSE(at(-0.8f - 0.3f, 0.3f).is_red());
+}
+
 TEST_F(ScenePicture, TheSkyIsAboveAndTheGroundBelowTheHorizon) {
     View view;
     view.camera.pitch = 0.2f;

@@ -24,5 +24,6 @@
 #include "weft/report.h"
 #include "weft/self_collision.h"
 #include "weft/settings.h"
+#include "weft/shapes.h"
 #include "weft/types.h"
 #include "weft/world.h"

@@ -15,6 +15,7 @@
 #include "weft/profile.h"
 #include "weft/report.h"
 #include "weft/settings.h"
+#include "weft/shapes.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -104,14 +105,25 @@ class World {
     Result<void> unpin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> unpin(ClothId id, std::uint32_t vertex) { return unpin(id, {&vertex, 1}); }
 
+    /// Takes a copy of a shape, of which colliders are then placed (PlacedShape). Errors name the vertex, the
+    /// triangle, or what is not closed.
+    Result<ShapeId> add_shape(const Shape& shape);
+    /// A TriangleMesh's vertices move, the triangles stay: all colliders of it are so at once, and push and
+    /// drag what they meet in the next step at the speed with which vertices get there. As many as it was
+    /// made of.
+    Result<void> deform_shape(ShapeId id, std::span<const Vec3> vertices);
+    /// Error: a collider is an instance of it.
+    Result<void> remove_shape(ShapeId id);
+    [[nodiscard]] Result<ShapeInfo> shape_info(ShapeId id) const;
+
     /// The first of a World gives each cloth 16 bytes a particle more, one of an implicit method 77.
     Result<ColliderId> add_collider(const Collider& collider);
     /// The collider moves there over the next step, and pushes and drags what it meets, where it ends and on
     /// the way, with WorldSettings::max_speed at most: one that is to go faster jumps, and meets nothing on
-    /// the way. The same kind of shape.
+    /// the way. The same kind of shape; an instance stays one of its own.
     Result<void> move_collider(ColliderId id, const Collider& target);
     /// The collider is there at once, without a velocity: what it comes to hold is put outside, and neither
-    /// pushed nor dragged. The same kind of shape.
+    /// pushed nor dragged. The same kind of shape, likewise.
     Result<void> place_collider(ColliderId id, const Collider& place);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
@@ -151,7 +163,7 @@ class World {
     /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
     /// save(), on any number of threads and any processor, whatever was done in between.
     ///
-    /// Meshes and settings are not in it. The World it is put back into, this one or one made later, has the
+    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later, has the
     /// same cloths and colliders, in the order of their ids, and the host sets the settings that they had.
     /// Pins may be others. Valid until what follows the head changes: the version of the save, not of the
     /// library, says so.

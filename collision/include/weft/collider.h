@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "weft/shapes.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -20,14 +21,40 @@ struct Capsule {
     float radius = 0.1f;  ///< [m], from 1e-6 to 1e5
 };
 
+/// All balls about the points of the segment a b, their radii going evenly from radius_a to radius_b: a limb.
+/// Where one end's ball holds the other's, it is that ball.
+struct TaperedCapsule {
+    Vec3 a{}, b{};           ///< [m], each coordinate from -1e5 to 1e5
+    float radius_a = 0.1f;   ///< [m], from 1e-6 to 1e5
+    float radius_b = 0.05f;  ///< [m], likewise
+};
+
+/// A rotation as a quaternion: x, y and z are the axis times sin(angle / 2), w is cos(angle / 2).
+struct Rotation {
+    float x = 0, y = 0, z = 0, w = 1;  ///< together of a length from 0.999 to 1.001
+};
+
+struct Box {
+    Vec3 center{};                        ///< [m], each coordinate from -1e5 to 1e5
+    Rotation rotation{};                  ///< of its axes from the World's
+    Vec3 half_extents{0.1f, 0.1f, 0.1f};  ///< along its axes [m], each from 1e-6 to 1e5
+};
+
 /// The half space normal . p <= offset is solid.
 struct Plane {
     Vec3 normal{0, 1, 0};  ///< of any length from 1e-12 to 1e12
     float offset = 0;      ///< [m], along the unit normal, from -1e5 to 1e5
 };
 
+/// An instance of a shape that the World holds.
+struct PlacedShape {
+    ShapeId shape{};
+    Vec3 position{};      ///< of its origin [m], each coordinate from -1e5 to 1e5
+    Rotation rotation{};  ///< of its axes from the World's
+};
+
 struct Collider {
-    std::variant<Sphere, Capsule, Plane> shape{};
+    std::variant<Sphere, Capsule, Plane, TaperedCapsule, Box, PlacedShape> shape{};
     float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
 };
 

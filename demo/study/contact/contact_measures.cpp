@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "demo/study/must.h"
 
 namespace weft::study {
@@ -56,6 +58,27 @@ struct DistanceTo {
         const double length = along.squaredNorm();
         const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
         return (a + t * along - p).norm() - static_cast<double>(c.radius);
+    }
+    double operator()(const TaperedCapsule& c) const {  // of the balls along it, the nearest
+        const Vector3d a = in_double(c.a), along = in_double(c.b) - a;
+        const double first = static_cast<double>(c.radius_a), last = static_cast<double>(c.radius_b);
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= 1000; ++k) {
+            const double t = k / 1000.0;
+            least = std::min(least, (a + t * along - p).norm() - (first + t * (last - first)));
+        }
+        return least;
+    }
+    double operator()(const Box& box) const {
+        const Rotation& r = box.rotation;
+        const Eigen::Quaterniond turn(static_cast<double>(r.w), static_cast<double>(r.x),
+                                      static_cast<double>(r.y), static_cast<double>(r.z));
+        const Vector3d q = turn.normalized().conjugate() * (p - in_double(box.center));
+        const Vector3d beyond = q.cwiseAbs() - in_double(box.half_extents);
+        return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
+    }
+    double operator()(const PlacedShape&) const {  // no scene of the study has one
+        return std::numeric_limits<double>::infinity();
     }
     double operator()(const Plane& plane) const {
         return in_double(plane.normal).normalized().dot(p) - static_cast<double>(plane.offset);

@@ -55,6 +55,17 @@ struct DrawnCapsule {
     float radius;
     Vec3 color{0.75f, 0.72f, 0.68f};
 };
+/// The radius goes evenly from one end to the other.
+struct DrawnTaperedCapsule {
+    Vec3 a, b;
+    float radius_a, radius_b;
+    Vec3 color{0.75f, 0.72f, 0.68f};
+};
+struct DrawnBox {
+    Vec3 center;
+    Vec3 x, y, z;  ///< from there to the middle of a face, along each of its axes
+    Vec3 color{0.75f, 0.72f, 0.68f};
+};
 
 /// One image.
 struct View {
@@ -66,6 +77,8 @@ struct View {
     bool wireframe = false;
     std::span<const DrawnSphere> spheres;
     std::span<const DrawnCapsule> capsules;
+    std::span<const DrawnTaperedCapsule> tapered_capsules;
+    std::span<const DrawnBox> boxes;
     Vec3 wind{0, 0, 0};  ///< drawn as an arrow on the ground where not zero [m/s]
 };
 

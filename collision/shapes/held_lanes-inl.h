@@ -1,0 +1,357 @@
+// Shapes that the World holds, in registers. Included as engine/simd/lanes-inl.h is.
+
+#if defined(WEFT_COLLISION_SHAPES_HELD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_SHAPES_HELD_LANES_INL_H
+#undef WEFT_COLLISION_SHAPES_HELD_LANES_INL_H
+#else
+#define WEFT_COLLISION_SHAPES_HELD_LANES_INL_H
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "collision/contact/closest-inl.h"
+#include "collision/shapes/body_lanes-inl.h"
+#include "collision/shapes/held_shape.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+
+/// The nearest triangle yet, lane by lane. Of two that are as near it is the one of the lower number: so what
+/// a lane finds does not depend on the order in which others have it search.
+struct NearestTriangle {
+    Lanes squared;            // of the distance [m^2]; at first what it is to be below
+    Lanes number = set(-1);   // exact: there are less than 2^24
+    Lanes3 gap = zero3();     // from the triangle to the point [m]
+    Lanes s = set(0), t = s;  // weights of its second and third corner
+
+    HWY_INLINE void look_at(const Lanes3& q, float triangle, const Vector3& a, const Vector3& b,
+                            const Vector3& c) {
+        const ClosestLanes closest = closest_of_vertex_and_triangle(set3(a) - q, set3(b) - q, set3(c) - q);
+        const Lanes distance = dot(closest.gap, closest.gap), other = set(triangle);
+        const auto is_first = hn::And(hn::Eq(distance, squared), hn::Lt(other, number));
+        const auto nearer = hn::Or(hn::Lt(distance, squared), is_first);
+        squared = hn::IfThenElse(nearer, distance, squared);
+        number = hn::IfThenElse(nearer, other, number);
+        gap = either(nearer, closest.gap, gap);
+        s = hn::IfThenElse(nearer, hn::Neg(closest.weights.z), s);
+        t = hn::IfThenElse(nearer, hn::Neg(closest.weights.w), t);
+    }
+};
+
+/// A vector or a number of each lane, one by one.
+struct LaneByLane {
+    alignas(64) float x[group_lanes] = {}, y[group_lanes] = {}, z[group_lanes] = {}, w[group_lanes] = {};
+
+    LaneByLane() = default;
+    explicit HWY_INLINE LaneByLane(const Lanes3& v, Lanes of_w) {
+        const Tag d;
+        hn::Store(v.x, d, x);
+        hn::Store(v.y, d, y);
+        hn::Store(v.z, d, z);
+        hn::Store(of_w, d, w);
+    }
+    [[nodiscard]] HWY_INLINE Lanes4 lanes() const {
+        return {load_lanes(x), load_lanes(y), load_lanes(z), load_lanes(w)};
+    }
+    [[nodiscard]] Vector3 vector(std::uint32_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    void set_lane(std::uint32_t lane, const Vector3& v, float of_w) {
+        x[lane] = v.x();
+        y[lane] = v.y();
+        z[lane] = v.z();
+        w[lane] = of_w;
+    }
+};
+
+HWY_INLINE Lanes squared_distance(const Lanes3& q, const TriangleTree::Node& node) {
+    const auto beyond = [](Lanes at, float lower, float upper) HWY_ATTR {
+        return hn::Max(hn::Max(hn::Sub(set(lower), at), hn::Sub(at, set(upper))), set(0));
+    };
+    const Lanes3 out{beyond(q.x, node.lower.x, node.upper.x), beyond(q.y, node.lower.y, node.upper.y),
+                     beyond(q.z, node.lower.z, node.upper.z)};
+    return dot(out, out);
+}
+
+/// Depth first, and first where a lane is nearer.
+inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
+    const Tag d;
+    const std::span<const TriangleTree::Node> nodes = tree.nodes();
+    std::array<std::uint32_t, 64> open{0};
+    std::uint32_t count = 1;
+    while (count > 0) {
+        const TriangleTree::Node& node = nodes[open[--count]];
+        if (hn::AllFalse(d, hn::Le(squared_distance(q, node), best.squared))) continue;
+        for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+            const Corners& c = tree.triangle(t);
+            const std::span<const Vec3> x = tree.vertices();
+            best.look_at(q, static_cast<float>(t), to_vector(x[c[0]]), to_vector(x[c[1]]),
+                         to_vector(x[c[2]]));
+        }
+        if (node.count > 0) continue;
+        const auto least = [&](const TriangleTree::Node& child) HWY_ATTR {
+            const Lanes squared = squared_distance(q, child);
+            const auto may_hold = hn::Le(squared, best.squared);
+            const Lanes infinity = set(std::numeric_limits<float>::infinity());
+            return hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(may_hold, squared, infinity)));
+        };
+        const bool second_is_nearer = least(nodes[node.first + 1]) < least(nodes[node.first]);
+        open[count++] = node.first + (second_is_nearer ? 0 : 1);
+        open[count++] = node.first + (second_is_nearer ? 1 : 0);
+    }
+}
+
+/// Squared distances that lanes are to be below which are asked for.
+template <class Mask>
+HWY_INLINE Lanes within(Mask asked, float sight) {
+    return hn::IfThenElse(asked, set(sight * sight), set(-1));
+}
+
+/// How a point is seen from the triangle nearest to it.
+struct Seen {
+    Vector3 normal;
+    float distance;
+};
+/// `front`: the way out there, of any length. Where the point is all but on the surface rounding says nothing
+/// of the way to it.
+inline Seen seen_from(const Vector3& gap, const Vector3& front, bool is_solid, const Vector3& q) {
+    const float length = gap.norm();
+    const bool is_inside = is_solid && gap.dot(front) < 0;
+    const bool is_on = length <= 4e-6f * (1e-3f + q.cwiseAbs().maxCoeff());
+    Vector3 normal = is_on ? front.stableNormalized() : Vector3((is_inside ? -1 : 1) / length * gap);
+    if (normal.isZero(0)) normal = Vector3::UnitY();  // of triangles without area
+    return {normal, is_inside ? -length : length};
+}
+
+/// How far a point sees [m], and whether it sees the surface from inside however deep it is.
+struct Sight {
+    float far;
+    bool deep = true;
+};
+
+/// Of those that are lost.
+template <class Mask>
+inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, float sight) {
+    const LaneByLane points(q, hn::IfThenElse(lost, set(1), set(0)));
+    LaneByLane answers;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane)
+        if (points.w[lane] != 0 && shape.may_be_deeper(points.vector(lane), sight)) answers.w[lane] = 1;
+    return hn::Gt(load_lanes(answers.w), set(0));
+}
+
+/// What is not found within sight is that far away.
+template <class Mask>
+inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const Lanes3& q, Mask asked,
+                             const Sight& sight_of, float rate) {
+    const Tag d;
+    const float sight = sight_of.far;
+    NearestTriangle best{within(asked, sight)};
+    search(tree, q, best);
+    if (tree.is_closed() && sight_of.deep) {  // what is deeper inside than it sees
+        const Lanes in_box = squared_distance(q, tree.nodes()[0]);
+        auto lost = hn::And(asked, hn::And(hn::Lt(best.number, set(0)), hn::Eq(in_box, set(0))));
+        if (!hn::AllFalse(d, lost)) lost = hn::And(lost, may_be_deeper(shape, q, lost, sight));
+        if (!hn::AllFalse(d, lost)) {
+            NearestTriangle all{within(lost, std::numeric_limits<float>::infinity())};
+            search(tree, q, all);
+            best.squared = hn::IfThenElse(lost, all.squared, best.squared);
+            best.number = hn::IfThenElse(lost, all.number, best.number);
+            best.gap = either(lost, all.gap, best.gap);
+            best.s = hn::IfThenElse(lost, all.s, best.s);
+            best.t = hn::IfThenElse(lost, all.t, best.t);
+        }
+    }
+    const LaneByLane points(q, best.number), gaps(best.gap, best.s), thirds(zero3(), best.t);
+    LaneByLane surfaces, growths;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        surfaces.set_lane(lane, Vector3::UnitY(), sight);
+        if (!(points.w[lane] >= 0)) continue;
+        const auto triangle = static_cast<std::uint32_t>(points.w[lane]);
+        const std::array<float, 3> weights{1 - gaps.w[lane] - thirds.w[lane], gaps.w[lane], thirds.w[lane]};
+        const Seen seen = seen_from(gaps.vector(lane), tree.pseudo_normal(triangle, weights),
+                                    tree.is_closed(), points.vector(lane));
+        if (seen.distance < sight) surfaces.set_lane(lane, seen.normal, seen.distance);
+        if (rate == 0) continue;
+        Vector3 way = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            way += weights[k] * to_vector(tree.displacements()[tree.triangle(triangle)[k]]);
+        growths.set_lane(lane, rate * way, 0);
+    }
+    const Lanes4 surface = surfaces.lanes();
+    return {surface.w, xyz(surface), xyz(growths.lanes())};
+}
+
+/// Cells of a field from `first` to `last`, both included.
+struct CellRange {
+    std::array<std::uint32_t, 2> first, last;  // row, column
+    [[nodiscard]] std::size_t count() const {
+        return std::size_t{last[0] - first[0] + 1} * (last[1] - first[1] + 1);
+    }
+};
+inline CellRange cells_about(const HeldHeights& field, const Vector3& q, float sight) {
+    const auto cell = [&](float at, std::uint32_t vertices) {
+        const float most = static_cast<float>(vertices - 2);
+        return static_cast<std::uint32_t>(std::clamp(std::floor(at / field.spacing), 0.0f, most));
+    };
+    return {{cell(q.z() - sight, field.rows), cell(q.x() - sight, field.columns)},
+            {cell(q.z() + sight, field.rows), cell(q.x() + sight, field.columns)}};
+}
+
+inline void search(const HeldHeights& field, const CellRange& range, const Lanes3& q, NearestTriangle& best) {
+    for (std::uint32_t row = range.first[0]; row <= range.last[0]; ++row)
+        for (std::uint32_t column = range.first[1]; column <= range.last[1]; ++column)
+            for (int half = 0; half < 2; ++half) {
+                const std::size_t number =
+                    2 * (std::size_t{row} * (field.columns - 1) + column) + static_cast<std::size_t>(half);
+                const std::array<Vector3, 3> x = field.triangle(row, column, half);
+                best.look_at(q, static_cast<float>(number), x[0], x[1], x[2]);
+            }
+}
+
+/// The triangle above or below the point, if there is one: its front, and how far below its plane the point
+/// is.
+inline bool find_column(const HeldHeights& field, const Vector3& q, Seen& seen) {
+    const float column = q.x() / field.spacing, row = q.z() / field.spacing;
+    if (!(column >= 0 && row >= 0 && column <= static_cast<float>(field.columns - 1) &&
+          row <= static_cast<float>(field.rows - 1)))
+        return false;
+    const CellRange cell = cells_about(field, q, 0);
+    const bool is_along_row =
+        column - static_cast<float>(cell.first[1]) > row - static_cast<float>(cell.first[0]);
+    const std::array<Vector3, 3> x = field.triangle(cell.first[0], cell.first[1], is_along_row ? 0 : 1);
+    seen.normal = (x[1] - x[0]).cross(x[2] - x[0]).stableNormalized();
+    seen.distance = seen.normal.dot(q - x[0]);
+    return true;
+}
+
+template <class Mask>
+inline OwnSurface nearest_in(const HeldHeights& field, const Lanes3& q, Mask asked, float sight, float) {
+    const float finite_sight = std::min(sight, 1e6f);
+    const LaneByLane points(q, hn::IfThenElse(asked, set(1), set(0)));
+    NearestTriangle best{within(asked, finite_sight)};
+    CellRange all{{~0u, ~0u}, {0, 0}};
+    std::size_t apart = 0;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        if (points.w[lane] == 0 || !points.vector(lane).allFinite()) continue;
+        const CellRange own = cells_about(field, points.vector(lane), finite_sight);
+        apart += own.count();
+        for (std::size_t k = 0; k < 2; ++k) {
+            all.first[k] = std::min(all.first[k], own.first[k]);
+            all.last[k] = std::max(all.last[k], own.last[k]);
+        }
+    }
+    const bool are_together = apart > 0 && all.count() <= apart;
+    if (are_together) search(field, all, q, best);
+    for (std::uint32_t lane = 0; lane < part_lanes && apart > 0 && !are_together; ++lane)
+        if (points.w[lane] != 0 && points.vector(lane).allFinite())
+            search(field, cells_about(field, points.vector(lane), finite_sight), q, best);
+
+    const LaneByLane gaps(best.gap, best.number);
+    LaneByLane surfaces;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        surfaces.set_lane(lane, Vector3::UnitY(), sight);
+        const Vector3 point = points.vector(lane);
+        if (points.w[lane] == 0 || !point.allFinite()) continue;
+        Seen column{};
+        const bool is_over = find_column(field, point, column);
+        const bool is_below = is_over && column.distance < 0;
+        if (gaps.w[lane] >= 0) {
+            const Vector3 gap = gaps.vector(lane);
+            const Vector3 front = is_over ? column.normal : gap;
+            Seen seen = seen_from(gap, front, false, point);
+            if (is_below) seen = {gap.norm() <= 1e-6f ? front : Vector3(-seen.normal), -seen.distance};
+            surfaces.set_lane(lane, seen.normal, seen.distance);
+        } else if (is_below) {
+            surfaces.set_lane(lane, column.normal, column.distance);
+        }
+    }
+    const Lanes4 surface = surfaces.lanes();
+    return {surface.w, xyz(surface), zero3()};
+}
+
+/// Trilinear, and its gradient. Beyond the cells it is the distance at their border and from there.
+inline Seen distance_at(const HeldDistances& field, const Vector3& q) {
+    std::array<std::size_t, 3> first{};
+    Vector3 part;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        const float most = static_cast<float>(field.corners[k] - 1);
+        const float at = std::clamp((q[axis] - field.origin[axis]) / field.cell, 0.0f, most);
+        first[k] = static_cast<std::size_t>(std::min(std::floor(at), most - 1));
+        part[axis] = at - static_cast<float>(first[k]);
+    }
+    float distance = 0;
+    Vector3 gradient = Vector3::Zero();
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::array<std::size_t, 3> up{corner & 1, corner >> 1 & 1, corner >> 2};
+        const std::size_t index =
+            first[0] + up[0] +
+            field.corners[0] * (first[1] + up[1] + std::size_t{field.corners[1]} * (first[2] + up[2]));
+        std::array<float, 3> w{}, slope{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float along = part[static_cast<int>(k)];
+            w[k] = up[k] == 1 ? along : 1 - along;
+            slope[k] = up[k] == 1 ? 1.0f : -1.0f;
+        }
+        const float value = field.distances[index];
+        distance += w[0] * w[1] * w[2] * value;
+        gradient += value * Vector3(slope[0] * w[1] * w[2], w[0] * slope[1] * w[2], w[0] * w[1] * slope[2]);
+    }
+    const Vector3 cells(static_cast<float>(first[0]), static_cast<float>(first[1]),
+                        static_cast<float>(first[2]));
+    const float beyond = (q - field.origin - field.cell * (cells + part)).norm();
+    const Vector3 normal = gradient.stableNormalized();
+    return {normal.isZero(0) ? Vector3(Vector3::UnitY()) : normal,
+            beyond > 1e-3f * field.cell ? distance + beyond : distance};
+}
+
+template <class Mask>
+inline OwnSurface nearest_in(const HeldDistances& field, const Lanes3& q, Mask asked, float sight, float) {
+    const LaneByLane points(q, hn::IfThenElse(asked, set(1), set(0)));
+    LaneByLane surfaces;
+    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
+        surfaces.set_lane(lane, Vector3::UnitY(), sight);
+        if (points.w[lane] == 0 || !points.vector(lane).allFinite()) continue;
+        const Seen seen = distance_at(field, points.vector(lane));
+        if (seen.distance < sight) surfaces.set_lane(lane, seen.normal, seen.distance);
+    }
+    const Lanes4 surface = surfaces.lanes();
+    return {surface.w, xyz(surface), zero3()};
+}
+
+struct OwnHeld {
+    static constexpr bool is_swept = true;
+    const HeldShape& shape;
+    Sight sight;
+    float rate;  // steps of the host a second, if the shape deforms
+
+    [[nodiscard]] bool convex() const { return shape.is_convex(); }
+    [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& q) const { return q; }
+    /// Where a path ends that may have met the shape, too.
+    [[nodiscard]] HWY_INLINE auto near(const Lanes3& q, Lanes) const {
+        const auto beyond = [](Lanes at, float lower, float upper) HWY_ATTR {
+            return hn::Max(hn::Sub(set(lower), at), hn::Sub(at, set(upper)));
+        };
+        const Vector3 &lower = shape.box().min(), &upper = shape.box().max();
+        const Lanes of_x = beyond(q.x, lower.x(), upper.x()), of_y = beyond(q.y, lower.y(), upper.y()),
+                    of_z = beyond(q.z, lower.z(), upper.z());
+        return hn::Lt(hn::Max(of_x, hn::Max(of_y, of_z)), set(sight.far));
+    }
+    template <class Mask>
+    [[nodiscard]] OwnSurface nearest(const Lanes3& q, Mask asked) const {
+        const Lanes size = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+        const auto numbers = hn::And(asked, hn::Lt(size, set(1e30f)));
+        const HeldShape::Data& data = shape.data();
+        if (const auto* const tree = std::get_if<TriangleTree>(&data))
+            return nearest_in(shape, *tree, q, numbers, sight, rate);
+        if (const auto* const ground = std::get_if<HeldHeights>(&data))
+            return nearest_in(*ground, q, numbers, sight.far, rate);
+        return nearest_in(*std::get_if<HeldDistances>(&data), q, numbers, sight.far, rate);
+    }
+};
+
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,192 @@
+#include "collision/shapes/held_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "collision/shapes/hull.h"
+#include "collision/shapes/ranges.h"
+#include "engine/error_text.h"
+
+namespace weft {
+
+namespace {
+
+constexpr std::size_t most_corners = std::size_t{1} << 24;
+
+Error invalid(const std::string& message) {
+    return {ErrorCode::invalid_argument, message};
+}
+
+Result<HeldShape::Data> make_data(const TriangleMesh& mesh) {
+    auto tree = TriangleTree::make("TriangleMesh", mesh.vertices, mesh.triangles, mesh.closed);
+    if (!tree) return tree.error();
+    return HeldShape::Data(std::move(tree).value());
+}
+
+Result<HeldShape::Data> make_data(const ConvexHull& hull) {
+    const auto mesh = hull_of(hull.points);
+    if (!mesh) return mesh.error();
+    auto tree = TriangleTree::make("ConvexHull", mesh->vertices, mesh->triangles, true);
+    if (!tree) return tree.error();
+    return HeldShape::Data(std::move(tree).value());
+}
+
+Result<HeldShape::Data> make_data(const HeightField& field) {
+    const std::size_t vertices = std::size_t{field.rows} * field.columns;
+    if (field.rows < 2 || field.columns < 2 || vertices > most_corners)
+        return invalid("HeightField has " + std::to_string(field.rows) + " rows and " +
+                       std::to_string(field.columns) +
+                       " columns; it must have at least 2 of each, and 2^24 vertices at most");
+    if (field.heights.size() != vertices)
+        return invalid("HeightField::heights has " + std::to_string(field.heights.size()) +
+                       "; it must have rows x columns, " + std::to_string(vertices));
+    if (!(field.spacing >= 1e-4f && field.spacing <= 1e4f))
+        return out_of_range("HeightField::spacing", static_cast<double>(field.spacing), "from 1e-4 to 1e4 m");
+    for (std::size_t k = 0; k < vertices; ++k)
+        if (!(std::abs(field.heights[k]) <= farthest))
+            return out_of_range("HeightField::heights[" + std::to_string(k) + "]",
+                                static_cast<double>(field.heights[k]), "from -1e5 to 1e5 m");
+    return HeldShape::Data(
+        HeldHeights{field.rows, field.columns, field.spacing, {field.heights.begin(), field.heights.end()}});
+}
+
+/// At the corners of cells that go `margin` beyond a box.
+HeldDistances cells_about(const Eigen::AlignedBox3f& box, float cell, float margin) {
+    HeldDistances made{box.min() - Vector3::Constant(margin * cell), cell, {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float cells = std::ceil(box.sizes()[static_cast<int>(k)] / cell + 2 * margin);
+        made.corners[k] = static_cast<std::uint32_t>(cells) + 1;
+    }
+    return made;
+}
+
+std::size_t corners_of(const HeldDistances& cells) {
+    return std::size_t{cells.corners[0]} * cells.corners[1] * cells.corners[2];
+}
+
+Vector3 corner_of(const HeldDistances& cells, std::size_t x, std::size_t y, std::size_t z) {
+    return cells.origin +
+           cells.cell * Vector3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+}
+
+void find_distances(const HeldShape& mesh, HeldDistances& cells) {
+    cells.distances.resize(corners_of(cells));
+    std::vector<Vec3> row(cells.corners[0]);
+    std::vector<Vec4> surfaces(row.size());
+    for (std::size_t z = 0; z < cells.corners[2]; ++z)
+        for (std::size_t y = 0; y < cells.corners[1]; ++y) {
+            for (std::size_t x = 0; x < row.size(); ++x) row[x] = to_vec3(corner_of(cells, x, y, z));
+            find_surfaces(mesh, row, std::numeric_limits<float>::infinity(), surfaces);
+            for (std::size_t x = 0; x < row.size(); ++x)
+                cells.distances[cells.index(x, y, z)] = surfaces[x].w;
+        }
+}
+
+Result<HeldShape::Data> make_data(const DistanceField& field) {
+    if (!field.mesh.closed) return invalid("DistanceField::mesh is not closed; it must be");
+    const auto mesh = HeldShape::make(field.mesh);
+    if (!mesh) return mesh.error();
+    const float longest = mesh->box().sizes().maxCoeff();
+    if (!(field.cell >= longest / 512 && field.cell <= farthest))
+        return out_of_range("DistanceField::cell", static_cast<double>(field.cell),
+                            "from a 512th of the mesh's longest side, " +
+                                number_text(static_cast<double>(longest / 512)) + " m, to 1e5 m");
+    HeldDistances made = cells_about(mesh->box(), field.cell, 2);
+    if (corners_of(made) > most_corners)
+        return out_of_range(
+            "DistanceField::cell", static_cast<double>(field.cell),
+            "so large that there are 2^24 corners at most, not " + std::to_string(corners_of(made)));
+    find_distances(*mesh, made);
+    return HeldShape::Data(std::move(made));
+}
+
+}  // namespace
+
+Result<HeldShape> HeldShape::make(const Shape& shape) {
+    auto data = std::visit([](const auto& of_kind) { return make_data(of_kind); }, shape);
+    if (!data) return data.error();
+    HeldShape made(std::move(data).value(), std::holds_alternative<ConvexHull>(shape));
+    made.find_coarse();
+    return made;
+}
+
+void HeldShape::find_coarse() {
+    constexpr float cells = 32;  // to the longest side
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr || !tree->is_closed()) return;
+    HeldDistances coarse = cells_about(box_, box_.sizes().maxCoeff() / cells, 0.5f);
+    find_distances(*this, coarse);
+    coarse_ = std::move(coarse);
+}
+
+// Nowhere is a distance less than that at a corner, less the way there.
+bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
+    if (coarse_.distances.empty()) return true;  // they are being made
+    std::array<std::size_t, 3> first{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        const float at = std::floor((q[axis] - coarse_.origin[axis]) / coarse_.cell);
+        const float most = static_cast<float>(std::max(coarse_.corners[k], 2u) - 2);
+        first[k] = static_cast<std::size_t>(std::clamp(at, 0.0f, most));
+    }
+    float least = -std::numeric_limits<float>::infinity();
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::size_t x = first[0] + (corner & 1), y = first[1] + (corner >> 1 & 1),
+                          z = first[2] + (corner >> 2);
+        const float way = (q - corner_of(coarse_, x, y, z)).norm() + deformed_by_;
+        least = std::max(least, coarse_.distances[coarse_.index(x, y, z)] - 1.001f * way);
+    }
+    return least < -than;
+}
+
+Result<void> HeldShape::deform(std::span<const Vec3> vertices, std::uint64_t step) {
+    auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr || convex_) return invalid("the shape is no TriangleMesh; only those deform");
+    if (auto done = tree->deform("TriangleMesh", vertices, deforms_in_ == step); !done) return done;
+    float farthest_moved = 0;
+    for (const Vec3& way : tree->displacements())
+        farthest_moved = std::max(farthest_moved, to_vector(way).norm());
+    deformed_by_ += farthest_moved;
+    deforms_in_ = step;
+    find_box();
+    return {};
+}
+
+void HeldShape::find_box() {
+    if (const auto* const tree = std::get_if<TriangleTree>(&data_)) {
+        box_ = tree->box();
+    } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
+        const auto [least, most] = std::ranges::minmax(ground->heights);
+        const Vector3 far = ground->vertex(ground->rows - 1, ground->columns - 1);
+        // Solid however far down.
+        box_ = {Vector3(0, std::min(least, -farthest), 0), Vector3(far.x(), most, far.z())};
+    } else {
+        const auto& field = std::get<HeldDistances>(data_);
+        const Vector3 cells(static_cast<float>(field.corners[0] - 1),
+                            static_cast<float>(field.corners[1] - 1),
+                            static_cast<float>(field.corners[2] - 1));
+        // All that is solid lies a cell and more within.
+        const Vector3 margin = Vector3::Constant(field.cell);
+        box_ = {field.origin + margin, field.origin + field.cell * cells - margin};
+    }
+}
+
+ShapeInfo HeldShape::info() const {
+    ShapeInfo info{.bounds = {to_vec3(box_.min()), to_vec3(box_.max())}};
+    if (const auto* const tree = std::get_if<TriangleTree>(&data_)) {
+        info.triangles = static_cast<std::uint32_t>(tree->size());
+        info.bytes = sizeof(HeldShape) + tree->bytes() + coarse_.distances.capacity() * sizeof(float);
+    } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
+        info.triangles = ground->triangles();
+        info.bytes = sizeof(HeldShape) + ground->heights.capacity() * sizeof(float);
+    } else {
+        const auto& field = std::get<HeldDistances>(data_);
+        info.error = 0.87f * field.cell;
+        info.bytes = sizeof(HeldShape) + field.distances.capacity() * sizeof(float);
+    }
+    return info;
+}
+
+}  // namespace weft
