@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t lanes = TriangleGroups::lanes;
-constexpr std::uint32_t none = ~0u;
+constexpr std::uint32_t no_triangle = ~0u;
 constexpr std::uint32_t most_owned = TriangleGroups::most_owned;
 
 template <class T>
@@ -36,7 +36,7 @@ class Owners {
     /// Triangle k of a particle, which is its first corner; or three times that particle.
     [[nodiscard]] Triangle owned(std::uint32_t particle, std::uint32_t k) const {
         const std::uint32_t t = owned_[particle][k];
-        return t == none ? Triangle{particle, particle, particle}
+        return t == no_triangle ? Triangle{particle, particle, particle}
                          : beginning_with(particle, model_.triangles[t]);
     }
     [[nodiscard]] std::vector<Triangle> left_over() const {
@@ -50,13 +50,13 @@ class Owners {
     /// A particle takes what the fewest later ones could take: that leaves hardly anything over.
     void share_out(std::uint32_t i) {
         for (std::uint32_t& owned : owned_[i]) {
-            auto best = std::pair(none, none);
+            auto best = std::pair(no_triangle, no_triangle);
             for (std::uint32_t c = model_.corner_offsets[i]; c < model_.corner_offsets[i + 1]; ++c) {
                 const std::uint32_t t = model_.corner_triangles[c];
                 if (!is_owned_[t]) best = std::min(best, {std::ranges::max(model_.triangles[t]), t});
             }
             owned = best.second;
-            if (owned != none) is_owned_[owned] = true;
+            if (owned != no_triangle) is_owned_[owned] = true;
         }
     }
 
