@@ -41,16 +41,6 @@ struct Moving {
     Lanes half_reach;
 };
 
-/// By half the reach and by more than what rounding takes from a coordinate's sums.
-HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
-    const Lanes rounding = set(0x1p-22f);
-    const auto by = [&](Lanes at) HWY_ATTR { return hn::MulAdd(hn::Abs(at), rounding, half_reach); };
-    const auto less = [&](Lanes at) HWY_ATTR { return hn::Sub(at, by(at)); };
-    const auto more = [&](Lanes at) HWY_ATTR { return hn::Add(at, by(at)); };
-    return {{less(box.lower.x), less(box.lower.y), less(box.lower.z)},
-            {more(box.upper.x), more(box.upper.y), more(box.upper.z)}};
-}
-
 HWY_INLINE BoxLanes everywhere() {
     const BoxLanes none = nowhere();
     return {none.upper, none.lower};
@@ -151,7 +141,7 @@ PatchStrain strain_of(const Gradients& gradients, const BoxLanes& motion) {
 
 HWY_INLINE Moving moving_of(const PairSearch& search, const SearchedBody& body) {
     return {search.positions + body.first, search.motions == nullptr ? nullptr : search.motions + body.first,
-            set(0.5f * body.reach * (1 + 1e-6f))};
+            set(half_reach_of(body))};
 }
 
 /// visit(k, patch, body, moving) for the patches of a block.

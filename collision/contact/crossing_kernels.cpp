@@ -100,6 +100,13 @@ struct CrossingCollector {
         return hn::Or(hn::Gt(hn::Min(p, q), rounding), hn::Lt(hn::Max(p, q), hn::Neg(rounding)));
     }
 
+    /// Of candidate `first` + `lane`: rounding can make what is in one plane cross from afar.
+    HWY_INLINE bool boxes_overlap(std::uint32_t first, std::uint32_t lane) const {
+        const BoxLanes edge = placed_box(search, candidates.corners, 0, 2, first, 0);
+        const BoxLanes triangle = placed_box(search, candidates.corners, 2, 5, first, 0);
+        return (bits_of(overlap(edge, triangle)) >> lane & 1) != 0;
+    }
+
     HWY_NOINLINE void test_all() {
         if (candidates.count == 0) return;
         for (auto& corner : candidates.corners)
@@ -111,7 +118,7 @@ struct CrossingCollector {
             for (std::uint32_t rest = bits_of(unsure); rest != 0; rest &= rest - 1) {
                 const auto i = k + static_cast<std::uint32_t>(std::countr_zero(rest));
                 const Crossing crossing{{c[0][i], c[1][i]}, {c[2][i], c[3][i], c[4][i]}};
-                if (crosses(volumes, crossing)) found.add(crossing);
+                if (crosses(volumes, crossing) && boxes_overlap(k, i - k)) found.add(crossing);
             }
         }
         candidates.count = 0;
@@ -119,16 +126,16 @@ struct CrossingCollector {
 
     HWY_INLINE void pair_edges_with_triangles(const SearchedPatch& of_edges,
                                               const SearchedPatch& of_triangles) {
-        of_edges.select(*search.boxes, of_triangles.box, edges);
+        const CoarsePlaces places(of_edges.box, of_triangles.box);
+        of_edges.select(*search.boxes, of_triangles.box, places, edges);
         if (edges.count == 0) return;
-        of_triangles.select(*search.boxes, of_edges.box, triangles);
+        of_triangles.select(*search.boxes, of_edges.box, places, triangles);
         const IndexTag d;
         for (std::uint32_t i = 0; i < edges.count; ++i) {
-            const BoxLanes box = edges.box(i);
+            const CoarseBox box(edges, i);
             const Indices p = set_index(edges.corners[0][i]), q = set_index(edges.corners[1][i]);
             for (std::uint32_t k = 0; k < triangles.count; k += part_lanes) {
-                auto near = hn::And(hn::RebindMask(d, overlap(box, triangles.boxes(k))),
-                                    hn::FirstN(d, triangles.count - k));
+                auto near = box.may_overlap(triangles, k);
                 Indices corner[3];
                 for (std::uint32_t c = 0; c < 3; ++c) {
                     corner[c] = hn::Load(d, triangles.corners[c] + k);

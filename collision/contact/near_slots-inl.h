@@ -25,9 +25,10 @@ HWY_INLINE hn::Mask<Tag> overlap(const BoxLanes& a, const BoxLanes& b) {
     return hn::And(x, hn::And(y, z));
 }
 
-HWY_INLINE std::uint32_t bits_of(hn::Mask<Tag> mask) {
+template <class D = Tag>
+HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag(), mask, bytes);
+    hn::StoreMaskBits(D(), mask, bytes);
     std::uint16_t bits;
     std::memcpy(&bits, bytes, sizeof bits);
     return bits;
@@ -41,49 +42,109 @@ HWY_INLINE std::uint32_t overlapping(const BoxLanes& box, const Boxes& boxes) {
     return all;
 }
 
-/// Features with their boxes, and their corners numbered through all bodies.
+/// By half the reach and by more than what rounding takes from a coordinate's sums.
+HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
+    const Lanes rounding = set(0x1p-22f);
+    const auto by = [&](Lanes at) HWY_ATTR { return hn::MulAdd(hn::Abs(at), rounding, half_reach); };
+    const auto less = [&](Lanes at) HWY_ATTR { return hn::Sub(at, by(at)); };
+    const auto more = [&](Lanes at) HWY_ATTR { return hn::Add(at, by(at)); };
+    return {{less(box.lower.x), less(box.lower.y), less(box.lower.z)},
+            {more(box.upper.x), more(box.upper.y), more(box.upper.z)}};
+}
+
+/// The box of features over their motion, as place_features() has it; `corners`: lists of particles, one for
+/// each of a feature's corners.
+template <class Corners>
+HWY_INLINE BoxLanes placed_box(const PairSearch& search, const Corners& corners, std::uint32_t begin,
+                               std::uint32_t end, std::uint32_t first, float half_reach) {
+    const auto box_of_corner = [&](std::uint32_t c) HWY_ATTR {
+        const Lanes3 x = gather_rows(search.positions, corners[c] + first);
+        if (search.motions == nullptr) return BoxLanes{x, x};
+        const Lanes3 moved = x + gather_rows(search.motions, corners[c] + first);
+        return join({x, x}, {moved, moved});
+    };
+    BoxLanes box = box_of_corner(begin);
+    for (std::uint32_t c = begin + 1; c < end; ++c) box = join(box, box_of_corner(c));
+    return grown(box, set(half_reach));
+}
+
+/// Boxes in few bits: places in the part of space that two boxes have in common, from 0 to 255 along each
+/// axis, a byte for each. Rounding keeps order: what overlaps does so here too, and some of what does not.
+class CoarsePlaces {
+  public:
+    HWY_INLINE CoarsePlaces(const BoxLanes& a, const BoxLanes& b) : origin_(maximum(a.lower, b.lower)) {
+        const Lanes3 extent = minimum(a.upper, b.upper) - origin_;
+        const auto scale = [](Lanes of) HWY_ATTR { return hn::Div(set(255), hn::Max(of, set(1e-30f))); };
+        scale_ = {scale(extent.x), scale(extent.y), scale(extent.z)};
+    }
+    HWY_INLINE Indices of(const Lanes3& point) const {
+        const IndexTag d;
+        const auto place = [&](Lanes x, Lanes from, Lanes scale) HWY_ATTR {
+            const Lanes at = hn::Mul(hn::Sub(x, from), scale);
+            const Lanes within = hn::IfThenElseZero(hn::Gt(at, set(0)), hn::Min(at, set(255)));
+            return hn::BitCast(d, hn::ConvertTo(hn::RebindToSigned<IndexTag>(), within));
+        };
+        const Indices x = place(point.x, origin_.x, scale_.x), y = place(point.y, origin_.y, scale_.y),
+                      z = place(point.z, origin_.z, scale_.z);
+        return hn::Or(x, hn::Or(hn::ShiftLeft<8>(y), hn::ShiftLeft<16>(z)));
+    }
+
+  private:
+    Lanes3 origin_, scale_;
+};
+
+/// Features with their coarse boxes, and their corners numbered through all bodies.
 template <std::uint32_t corner_count, std::uint32_t most>
 struct NearSlots {
     static constexpr std::uint32_t capacity = most + group_lanes;
 
     std::uint32_t count = 0;
-    alignas(64) float lower[3][capacity], upper[3][capacity];
+    alignas(64) std::uint32_t lower[capacity], upper[capacity];
     alignas(64) std::uint32_t corners[corner_count][capacity];
-
-    HWY_INLINE BoxLanes boxes(std::uint32_t first) const {
-        return {{load_lanes(lower[0] + first), load_lanes(lower[1] + first), load_lanes(lower[2] + first)},
-                {load_lanes(upper[0] + first), load_lanes(upper[1] + first), load_lanes(upper[2] + first)}};
-    }
-    HWY_INLINE BoxLanes box(std::uint32_t k) const {
-        return {set_point({lower[0][k], lower[1][k], lower[2][k]}),
-                set_point({upper[0][k], upper[1][k], upper[2][k]})};
-    }
 
     /// Takes those of a patch's slots whose boxes overlap `other`.
     HWY_INLINE void select(const FeatureSlots<corner_count>& slots, const SlotSpan& span, const Boxes* groups,
-                           std::uint32_t first_particle, const BoxLanes& other) {
+                           std::uint32_t first_particle, const BoxLanes& other, const CoarsePlaces& places) {
+        const IndexTag d;
         count = 0;
         for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
             const BoxLanes here = load_boxes(groups[(span.first + k) / 16], k % 16);
             const auto near = overlap(here, other);
             if (hn::AllFalse(Tag(), near)) continue;
-            const IndexTag d;
             const Kept kept(hn::RebindMask(d, near));
-            const auto keep = [&](Lanes values, float* to) HWY_ATTR {
-                hn::StoreU(kept.of(hn::BitCast(d, values)), d, reinterpret_cast<std::uint32_t*>(to));
-            };
-            keep(here.lower.x, lower[0] + count);
-            keep(here.lower.y, lower[1] + count);
-            keep(here.lower.z, lower[2] + count);
-            keep(here.upper.x, upper[0] + count);
-            keep(here.upper.y, upper[1] + count);
-            keep(here.upper.z, upper[2] + count);
+            hn::StoreU(kept.of(places.of(here.lower)), d, lower + count);
+            hn::StoreU(kept.of(places.of(here.upper)), d, upper + count);
             for (std::uint32_t c = 0; c < corner_count; ++c) {
                 const Indices corner = hn::Load(d, &slots.corners[c][span.first + k]);
                 hn::StoreU(kept.of(hn::Add(corner, set_index(first_particle))), d, corners[c] + count);
             }
             count += kept.count();
         }
+        // Behind the last is what overlaps nothing.
+        hn::StoreU(set_index(~0u), d, lower + count);
+        hn::StoreU(set_index(0), d, upper + count);
+    }
+};
+
+/// One feature's coarse box, in every lane.
+struct CoarseBox {
+    Indices lower, upper;
+
+    template <class Slots>
+    HWY_INLINE CoarseBox(const Slots& slots, std::uint32_t k)
+        : lower(set_index(slots.lower[k])), upper(set_index(slots.upper[k])) {}
+
+    /// Which of the features from `first` on, as many as a register has lanes, may overlap it.
+    template <class Slots>
+    HWY_INLINE IndexMask may_overlap(const Slots& slots, std::uint32_t first) const {
+        const IndexTag d;
+        const hn::Repartition<std::uint8_t, IndexTag> bytes;
+        const auto beyond = [&](Indices from, Indices to) HWY_ATTR {
+            return hn::SaturatedSub(hn::BitCast(bytes, from), hn::BitCast(bytes, to));
+        };
+        const auto apart = hn::Or(beyond(lower, hn::Load(d, slots.upper + first)),
+                                  beyond(hn::Load(d, slots.lower + first), upper));
+        return hn::Eq(hn::BitCast(d, apart), hn::Zero(d));
     }
 };
 
@@ -104,17 +165,20 @@ struct SearchedPatch {
           patch(body.mesh->patches()[number]),
           box(box_of(search.boxes->patches[block], k)) {}
 
-    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearVertices& near) const {
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, const CoarsePlaces& places,
+                           NearVertices& near) const {
         near.select(body.mesh->vertex_slots(), patch.vertices, &boxes.vertices[body.first_vertex_group],
-                    body.first, other);
+                    body.first, other, places);
     }
-    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearTriangles& near) const {
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, const CoarsePlaces& places,
+                           NearTriangles& near) const {
         near.select(body.mesh->triangle_slots(), patch.triangles, &boxes.triangles[body.first_triangle_group],
-                    body.first, other);
+                    body.first, other, places);
     }
-    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, NearEdges& near) const {
+    HWY_INLINE void select(const FeatureBoxes& boxes, const BoxLanes& other, const CoarsePlaces& places,
+                           NearEdges& near) const {
         near.select(body.mesh->edge_slots(), patch.edges, &boxes.edges[body.first_edge_group], body.first,
-                    other);
+                    other, places);
     }
 };
 

@@ -48,9 +48,28 @@ HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
     return of_a == vertex_and_triangle ? in_triangle : hn::Or(in_triangle, hn::Eq(w.x, set(0)));
 }
 
+/// How far searches look for pairs of two bodies' features: the mean of the bodies' reaches, and the halves
+/// of these by which boxes are grown.
+struct PairReach {
+    float mean = 0, half_of_a = 0, half_of_b = 0;
+
+    PairReach() = default;
+    PairReach(const SearchedBody& a, const SearchedBody& b)
+        : mean(0.5f * (a.reach + b.reach)), half_of_a(half_reach_of(a)), half_of_b(half_reach_of(b)) {}
+    bool operator==(const PairReach&) const = default;
+};
+
+/// Whether the boxes overlap, of those candidates from `first` on that are listed.
+template <std::uint32_t of_a>
+HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairReach& reach,
+                                         const Candidates& of, std::uint32_t first) {
+    return overlap(placed_box(search, of.corners, 0, of_a, first, reach.half_of_a),
+                   placed_box(search, of.corners, of_a, 4, first, reach.half_of_b));
+}
+
 /// Passes on, of the candidates, those that come within reach.
 template <std::uint32_t of_a>
-HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candidates& candidates,
+HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
                                   Found<FeaturePair>& found) {
     if (found.has_enough()) candidates.count = 0;
     if (candidates.count == 0) return;
@@ -58,9 +77,13 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candida
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
         const ShapeLanes shape =
             shape_of<of_a>(gather_corners(search.positions, search.motions, candidates, k));
-        const Lanes within =
-            hn::IfThenElse(is_at_border<of_a>(shape.weights), set(reach * search.of_borders), set(reach));
-        const auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
+        const Lanes within = hn::IfThenElse(is_at_border<of_a>(shape.weights),
+                                            set(reach.mean * search.of_borders), set(reach.mean));
+        auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
+        // What is within reach now has boxes that overlap.
+        const auto unsure = hn::AndNot(hn::Lt(shape.gap, set(0.999f * reach.mean)), listed);
+        if (!hn::AllFalse(Tag(), unsure))
+            listed = hn::And(listed, boxes_overlap<of_a>(search, reach, candidates, k));
         for (std::uint32_t rest = bits_of(listed); rest != 0; rest &= rest - 1) {
             const auto i = k + static_cast<std::uint32_t>(std::countr_zero(rest));
             const auto& c = candidates.corners;
@@ -70,15 +93,53 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, float reach, Candida
     candidates.count = 0;
 }
 
+/// A feature, and which of some others that follow one another may have boxes that overlap its own. No branch
+/// depends on how boxes lie: none could foresee that.
+struct BoxHits {
+    struct Hit {
+        std::uint8_t a, b;    ///< the feature, the first of the others
+        std::uint16_t lanes;  ///< a bit for each
+    };
+    static constexpr std::uint32_t most = ContactPatch::most_edges;
+    static_assert(most >= ContactPatch::most_triangles && most <= 256);
+
+    Hit list[most * (most + group_lanes) / part_lanes];
+
+    /// Returns how many; `is_same`: each pair of one set, once.
+    template <class SlotsA, class SlotsB>
+    HWY_INLINE std::uint32_t find(const SlotsA& a, const SlotsB& b, bool is_same) {
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < a.count; ++i) {
+            const CoarseBox box(a, i);
+            const std::uint32_t after = is_same ? i + 1 : 0;
+            for (std::uint32_t k = after / part_lanes * part_lanes; k < b.count; k += part_lanes) {
+                const std::uint32_t lanes =
+                    bits_of<IndexTag>(box.may_overlap(b, k)) & ~0u << (std::max(after, k) - k);
+                list[count] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(k),
+                               static_cast<std::uint16_t>(lanes)};
+                count += lanes != 0 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+};
+
+HWY_INLINE IndexMask mask_of(std::uint16_t bits) {
+    std::uint8_t bytes[8] = {};
+    std::memcpy(bytes, &bits, sizeof bits);
+    return hn::LoadMaskBits(IndexTag(), bytes);
+}
+
 /// Gathers candidates, and tests them whenever there are many.
 struct PairCollector {
     const PairSearch& search;
     FoundPairs& found;
-    float reach = 0;  // of the candidates
+    PairReach reach;  // of the candidates
     Candidates vertex_triangle, edge_edge;
     NearVertices vertices;
     NearTriangles triangles;
     NearEdges edges, other_edges;
+    BoxHits hits;
 
     HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f) : search(s), found(f) {}
 
@@ -90,20 +151,16 @@ struct PairCollector {
     HWY_INLINE void pair_vertices_with_triangles() {
         if (found.vertex_triangle.has_enough()) return;
         const IndexTag d;
-        for (std::uint32_t i = 0; i < vertices.count; ++i) {
-            const BoxLanes box = vertices.box(i);
-            const Indices vertex = set_index(vertices.corners[0][i]);
-            for (std::uint32_t k = 0; k < triangles.count; k += part_lanes) {
-                const auto near_boxes =
-                    hn::And(overlap(box, triangles.boxes(k)), hn::FirstN(Tag(), triangles.count - k));
-                if (hn::AllFalse(Tag(), near_boxes)) continue;
-                Indices corner[3];
-                for (std::uint32_t c = 0; c < 3; ++c) corner[c] = hn::Load(d, triangles.corners[c] + k);
-                const auto shared = hn::Or(hn::Eq(vertex, corner[0]),
-                                           hn::Or(hn::Eq(vertex, corner[1]), hn::Eq(vertex, corner[2])));
-                const auto near = hn::AndNot(shared, hn::RebindMask(d, near_boxes));
-                append(vertex_triangle, near, vertex, corner[0], corner[1], corner[2]);
-            }
+        const std::uint32_t count = hits.find(vertices, triangles, false);
+        for (std::uint32_t h = 0; h < count; ++h) {
+            const BoxHits::Hit hit = hits.list[h];
+            const Indices vertex = set_index(vertices.corners[0][hit.a]);
+            Indices corner[3];
+            for (std::uint32_t c = 0; c < 3; ++c) corner[c] = hn::Load(d, triangles.corners[c] + hit.b);
+            const auto shared = hn::Or(hn::Eq(vertex, corner[0]),
+                                       hn::Or(hn::Eq(vertex, corner[1]), hn::Eq(vertex, corner[2])));
+            append<vertex_and_triangle>(vertex_triangle, hn::AndNot(shared, mask_of(hit.lanes)),
+                                        {vertex, corner[0], corner[1], corner[2]});
             if (HWY_UNLIKELY(vertex_triangle.count >= Candidates::full))
                 test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle);
         }
@@ -112,20 +169,14 @@ struct PairCollector {
     HWY_INLINE void pair_edges(const NearEdges& a, const NearEdges& b, bool is_same) {
         if (found.edge_edge.has_enough()) return;
         const IndexTag d;
-        for (std::uint32_t i = 0; i < a.count; ++i) {
-            const BoxLanes box = a.box(i);
-            const Indices a0 = set_index(a.corners[0][i]), a1 = set_index(a.corners[1][i]);
-            const std::uint32_t after = is_same ? i + 1 : 0;  // of a patch with itself, each pair once
-            for (std::uint32_t k = after / part_lanes * part_lanes; k < b.count; k += part_lanes) {
-                const auto near_boxes = hn::And(overlap(box, b.boxes(k)), hn::FirstN(Tag(), b.count - k));
-                if (hn::AllFalse(Tag(), near_boxes)) continue;
-                const Indices b0 = hn::Load(d, b.corners[0] + k), b1 = hn::Load(d, b.corners[1] + k);
-                const auto shared =
-                    hn::Or(hn::Or(hn::Eq(a0, b0), hn::Eq(a0, b1)), hn::Or(hn::Eq(a1, b0), hn::Eq(a1, b1)));
-                const auto before = hn::FirstN(d, std::max(after, k) - k);
-                const auto near = hn::AndNot(hn::Or(shared, before), hn::RebindMask(d, near_boxes));
-                append(edge_edge, near, a0, a1, b0, b1);
-            }
+        const std::uint32_t count = hits.find(a, b, is_same);
+        for (std::uint32_t h = 0; h < count; ++h) {
+            const BoxHits::Hit hit = hits.list[h];
+            const Indices a0 = set_index(a.corners[0][hit.a]), a1 = set_index(a.corners[1][hit.a]);
+            const Indices b0 = hn::Load(d, b.corners[0] + hit.b), b1 = hn::Load(d, b.corners[1] + hit.b);
+            const auto shared =
+                hn::Or(hn::Or(hn::Eq(a0, b0), hn::Eq(a0, b1)), hn::Or(hn::Eq(a1, b0), hn::Eq(a1, b1)));
+            append<edge_and_edge>(edge_edge, hn::AndNot(shared, mask_of(hit.lanes)), {a0, a1, b0, b1});
             if (HWY_UNLIKELY(edge_edge.count >= Candidates::full))
                 test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge);
         }
@@ -133,40 +184,44 @@ struct PairCollector {
 
     HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
         if (found.vertex_triangle.has_enough() && found.edge_edge.has_enough()) return;
-        const float mean = 0.5f * (a.body.reach + b.body.reach);
-        if (mean != reach) {
-            test_all();
-            reach = mean;
-        }
         const FeatureBoxes& boxes = *search.boxes;
-        a.select(boxes, b.box, vertices);
+        const CoarsePlaces places(a.box, b.box);
+        look_for(a.body, b.body);
+        a.select(boxes, b.box, places, vertices);
         if (vertices.count > 0) {
-            b.select(boxes, a.box, triangles);
+            b.select(boxes, a.box, places, triangles);
             pair_vertices_with_triangles();
         }
-        if (!is_same) {
-            b.select(boxes, a.box, vertices);
-            if (vertices.count > 0) {
-                a.select(boxes, b.box, triangles);
-                pair_vertices_with_triangles();
-            }
+        a.select(boxes, b.box, places, edges);
+        if (edges.count > 0) {
+            if (!is_same) b.select(boxes, a.box, places, other_edges);
+            pair_edges(edges, is_same ? edges : other_edges, is_same);
         }
-        a.select(boxes, b.box, edges);
-        if (edges.count == 0) return;
-        if (!is_same) b.select(boxes, a.box, other_edges);
-        pair_edges(edges, is_same ? edges : other_edges, is_same);
+        if (is_same) return;
+        look_for(b.body, a.body);
+        b.select(boxes, a.box, places, vertices);
+        if (vertices.count > 0) {
+            a.select(boxes, b.box, places, triangles);
+            pair_vertices_with_triangles();
+        }
     }
 
   private:
-    template <class Mask>
-    HWY_INLINE static void append(Candidates& to, Mask near, Indices c0, Indices c1, Indices c2, Indices c3) {
+    /// The next candidates are features of a and of b.
+    HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
+        const PairReach next(a, b);
+        if (next == reach) return;
+        test_all();
+        reach = next;
+    }
+
+    /// The first `of_a` corners are the same in all lanes.
+    template <std::uint32_t of_a>
+    HWY_INLINE static void append(Candidates& to, IndexMask near, const Indices (&corners)[4]) {
         const IndexTag d;
-        if (hn::AllFalse(d, near)) return;
         const Kept kept(near);
-        hn::StoreU(kept.of(c0), d, to.corners[0] + to.count);
-        hn::StoreU(kept.of(c1), d, to.corners[1] + to.count);
-        hn::StoreU(kept.of(c2), d, to.corners[2] + to.count);
-        hn::StoreU(kept.of(c3), d, to.corners[3] + to.count);
+        for (std::uint32_t c = 0; c < 4; ++c)
+            hn::StoreU(c < of_a ? corners[c] : kept.of(corners[c]), d, to.corners[c] + to.count);
         to.count += kept.count();
     }
 };

@@ -30,6 +30,10 @@ struct SearchedBody {
     std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
     std::uint32_t first_block;
 };
+/// By which boxes of its features are grown [m].
+constexpr float half_reach_of(const SearchedBody& body) {
+    return 0.5f * body.reach * (1 + 1e-6f);
+}
 
 /// Up to sixteen patches of a body: what a thread searches at a time.
 struct PatchBlock {

@@ -61,6 +61,35 @@ class CoarsePairs::Sum {
     float weights_[most_nodes];
 };
 
+/// Sum::key of one fine particle's nodes less another's. Mostly the two share none, and each side has its own
+/// strongest one; `none` then for neither is asked further.
+CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<const float> of_p,
+                                          std::uint32_t most, std::uint32_t least) {
+    constexpr std::uint32_t width = Interpolation::width;
+    const std::uint32_t* const nodes_a = &p.nodes[width * most];
+    const std::uint32_t* const nodes_b = &p.nodes[width * least];
+    const float* const weights_a = &of_p[width * most];
+    const float* const weights_b = &of_p[width * least];
+    std::uint32_t a = 0, b = 0;
+    bool is_simple = true;
+    for (std::uint32_t k = 0; k < width; ++k) {
+        if (weights_a[k] > weights_a[a]) a = k;
+        if (weights_b[k] > weights_b[b]) b = k;
+        is_simple &= weights_a[k] >= 0 && weights_b[k] >= 0;
+        for (std::uint32_t l = 0; l < width; ++l) is_simple &= nodes_a[k] != nodes_b[l];
+        for (std::uint32_t l = 0; l < k; ++l)
+            is_simple &= (nodes_a[k] != nodes_a[l] || weights_a[k] == 0) &&
+                         (nodes_b[k] != nodes_b[l] || weights_b[k] == 0);
+    }
+    if (is_simple && weights_a[a] > 0 && weights_b[b] > 0)
+        return {std::min(nodes_a[a], nodes_b[b]), std::max(nodes_a[a], nodes_b[b]),
+                nodes_a[a] <= nodes_b[b] ? 1.0f : -1.0f};
+    Sum sum;
+    sum.add(p, of_p, most, 1);
+    sum.add(p, of_p, least, -1);
+    return sum.key();
+}
+
 void CoarsePairs::reserve(std::size_t fine_rows, std::uint32_t nodes) {
     *this = {};
     if (fine_rows == 0) return;
@@ -81,23 +110,19 @@ void CoarsePairs::merge(const AddRow& add_row) {
     std::uint32_t count = 0;
     for (std::uint32_t& start : starts_) count += std::exchange(start, count);
     for (std::uint32_t k = 0; k < keys_.size(); ++k)
-        if (keys_[k].low != none) order_[starts_[keys_[k].low]++] = k;
+        if (keys_[k].low != none) order_[starts_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
     size_ = 0;
     for (std::uint32_t begin = 0; begin < count;) {
-        const std::uint32_t low = keys_[order_[begin]].low;
-        std::uint32_t end = begin;
-        while (end < count && keys_[order_[end]].low == low) ++end;
-        std::sort(order_.begin() + begin, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
-            return keys_[a].high != keys_[b].high ? keys_[a].high < keys_[b].high : a < b;
-        });
+        const std::uint32_t low = keys_[order_[begin].row].low, end = starts_[low];
+        std::sort(order_.begin() + begin, order_.begin() + end);
         while (begin < end) {
-            const std::uint32_t high = keys_[order_[begin]].high;
+            const std::uint32_t high = order_[begin].high;
             Sum sum;
             Symmetric3 stiffness;
             std::uint32_t looked = 0;
-            for (; begin < end && keys_[order_[begin]].high == high; ++begin) {
+            for (; begin < end && order_[begin].high == high; ++begin) {
                 const bool look = looked < looked_at;
-                stiffness.add(add_row(order_[begin], look ? &sum : nullptr));
+                stiffness.add(add_row(order_[begin].row, look ? &sum : nullptr));
                 looked += look ? 1 : 0;
             }
             const Row row = sum.row(1 / static_cast<float>(looked), stiffness);
@@ -110,18 +135,20 @@ void CoarsePairs::gather(const PairRows& pairs, std::uint32_t first, std::uint32
                          const Interpolation& p, std::span<const float> weights) {
     keys_.clear();
     active_.clear();
+    has_outer_ = false;
     pairs.for_each_active([&](const PairRows::ActivePair& active) {
         for (const std::uint32_t corner : active.pair.corners)
-            if (corner - first >= particles) return;
-        Sum sum;
+            if (corner - first >= particles) {
+                has_outer_ = true;
+                return;
+            }
         std::uint32_t most = 0, least = 0;
         for (std::uint32_t c = 1; c < 4; ++c) {
             if (active.shape.weight(c) > active.shape.weight(most)) most = c;
             if (active.shape.weight(c) < active.shape.weight(least)) least = c;
         }
-        sum.add(p, weights, active.pair.corners[most] - first, 1);
-        sum.add(p, weights, active.pair.corners[least] - first, -1);
-        keys_.push_back(sum.key());
+        keys_.push_back(
+            key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first));
         active_.push_back(active);
     });
     merge([&](std::uint32_t k, Sum* sum) {
@@ -165,8 +192,9 @@ void CoarsePairs::correct(std::span<const Vec4> b, std::span<const Vec4> x, std:
 }
 
 std::size_t CoarsePairs::bytes() const noexcept {
-    return keys_.capacity() * sizeof(Key) + (order_.size() + starts_.size()) * sizeof(std::uint32_t) +
-           active_.capacity() * sizeof(PairRows::ActivePair) + rows_.size() * sizeof(Row);
+    return keys_.capacity() * sizeof(Key) + order_.size() * sizeof(Placed) +
+           starts_.size() * sizeof(std::uint32_t) + active_.capacity() * sizeof(PairRows::ActivePair) +
+           rows_.size() * sizeof(Row);
 }
 
 }  // namespace weft

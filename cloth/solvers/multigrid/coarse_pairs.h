@@ -4,6 +4,7 @@
 // moving together.
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +47,9 @@ class CoarsePairs {
     /// Of the rows of a finer coarse level.
     void gather(const CoarsePairs& finer, const Interpolation& p);
 
+    /// Whether gather() met pairs that are not of this cloth alone.
+    [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
+
     void clear() noexcept { size_ = 0; }
 
     [[nodiscard]] std::span<const Row> rows() const noexcept { return std::span(rows_).first(size_); }
@@ -66,18 +70,26 @@ class CoarsePairs {
         std::uint32_t low, high;
         float sign;  ///< 1: c is positive at the lower one, else -1
     };
+    /// A fine row's place among those with the same low node.
+    struct Placed {
+        std::uint32_t high, row;
+        auto operator<=>(const Placed&) const = default;
+    };
     /// A row being gathered.
     class Sum;
 
+    [[nodiscard]] static Key key_between(const Interpolation& p, std::span<const float> of_p,
+                                         std::uint32_t most, std::uint32_t least);
     template <class AddRow>
     void merge(const AddRow& add_row);
 
     std::vector<Key> keys_;              // of the finer level's rows
-    std::vector<std::uint32_t> order_;   // these, by key
+    std::vector<Placed> order_;          // these, by key
     std::vector<std::uint32_t> starts_;  // by low node
     std::vector<PairRows::ActivePair> active_;
     std::vector<Row> rows_;
-    std::size_t size_ = 0;
+    std::uint32_t size_ = 0;
+    bool has_outer_ = false;
 };
 
 }  // namespace weft

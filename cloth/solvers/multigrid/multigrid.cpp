@@ -246,7 +246,8 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system, const PairRows
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
     coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
-    if (has_pairs_ && pairs != nullptr && !pairs->empty()) hold_other_bodies(*pairs, first);
+    if (has_pairs_ && pairs != nullptr && !pairs->empty() && coarse_.front().pairs().has_outer())
+        hold_other_bodies(*pairs, first);
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
     for (CoarseLevel& level : coarse_) {
