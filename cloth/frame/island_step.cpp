@@ -257,10 +257,18 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
                         cloths[k]->state.velocities.span());
+        if (space.uses_zones()) keep_out_of_colliders(worker, *cloths[k], substep.h);
         limit_speeds(worker.parallel, settings.max_speed, cloths[k]->state.velocities.span());
         remember_tangles(space, k, cloths[k]->state);
     }
     if (reports_contacts() && !space.uses_zones()) log_pairs(worker, space, cloths);
+}
+
+// Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
+// section 2: cloth against rigid bodies on top of cloth against cloth).
+void Simulation::keep_out_of_colliders(Worker& worker, Cloth& cloth, float h) {
+    if (worker.motions.empty() || !meets_in_equation(cloth.settings)) return;
+    cloth.collider_contacts = std::max(cloth.collider_contacts, collide(worker, cloth, h, {}));
 }
 
 // Cloth can go another way than it was going when islands were found. Where it came near cloth of another

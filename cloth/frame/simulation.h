@@ -141,6 +141,10 @@ struct Simulation {
     void hold_within_limits(Worker& worker, Cloth& cloth);
     void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
     void collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part);
+    /// Over a substep of that length; `starts`: as weft::collide() has them. Returns the particles that
+    /// touch.
+    [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
+    void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
                                                                                const Cloth& cloth);
     void reserve_collider_ids(bool reported);

@@ -311,18 +311,22 @@ void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
 
 void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part) {
     if (!meets_in_equation(cloth.settings)) return;
+    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
     cloth.collider_contacts = 0;
-    if (worker.motions.empty()) return;
+    if (!worker.motions.empty()) cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
+}
+
+std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
     const auto timer = timed(Stage::colliders);
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
-    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
-    cloth.collider_contacts =
-        collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, part.h,
-                std::as_const(cloth.state.held.normals).span(), starts.span(), cloth.state.positions.span(),
-                cloth.state.velocities.span(), cloth.partial_counts.span());
-    if (reports_contacts() && cloth.collider_contacts > 0)
+    const std::uint32_t touching =
+        weft::collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
+                      std::as_const(cloth.state.held.normals).span(), starts, cloth.state.positions.span(),
+                      cloth.state.velocities.span(), cloth.partial_counts.span());
+    if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
+    return touching;
 }
 
 std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, const Cloth& cloth) {

@@ -292,6 +292,22 @@ TEST(ImpactZonesInWorld, WithClothByContactNothingPasses) {
     }
 }
 
+TEST(ImpactZonesInWorld, WhatIsHitIsNotPushedIntoTheGround) {
+    Clash clash(two_sheets(), {by_zones()});
+    const float thickness = by_zones().thickness;
+    ASSERT_TRUE(
+        clash.world->add_collider({.shape = Plane{{0, 1, 0}, -thickness}}));  // the lower one lies on it
+    std::uint32_t met = 0, on_ground = 0;
+    for (int frame = 0; frame < 30; ++frame) {
+        clash.world->step(h);
+        met = std::max(met, clash.world->report().self_contacts);
+        on_ground = std::max(on_ground, clash.world->report().collider_contacts);
+        for (const Vec4& p : clash.positions()) ASSERT_GT(p.y, -1e-5f) << frame;
+    }
+    EXPECT_GT(met, 50u);
+    EXPECT_GT(on_ground, 50u);
+}
+
 TEST(ImpactZonesInWorld, CanBeSwitchedToAndFrom) {
     Clash clash(two_sheets(), {by_zones()});
     using enum SelfCollisionMethod;
