@@ -4,203 +4,108 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0696619:325.386]
-set yrange [0.30014:4.62336]
-set ytics (0.5, 1, 2)
+set xrange [0.1365:22.9088]
+set yrange [0.596224:4.70075]
+set ytics (1, 2)
 set title 'T-shirt hung by its neck, 3546 particles: distance from the converged step' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'RMS distance of particles after one step [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
-set bmargin 5
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 8572a2e; κ = 2923; weft_study accuracy, then weft_study plot' at screen 0.012, screen 0.022 font ',8' textcolor rgb '#6c757d' noenhanced
+set bmargin 8
+set label 1 'AMD EPYC; 2 threads, 1 used; commit 3697fc2; κ = 2923; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Chebyshev iterations=128; Chebyshev iterations=16; Chebyshev iterations=32; Chebyshev iterations=4; Chebyshev iterations=64'."\n".' Chebyshev iterations=8; Conjugate gradients iterations=128; Conjugate gradients iterations=16; Conjugate gradients iterations=32'."\n".' Conjugate gradients iterations=4; Conjugate gradients iterations=64; Conjugate gradients iterations=8; Jacobi (Kang) in substeps iterations=7 substeps=16'."\n".' Jacobi (Kang) in substeps iterations=7 substeps=2; Jacobi (Kang) in substeps iterations=7 substeps=4; Jacobi (Kang) in substeps iterations=7 substeps=8'."\n".' Jacobi (Kang) with tethers iterations=1; Jacobi (Kang) with tethers iterations=127; Jacobi (Kang) with tethers iterations=31'."\n".' Jacobi (Kang) with tethers iterations=7; Jacobi (Kang): even iterations=16; Jacobi (Kang): even iterations=2; Jacobi (Kang): even iterations=64'."\n".' Jacobi (Kang): even iterations=8; Jacobi (Kang): odd iterations=1; Jacobi (Kang): odd iterations=127; Jacobi (Kang): odd iterations=15'."\n".' Jacobi (Kang): odd iterations=255; Jacobi (Kang): odd iterations=3; Jacobi (Kang): odd iterations=31; Jacobi (Kang): odd iterations=63'."\n".' Jacobi (Kang): odd iterations=7; Sparse Cholesky one factorisation a step' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.099517 0.843592 "iterations=1"
-0.120451 0.837856 "iterations=2"
-0.131646 0.829243 "iterations=3"
-0.162764 0.799041 "iterations=4"
-0.231139 0.782561 "iterations=8"
-0.240208 0.705398 "iterations=1"
-0.337695 0.67391 "iterations=2"
-0.372661 0.65901 "passes=2 iterations=1"
-0.4608 0.618135 "passes=2 iterations=2"
-0.633699 0.575612 "passes=3 iterations=2"
-0.652357 0.54963 "passes=2 iterations=4"
-0.772774 0.535257 "passes=4 iterations=2"
-0.809736 0.503498 "passes=3 iterations=4"
-0.870503 0.49318 "passes=2 iterations=6"
-0.937539 0.461018 "passes=4 iterations=4"
-0.999524 0.447215 "passes=3 iterations=6"
-1.27878 0.436129 "passes=8 iterations=2"
-3.61683 0.433296 "passes=1 substeps=16"
-28.6688 0.429691 "substeps=640"
-44.5741 0.429523 "substeps=985"
-87.6151 0.428771 "substeps=1969"
+0.195 2.93797 "substeps=1"
+0.247 2.91781 "iterations=1"
+0.289 2.88969 "iterations=4"
+0.364 2.37011 "substeps=2"
+0.492 0.940326 "iterations=1"
+0.858 0.905853 "iterations=2"
+1.062 0.89705 "passes=2 iterations=1"
+1.255 0.887074 "passes=4 iterations=1"
+1.332 0.883775 "passes=3 iterations=1"
+1.635 0.882399 "passes=2 iterations=2"
+1.801 0.87688 "passes=6 iterations=1"
+1.947 0.876525 "passes=4 iterations=4"
+2.027 0.872244 "iterations=4"
+2.362 0.863076 "passes=3 iterations=6"
+2.731 0.851749 "iterations=8"
 END
 $curve0 << END
-0.099517 0.843592 "iterations=1"
-0.131646 0.829243 "iterations=3"
-0.192963 0.812703 "iterations=7"
-0.315368 0.79484 "iterations=15"
-0.57305 0.778661 "iterations=31"
-1.0819 0.767118 "iterations=63"
-2.14953 0.762191 "iterations=127"
-4.32132 0.767218 "iterations=255"
+0.492 0.940326 "iterations=1"
+0.858 0.905853 "iterations=2"
+2.027 0.872244 "iterations=4"
+2.731 0.851749 "iterations=8"
 END
 $curve1 << END
-0.120451 0.837856 "iterations=2"
-0.244874 0.802283 "iterations=8"
-0.404155 0.787556 "iterations=16"
-1.37938 0.766515 "iterations=64"
+1.062 0.89705 "passes=2 iterations=1"
+1.255 0.887074 "passes=4 iterations=1"
+1.332 0.883775 "passes=3 iterations=1"
+1.587 0.886786 "passes=4 iterations=2"
+1.635 0.882399 "passes=2 iterations=2"
+1.657 0.882399 "passes=3 iterations=2"
+1.801 0.87688 "passes=6 iterations=1"
+1.947 0.876525 "passes=4 iterations=4"
+2.036 0.872244 "passes=2 iterations=4"
+2.061 0.872354 "passes=3 iterations=4"
+2.231 0.877042 "passes=6 iterations=2"
+2.362 0.863076 "passes=3 iterations=6"
+2.37 0.863076 "passes=2 iterations=6"
+2.409 0.869217 "passes=8 iterations=1"
+2.929 0.870116 "passes=8 iterations=2"
 END
 $curve2 << END
-0.121586 0.845954 "iterations=1"
-0.229849 0.815308 "iterations=7"
-0.694891 0.781548 "iterations=31"
-2.66768 0.765374 "iterations=127"
+1.013 0.919314 "passes=1 substeps=2"
+2.005 0.946407 "passes=1 substeps=4"
+3.922 1.00933 "passes=1 substeps=8"
+7.698 1.08916 "passes=1 substeps=16"
 END
 $curve3 << END
-0.419836 0.783534 "iterations=7 substeps=2"
-0.712933 0.754216 "iterations=7 substeps=4"
-1.44323 0.689966 "iterations=7 substeps=8"
-2.91087 0.596314 "iterations=7 substeps=16"
+0.195 2.93797 "substeps=1"
+0.364 2.37011 "substeps=2"
+0.705 2.21601 "substeps=4"
+1.386 2.22025 "substeps=8"
+2.743 2.05517 "substeps=16"
+5.48 1.65077 "substeps=32"
+10.899 1.14047 "substeps=64"
 END
 $curve4 << END
-0.162764 0.799041 "iterations=4"
-0.231139 0.782561 "iterations=8"
-0.362826 0.773249 "iterations=16"
-0.593136 0.828381 "iterations=32"
-1.15857 0.977717 "iterations=64"
-2.17511 1.21192 "iterations=128"
+0.289 2.88969 "iterations=4"
+0.657 2.81472 "iterations=16"
+2.163 2.65291 "iterations=64"
 END
 $curve5 << END
-0.214024 0.807149 "iterations=4"
-0.349654 0.782223 "iterations=8"
-0.67456 0.776946 "iterations=16"
-1.17483 0.849769 "iterations=32"
-2.23526 1.01612 "iterations=64"
-4.48917 1.10724 "iterations=128"
+0.247 2.91781 "iterations=1"
+0.49 2.8441 "iterations=4"
+1.485 2.70845 "iterations=16"
+5.44 2.41811 "iterations=64"
 END
 $curve6 << END
-0.36816 0.705398 "iterations=1"
-0.537998 0.661572 "iterations=2"
-0.622791 0.634102 "iterations=3"
-0.756335 0.610037 "iterations=4"
-1.0848 0.583443 "iterations=6"
-1.34351 0.555078 "iterations=8"
-1.89072 0.495335 "iterations=12"
-2.35122 0.447038 "iterations=16"
-END
-$curve7 << END
-0.240208 0.705398 "iterations=1"
-0.337695 0.67391 "iterations=2"
-0.540274 0.664603 "iterations=4"
-0.910309 0.660336 "iterations=8"
-END
-$curve8 << END
-0.372661 0.65901 "passes=2 iterations=1"
-0.4608 0.618135 "passes=2 iterations=2"
-0.568409 0.618193 "passes=3 iterations=1"
-0.633699 0.575612 "passes=3 iterations=2"
-0.652357 0.54963 "passes=2 iterations=4"
-0.653788 0.583949 "passes=4 iterations=1"
-0.772774 0.535257 "passes=4 iterations=2"
-0.809736 0.503498 "passes=3 iterations=4"
-0.870503 0.49318 "passes=2 iterations=6"
-0.919225 0.539621 "passes=6 iterations=1"
-0.937539 0.461018 "passes=4 iterations=4"
-0.999524 0.447215 "passes=3 iterations=6"
-1.01695 0.476234 "passes=6 iterations=2"
-1.19873 0.504008 "passes=8 iterations=1"
-1.27878 0.436129 "passes=8 iterations=2"
-END
-$curve9 << END
-0.487283 0.676288 "passes=1 substeps=2"
-0.936772 0.62683 "passes=1 substeps=4"
-1.8407 0.520601 "passes=1 substeps=8"
-3.61683 0.433296 "passes=1 substeps=16"
-END
-$curve10 << END
-0.109498 2.8896 "substeps=1"
-0.199938 2.28398 "substeps=2"
-0.380656 2.01111 "substeps=4"
-0.738656 1.87715 "substeps=8"
-1.4838 1.76437 "substeps=16"
-2.9472 1.50563 "substeps=32"
-5.80353 1.07353 "substeps=64"
-END
-$curve11 << END
-0.299804 2.85451 "iterations=4"
-1.1193 2.77642 "iterations=16"
-4.20886 2.53319 "iterations=64"
-END
-$curve12 << END
-0.211075 2.85759 "iterations=1"
-0.691692 2.78161 "iterations=4"
-2.67056 2.5974 "iterations=16"
-10.4648 2.16009 "iterations=64"
-END
-$curve13 << END
-0.788231 1.93086 "iterations=1 substeps=4"
-3.14498 1.58175 "iterations=1 substeps=16"
-12.5449 0.887627 "iterations=1 substeps=64"
-END
-$curve14 << END
-28.6688 0.429691 "substeps=640"
-44.5741 0.429523 "substeps=985"
-87.6151 0.428771 "substeps=1969"
-END
-$curve15 << END
-39.576 0.42975 "substeps=640"
-121.614 0.428915 "substeps=1969"
-END
-$curve16 << END
-203.366 1.12248 "one factorisation a step"
+0.918 2.16299 "iterations=1 substeps=4"
+3.606 1.90518 "iterations=1 substeps=16"
+14.318 0.96558 "iterations=1 substeps=64"
 END
 $default << END
-0.633699 0.575612 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-tshirt-step.svg'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#d62728' title 'Jacobi (Kang): odd', \
-  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#f4a6a6' title 'Jacobi (Kang): even', \
-  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
-  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#e8590c' title 'Jacobi (Kang) in substeps', \
-  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#1f77b4' title 'Multilevel: nonlinear CG', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
-  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
-  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
-  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
-  $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle, \
-  $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
+  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
+  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle
 set terminal pngcairo size 1200,760 font 'DejaVu Sans,10' background rgb 'white'
 set output 'accuracy-tshirt-step.png'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#d62728' title 'Jacobi (Kang): odd', \
-  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#f4a6a6' title 'Jacobi (Kang): even', \
-  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
-  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#e8590c' title 'Jacobi (Kang) in substeps', \
-  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#1f77b4' title 'Multilevel: nonlinear CG', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
-  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
-  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
-  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
-  $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle, \
-  $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
+  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
+  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle

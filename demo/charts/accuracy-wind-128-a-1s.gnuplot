@@ -4,211 +4,191 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.284979:1010.47]
-set yrange [10.7956:3069.18]
+set xrange [0.2947:508.909]
+set yrange [1.39893:3184.5]
 set title 'Hung sheet in wind, 128 × 128 particles: distance from converged backward Euler after 1 s' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'RMS distance of particles [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 8
-set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 2 used; commit 05b8bef; κ = 9102; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1; Fibres and sets iterations=4' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'AMD EPYC; 2 threads, 1 used; commit 3697fc2; κ = 9102; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1; Fibres and sets iterations=4'."\n".' Jacobi (Kang): even iterations=2' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.407113 1918.24 "substeps=1"
-0.502324 217.429 "iterations=2"
-0.532151 190.087 "iterations=1"
-0.607507 113.506 "iterations=1"
-1.20871 86.0347 "iterations=16"
-1.33703 58.2082 "iterations=1"
-1.69738 48.1249 "passes=1 iterations=2"
-1.81937 47.522 "iterations=2"
-2.04467 42.5634 "iterations=4"
-2.31201 42.3376 "passes=2 iterations=2"
-2.44172 32.1811 "passes=3 iterations=2"
-3.25862 26.0908 "passes=4 iterations=2"
-3.2871 22.7839 "passes=2 iterations=6"
-4.36094 21.6593 "passes=4 iterations=4"
-4.58679 20.1611 "passes=6 iterations=2"
-5.08992 19.9734 "passes=8 iterations=2"
-5.26816 18.0435 "passes=3 substeps=2"
-8.97906 17.2946 "passes=1 substeps=8"
-10.7569 15.4223 "passes=3 substeps=4"
+0.421 227.386 "iterations=1"
+0.539 195.722 "iterations=3"
+0.651 109.015 "iterations=4"
+0.778 83.921 "iterations=4"
+0.903 80.2098 "iterations=8"
+1.336 23.7032 "iterations=1"
+2.314 14.5594 "passes=2 iterations=2"
+2.342 11.3456 "iterations=4"
+2.901 4.68469 "passes=2 iterations=4"
+3.095 3.54249 "passes=3 iterations=2"
+4.003 2.16579 "passes=4 iterations=2"
+5.057 1.99847 "passes=6 iterations=2"
 END
 $curve0 << END
-0.532151 190.087 "iterations=1"
-0.624457 248.392 "iterations=3"
-0.851288 282.467 "iterations=7"
-1.11066 260.685 "iterations=15"
-1.8616 223.354 "iterations=31"
-3.34246 143.56 "iterations=63"
-6.74611 93.2784 "iterations=127"
-12.6151 60.746 "iterations=255"
+0.421 227.386 "iterations=1"
+0.539 195.722 "iterations=3"
+0.818 145.091 "iterations=7"
+1.36 85.4503 "iterations=15"
+2.301 71.4633 "iterations=31"
+4.299 100.263 "iterations=63"
+8.301 99.5999 "iterations=127"
+16.198 57.7642 "iterations=255"
 END
 $curve1 << END
-0.502324 217.429 "iterations=2"
-0.858906 354.802 "iterations=8"
-1.34294 360.683 "iterations=16"
-3.37405 146.078 "iterations=64"
+0.857 519.102 "iterations=8"
+1.376 528.372 "iterations=16"
+4.453 211.142 "iterations=64"
 END
 $curve2 << END
-0.607507 113.506 "iterations=1"
-0.960838 173.898 "iterations=7"
-2.01315 160.182 "iterations=31"
-7.33546 82.0124 "iterations=127"
+0.636 227.811 "iterations=1"
+0.982 147.884 "iterations=7"
+2.485 37.5806 "iterations=31"
+8.394 85.1767 "iterations=127"
 END
 $curve3 << END
-1.43514 234.872 "iterations=7 substeps=2"
-2.86863 112.658 "iterations=7 substeps=4"
-5.64684 41.0523 "iterations=7 substeps=8"
-11.4826 29.3741 "iterations=7 substeps=16"
+1.554 72.0581 "iterations=7 substeps=2"
+3.085 123.361 "iterations=7 substeps=4"
+6.357 45.9106 "iterations=7 substeps=8"
+12.726 28.3143 "iterations=7 substeps=16"
 END
 $curve4 << END
-0.71098 142.54 "iterations=4"
-0.955551 133.954 "iterations=8"
-1.20871 86.0347 "iterations=16"
-2.03349 58.0546 "iterations=32"
-3.95041 53.4086 "iterations=64"
-7.72995 54.7631 "iterations=128"
+0.651 109.015 "iterations=4"
+0.903 80.2098 "iterations=8"
+1.386 101.108 "iterations=16"
+2.474 34.8999 "iterations=32"
+4.555 18.0487 "iterations=64"
+8.701 19.0374 "iterations=128"
 END
 $curve5 << END
-0.717732 210.989 "iterations=4"
-1.21127 172.193 "iterations=8"
-1.98097 72.9552 "iterations=16"
-3.51959 60.6565 "iterations=32"
-8.0769 52.2903 "iterations=64"
-13.5392 57.3464 "iterations=128"
+0.778 83.921 "iterations=4"
+1.26 94.0455 "iterations=8"
+2.296 84.8055 "iterations=16"
+4.204 28.948 "iterations=32"
+7.855 17.0497 "iterations=64"
+15.152 16.1422 "iterations=128"
 END
 $curve6 << END
-1.59275 58.3343 "iterations=1"
-2.47558 55.1143 "iterations=2"
-2.69978 54.2343 "iterations=3"
-3.51264 50.5979 "iterations=4"
-5.24082 52.1264 "iterations=6"
-6.55611 50.9188 "iterations=8"
-8.80168 41.4904 "iterations=12"
-9.76998 46.4029 "iterations=16"
+1.336 23.7032 "iterations=1"
+1.53 25.6868 "iterations=2"
+2.342 11.3456 "iterations=4"
+4.037 10.4031 "iterations=8"
 END
 $curve7 << END
-1.33703 58.2082 "iterations=1"
-1.81937 47.522 "iterations=2"
-2.04467 42.5634 "iterations=4"
-3.3621 41.2751 "iterations=8"
+1.759 25.9955 "passes=2 iterations=1"
+2.314 14.5594 "passes=2 iterations=2"
+2.679 19.8145 "passes=3 iterations=1"
+2.901 4.68469 "passes=2 iterations=4"
+3.095 3.54249 "passes=3 iterations=2"
+3.248 6.73046 "passes=4 iterations=1"
+3.951 4.4648 "passes=3 iterations=4"
+4.003 2.16579 "passes=4 iterations=2"
+4.025 5.78224 "passes=2 iterations=6"
+4.803 3.28508 "passes=4 iterations=4"
+4.944 5.18963 "passes=3 iterations=6"
+5.057 1.99847 "passes=6 iterations=2"
+5.08 3.42621 "passes=6 iterations=1"
+6.149 2.28826 "passes=8 iterations=1"
+6.338 2.10062 "passes=8 iterations=2"
 END
 $curve8 << END
-2.05344 51.8702 "passes=2 iterations=1"
-2.31201 42.3376 "passes=2 iterations=2"
-2.43245 47.9688 "passes=3 iterations=1"
-2.44172 32.1811 "passes=3 iterations=2"
-3.08003 40.6472 "passes=4 iterations=1"
-3.2871 22.7839 "passes=2 iterations=6"
-3.51468 26.7972 "passes=2 iterations=4"
-3.61496 24.2154 "passes=4 iterations=2"
-3.67362 28.3809 "passes=6 iterations=1"
-3.71596 23.9718 "passes=3 iterations=4"
-4.33688 23.8293 "passes=3 iterations=6"
-4.36094 21.6593 "passes=4 iterations=4"
-4.58679 20.1611 "passes=6 iterations=2"
-4.84819 23.0639 "passes=8 iterations=1"
-5.08992 19.9734 "passes=8 iterations=2"
+3.276 17.3257 "passes=1 substeps=2"
+6.935 29.14 "passes=1 substeps=4"
+12.691 29.1878 "passes=1 substeps=8"
+20.686 30.7632 "passes=1 substeps=16"
 END
 $curve9 << END
-2.15012 51.9177 "passes=1 substeps=2"
-4.02831 30.3613 "passes=1 substeps=4"
-8.97906 17.2946 "passes=1 substeps=8"
-16.0231 23.8348 "passes=1 substeps=16"
+2.658 26.1428 "passes=1 iterations=2"
+3.163 21.7202 "passes=2 iterations=2"
+3.832 25.5523 "passes=3 iterations=2"
+4.157 7.73997 "passes=4 iterations=2"
+5.042 8.67729 "passes=4 iterations=4"
+6.236 8.60276 "passes=6 iterations=4"
 END
 $curve10 << END
-1.69738 48.1249 "passes=1 iterations=2"
-2.2008 50.2314 "passes=2 iterations=2"
-2.97054 34.3376 "passes=3 iterations=2"
-3.25862 26.0908 "passes=4 iterations=2"
-3.9926 23.3065 "passes=4 iterations=4"
-5.46056 21.4549 "passes=6 iterations=4"
+7.121 13.484 "passes=3 substeps=2"
+14.679 37.2272 "passes=3 substeps=4"
+29.653 38.3081 "passes=3 substeps=8"
 END
 $curve11 << END
-5.26816 18.0435 "passes=3 substeps=2"
-10.7569 15.4223 "passes=3 substeps=4"
-20.014 22.0395 "passes=3 substeps=8"
+0.872 1927.3 "substeps=1"
+1.722 1990.31 "substeps=2"
+3.44 1759.76 "substeps=4"
+6.909 1003.05 "substeps=8"
+13.8 260.113 "substeps=16"
+27.332 116.816 "substeps=32"
+54.053 54.2368 "substeps=64"
 END
 $curve12 << END
-0.407113 1918.24 "substeps=1"
-0.656025 1894.42 "substeps=2"
-1.38434 1456.14 "substeps=4"
-2.52321 595.832 "substeps=8"
-4.98351 200.814 "substeps=16"
-9.7285 110.26 "substeps=32"
-21.4179 66.1712 "substeps=64"
+1.434 1840.38 "iterations=4"
+3.742 1540.72 "iterations=16"
+12.404 784.686 "iterations=64"
 END
 $curve13 << END
-0.864701 1750.21 "iterations=4"
-2.92268 1241.89 "iterations=16"
-14.1801 391.407 "iterations=64"
+3.702 1303.95 "iterations=16"
+12.553 508.707 "iterations=64"
 END
 $curve14 << END
-4.01109 985.654 "iterations=16"
-15.3425 263.358 "iterations=64"
+13.751 265.12 "iterations=1 substeps=16"
+54.642 53.4865 "iterations=1 substeps=64"
 END
 $curve15 << END
-6.50447 206.532 "iterations=1 substeps=16"
-27.953 42.0572 "iterations=1 substeps=64"
+89.578 39.6729 "substeps=404"
+139.069 39.671 "substeps=622"
+275.787 39.6357 "substeps=1243"
 END
 $curve16 << END
-145.911 23.0407 "substeps=740"
-288.356 22.9232 "substeps=1138"
-508.719 22.2082 "substeps=2276"
-END
-$curve17 << END
-190.869 20.667 "substeps=740"
-631.541 22.8788 "substeps=2276"
+104.272 40.3971 "substeps=404"
+318.068 39.7076 "substeps=1243"
 END
 $default << END
-2.44172 32.1811 "passes=3 iterations=2"
+3.832 25.5523 "passes=3 iterations=2"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-wind-128-a-1s.svg'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  59.2264 with lines dashtype 2 linewidth 1.2 linecolor rgb '#495057' title 'one linearisation, solved exactly', \
+  15.667 with lines dashtype 2 linewidth 1.2 linecolor rgb '#495057' title 'one linearisation, solved exactly', \
   $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#d62728' title 'Jacobi (Kang): odd', \
   $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#f4a6a6' title 'Jacobi (Kang): even', \
   $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
   $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#e8590c' title 'Jacobi (Kang) in substeps', \
   $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
   $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#1f77b4' title 'Multilevel: nonlinear CG', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 11 linecolor rgb '#74b816' title 'Multilevel: BDF2 in substeps', \
-  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
-  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
-  $curve17 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
+  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
+  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 11 linecolor rgb '#74b816' title 'Multilevel: BDF2 in substeps', \
+  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
+  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
   $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle, \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
 set terminal pngcairo size 1200,760 font 'DejaVu Sans,10' background rgb 'white'
 set output 'accuracy-wind-128-a-1s.png'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  59.2264 with lines dashtype 2 linewidth 1.2 linecolor rgb '#495057' title 'one linearisation, solved exactly', \
+  15.667 with lines dashtype 2 linewidth 1.2 linecolor rgb '#495057' title 'one linearisation, solved exactly', \
   $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#d62728' title 'Jacobi (Kang): odd', \
   $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#f4a6a6' title 'Jacobi (Kang): even', \
   $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
   $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#e8590c' title 'Jacobi (Kang) in substeps', \
   $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
   $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#1f77b4' title 'Multilevel: nonlinear CG', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 11 linecolor rgb '#74b816' title 'Multilevel: BDF2 in substeps', \
-  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
-  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
-  $curve17 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
+  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
+  $curve10 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 11 linecolor rgb '#74b816' title 'Multilevel: BDF2 in substeps', \
+  $curve11 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve12 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve13 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve14 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $curve15 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 15 linecolor rgb '#495057' title 'Symplectic Euler', \
+  $curve16 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 14 linecolor rgb '#adb5bd' title 'Explicit Euler', \
   $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle, \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
