@@ -36,16 +36,14 @@ enum class SelfCollisionMethod : std::uint8_t {
     contact,
     /// What collides within a step is resolved together once the step is solved, zone by zone, and linear
     /// momentum kept to rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001):
-    /// of
-    /// one cloth, and of all cloths with this method. Where these meet cloth by contact, both are cut as by
-    /// contact. By any method of solving. Bounded: two searches a substep, three rounds after each, 16 pairs
-    /// of features a particle (4096 at least). What is left by then, or has no room, passes through and stays
-    /// so, see StepReport::unresolved_pairs. No friction between layers, no contact reports.
+    /// of one cloth, and of all cloths with this method. Where these meet cloth by contact, both are cut as
+    /// by contact. By any method of solving. Bounded: two searches a substep, three rounds after each, 16
+    /// pairs of features a particle (4096 at least). What is left by then, or has no room, passes through and
+    /// stays so, see StepReport::unresolved_pairs. No friction between layers, no contact reports.
     ///
     /// Promises momentum and a restitution. Layers that meet and part, or lie in a stack, do not cross; where
     /// cloth is pulled tight, crumpled or knotted, more of it crosses than by avoidance, and is stretched.
-    /// Costs
-    /// half to five times what contact does. Take contact instead wherever layers press.
+    /// Costs half to five times what contact does. Take contact instead wherever layers press.
     impact_zones,
 };
 
