@@ -197,7 +197,7 @@ void Cloth::reserve_pairs(Solver& with) const {
     try {
         with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
     } catch (...) {
-        if (!features) with.reserve_pairs(0);
+        if (!features || has_zones(settings.self_collision)) with.reserve_pairs(0);
         throw;
     }
 }
