@@ -37,7 +37,7 @@ class Owners {
     [[nodiscard]] Triangle owned(std::uint32_t particle, std::uint32_t k) const {
         const std::uint32_t t = owned_[particle][k];
         return t == no_triangle ? Triangle{particle, particle, particle}
-                         : beginning_with(particle, model_.triangles[t]);
+                                : beginning_with(particle, model_.triangles[t]);
     }
     [[nodiscard]] std::vector<Triangle> left_over() const {
         std::vector<Triangle> result;

@@ -9,6 +9,7 @@
 
 #include "engine/vector.h"
 #include "fixtures.h"
+#include "sloping_sheet.h"
 
 namespace weft::test {
 namespace {
@@ -75,32 +76,12 @@ TEST(ContactPhysics, ARopeOverACylinderHoldsAndSlipsByEulersLaw) {
 
 /// How far a sheet slides down a slope in a second [m].
 double slides(double angle, double friction, int substeps) {
-    World world = World::create(vacuum(fall)).value();
-    const auto s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
-    const Vector3 normal(s, c, 0), down(c, -s, 0);
-    ClothSettings settings;
-    settings.thickness = 0.005f;
-    settings.friction = 1;
-    settings.air_damping = 0;
-    settings.substeps = substeps;
-    const Mesh mesh = make_sheet({.rows = 24,
-                                  .columns = 24,
-                                  .origin = to_vec3(Vector3(0.00501f * normal)),
-                                  .u = to_vec3(Vector3(0.5f * down)),
-                                  .v = {0, 0, 0.5f}})
-                          .value();
-    const ClothId id = world.add_cloth(mesh, settings).value();
-    EXPECT_TRUE(
-        world.add_collider({.shape = Plane{to_vec3(normal), 0}, .friction = static_cast<float>(friction)}));
-    const auto mean = [&] {
-        double sum = 0;
-        const ClothView view = world.cloth(id).value();
-        for (const Vec4& x : view.positions) sum += static_cast<double>(xyz(x).dot(down));
-        return sum / static_cast<double>(view.positions.size());
-    };
-    const double start = mean();
-    for (int step = 0; step < 60; ++step) world.step(h);
-    return mean() - start;
+    SlopingSheet sheet(angle, substeps);
+    EXPECT_TRUE(sheet.world.add_collider(
+        {.shape = Plane{to_vec3(sheet.normal), 0}, .friction = static_cast<float>(friction)}));
+    const double start = sheet.place();
+    sheet.run(60);
+    return sheet.place() - start;
 }
 
 TEST(ContactPhysics, ASheetOnASlopeRestsBelowTheFrictionAngle) {

@@ -13,6 +13,7 @@
 #include "collision/shapes/held_shape.h"
 #include "engine/vector.h"
 #include "fixtures.h"
+#include "sloping_sheet.h"
 #include "struck_sheet.h"
 #include "tests/collision/solids.h"
 
@@ -219,31 +220,13 @@ struct Slid {
 /// A sheet on a slope that is the top of `ground`, turned by the angle.
 Slid slide(const std::function<Collider(const Vector3& normal, float friction)>& ground, double angle,
            double friction) {
-    World world = World::create(vacuum(earth)).value();
-    const auto s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
-    const Vector3 normal(s, c, 0), down(c, -s, 0);
-    ClothSettings settings;
-    settings.thickness = 0.005f;
-    settings.friction = 1;
-    settings.air_damping = 0;
-    const Mesh mesh = make_sheet({.rows = 24,
-                                  .columns = 24,
-                                  .origin = to_vec3(Vector3(0.00501f * normal)),
-                                  .u = to_vec3(Vector3(0.5f * down)),
-                                  .v = {0, 0, 0.5f}})
-                          .value();
-    const ClothId id = world.add_cloth(mesh, settings).value();
-    EXPECT_TRUE(world.add_collider(ground(normal, static_cast<float>(friction))));
-    const auto mean = [&](std::span<const Vec4> of) {
-        double sum = 0;
-        for (const Vec4& x : of) sum += static_cast<double>(xyz(x).dot(down));
-        return sum / static_cast<double>(of.size());
-    };
-    const double start = mean(world.cloth(id)->positions);
-    for (int step = 0; step < 30; ++step) world.step(1.0f / 60);
-    const double speed = mean(world.cloth(id)->velocities);
-    for (int step = 0; step < 30; ++step) world.step(1.0f / 60);
-    return {mean(world.cloth(id)->positions) - start, (mean(world.cloth(id)->velocities) - speed) / 0.5};
+    SlopingSheet sheet(angle);
+    EXPECT_TRUE(sheet.world.add_collider(ground(sheet.normal, static_cast<float>(friction))));
+    const double start = sheet.place();
+    sheet.run(30);
+    const double speed = sheet.speed();
+    sheet.run(30);
+    return {sheet.place() - start, (sheet.speed() - speed) / 0.5};
 }
 
 TEST(Shapes, ASheetOnABoxHoldsAndSlidesByCoulombsLaw) {

@@ -335,13 +335,18 @@ TEST(HeldShapes, ADeformingMeshDragsWhatItMeets) {
     }
 }
 
-// A strip of no thickness at all, through which particles are shot.
+/// A square of 2 m without thickness, at y = 0, that stands still.
+struct OpenSheet {
+    Solid square{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {{0, 2, 1}, {0, 3, 2}}};
+    HeldShape held = hold(square.mesh(false));
+    ColliderMotion motion{{PlacedShape{}, 0}, {PlacedShape{}, 0}};
+
+    OpenSheet() { motion.held = &held; }
+};
+
+// Particles are shot through it.
 TEST(HeldShapes, NothingPassesAnOpenSheet) {
-    const Solid sheet{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {{0, 2, 1}, {0, 3, 2}}};
-    const HeldShape held = hold(sheet.mesh(false));
-    const Collider at{PlacedShape{}, 0};
-    ColliderMotion motion{at, at};
-    motion.held = &held;
+    const OpenSheet sheet;
     Particles particles = cloud(500);
     std::vector<Vec4> starts = particles.positions;
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -350,7 +355,7 @@ TEST(HeldShapes, NothingPassesAnOpenSheet) {
         particles.positions[i].y = -starts[i].y * static_cast<float>(i) / 500.0f;
         particles.velocities[i] = {0, (particles.positions[i].y - starts[i].y) / h, 0, 0};
     }
-    EXPECT_EQ(meet_on_the_way(particles, starts, motion), 500u);
+    EXPECT_EQ(meet_on_the_way(particles, starts, sheet.motion), 500u);
     for (std::size_t i = 0; i < starts.size(); ++i) {
         EXPECT_NEAR(particles.positions[i].y, i % 2 == 0 ? thickness : -thickness, 2e-4f) << i;
         EXPECT_NEAR(particles.velocities[i].y, 0, 1e-3f);
@@ -359,11 +364,7 @@ TEST(HeldShapes, NothingPassesAnOpenSheet) {
 
 // Too slow for its whole way to be looked at: it ends within the thickness of the other side.
 TEST(HeldShapes, WhatCreepsThroughAnOpenSheetGoesBack) {
-    const Solid sheet{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {{0, 2, 1}, {0, 3, 2}}};
-    const HeldShape held = hold(sheet.mesh(false));
-    const Collider at{PlacedShape{}, 0};
-    ColliderMotion motion{at, at};
-    motion.held = &held;
+    const OpenSheet sheet;
     Particles particles = cloud(100);
     std::vector<Vec4> starts = particles.positions;
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -372,7 +373,7 @@ TEST(HeldShapes, WhatCreepsThroughAnOpenSheetGoesBack) {
         particles.positions[i] = starts[i];
         particles.positions[i].y = -0.9f * thickness * side * static_cast<float>(i + 1) / 100.0f;
     }
-    EXPECT_EQ(meet_on_the_way(particles, starts, motion), 100u);
+    EXPECT_EQ(meet_on_the_way(particles, starts, sheet.motion), 100u);
     for (std::size_t i = 0; i < starts.size(); ++i)
         EXPECT_NEAR(particles.positions[i].y, i % 2 == 0 ? thickness : -thickness, 3e-4f) << i;
 }

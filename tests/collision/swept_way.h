@@ -1,6 +1,8 @@
 #pragma once
 // Particles and colliders that move within a substep.
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +29,16 @@ inline std::uint32_t meet_on_the_way(Particles& particles, const std::vector<Vec
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(starts.size())));
     return collide(parallel, {&motion, 1}, thickness, 0, h, {}, starts, particles.positions,
                    particles.velocities, partials);
+}
+
+/// Of a collider that goes 0.5 m over a particle 0.1 m ahead: nothing may be as fast, or just may.
+inline void expect_jumps_sweep_nothing(ColliderMotion motion) {
+    for (const float part : {0.99f, 1.01f}) {
+        Particles particles{{{0, 0, 0.1f, 1}}, {{}}};
+        const std::vector<Vec4> starts = particles.positions;
+        motion.fastest = 0.5f / h / part;
+        EXPECT_EQ(meet_on_the_way(particles, starts, motion), part < 1 ? 1u : 0u);
+    }
 }
 
 }  // namespace weft::test

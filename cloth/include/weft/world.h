@@ -163,16 +163,15 @@ class World {
     /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
     /// save(), on any number of threads and any processor, whatever was done in between.
     ///
-    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later, has the
-    /// same cloths and colliders, in the order of their ids, and the host sets the settings that they had.
-    /// Pins may be others. Valid until what follows the head changes: the version of the save, not of the
-    /// library, says so.
+    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later,
+    /// has the same cloths and colliders, in the order of their ids, and the host sets the settings that they
+    /// had. Pins may be others. A library that lays saves out otherwise refuses them by their version.
     [[nodiscard]] std::size_t save_size() const noexcept;
-    /// Writes the first save_size() bytes, without allocating more than a few of its own. Error: `to` is shorter.
+    /// Writes the first save_size() bytes. Error: `to` is shorter.
     Result<void> save(std::span<std::byte> to) const;
-    /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none. Errors,
-    /// by which nothing changes: a save that is damaged, of another version, or of a World with other cloths
-    /// or colliders, or settings by which they have another state.
+    /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none.
+    /// Errors, by which nothing changes: a save that is damaged, of another version, or of a World with other
+    /// cloths or colliders, or settings by which they have another state.
     Result<void> restore(std::span<const std::byte> saved);
 
   private:
