@@ -93,8 +93,11 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
 
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
                         float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,
-                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near) {
+                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near,
+                        std::span<std::int32_t> bodies) {
     const auto size = static_cast<std::uint32_t>(positions.size());
+    std::ranges::fill(bodies, -1);
+    std::array<float, block_size> before;
     const BlockPaths paths = place(starts, positions, gamma, velocities, near.points);
     bool is_clear = true, found = false;
     for (const ColliderMotion& motion : colliders)
@@ -103,7 +106,10 @@ bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickne
             is_clear = false;
             const ContactSettings settings{thickness, friction * motion.end.friction, h,
                                            starts.empty() ? Meeting{} : meeting};
+            if (!bodies.empty()) before = near.surfaces.w;
             found |= find_nearest(shape, {settings, reach, starts, size}, near);
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                if (near.surfaces.w[i] < before[i]) bodies[i] = motion.body;
         });
     return found;
 }

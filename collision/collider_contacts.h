@@ -24,6 +24,7 @@ struct ColliderMotion {
     float fastest = std::numeric_limits<float>::max();
     const HeldShape* held = nullptr;  ///< of a PlacedShape
     float rate = 0;  ///< steps of the host a second, where what is held deforms in this one [1/s]
+    std::int32_t body = -1;  ///< the number of the body that carries it; -1: none
 };
 
 /// Error: a value outside its range in collider.h.
@@ -65,9 +66,12 @@ struct NearSurfaces {
 /// nearer than `thickness + reach`. Particles go to positions + gamma velocities; arrays go on to the end of
 /// a group of 16. starts, if not empty: as in collide(); a surface that a particle has passed counts as one
 /// in which it is. Returns whether any is near; else only the points are written.
+///
+/// bodies, if not empty, gets of each particle ColliderMotion::body of the nearest, -1 where none is near.
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
                         float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,
-                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near);
+                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near,
+                        std::span<std::int32_t> bodies = {});
 
 /// In how many equal parts a substep is best cut, at most `most`, since a collider that moves farther than it
 /// is thin meets particles: in a part, none of those about goes farther against it than its radius and the

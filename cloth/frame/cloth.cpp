@@ -341,6 +341,7 @@ void Cloth::restore_start_of_step() {
     std::ranges::fill(state.held.rubbed.span(), 0.0f);
     std::ranges::fill(state.held.touching.span(), 0u);
     state.record.h = 0;
+    std::ranges::fill(state.shares, BodyShare{});
     state.may_cross = features ? 1 : 0;
 }
 
@@ -363,7 +364,8 @@ ClothInfo Cloth::info() const {
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + part_start.bytes() + partial_counts.bytes() +
+                 missing_impulses.bytes() + part_start.bytes() + body_buffers.bytes() +
+                 collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) + partial_counts.bytes() +
                  partial_surveys.bytes();
     return info;
 }

@@ -45,6 +45,11 @@ struct ContactBuffers {
     HeldContacts held;
 };
 
+/// What a cloth gives a body while it takes it along [N s, N m s].
+struct CollectedShare {
+    Vector6 in_part = Vector6::Zero(), sum = Vector6::Zero();
+};
+
 /// Memory for features that meet.
 struct FeatureBuffers {
     /// `made`: a mesh of features, if the cloth has none. The body has that, or the one that it has.
@@ -87,6 +92,9 @@ struct Cloth {
     /// Lets particles go; free ones stay free.
     void unpin(std::span<const std::uint32_t> particles);
     void unpin(std::uint32_t particle) { unpin(std::span(&particle, 1)); }
+    /// Particles go with a body, from where it and they are.
+    void attach(BodyId body, const BodyPose& pose, std::span<const std::uint32_t> particles);
+    void detach(std::span<const std::uint32_t> particles);
     /// Puts pinned particles where they are to be when the step ends.
     void place_pins() noexcept {
         for (const Pin& pin : state.pins) set_xyz(state.positions[pin.particle], pin.target);
@@ -157,6 +165,10 @@ struct Cloth {
 
     Surface surface;
     AirBuffers air;
+    std::vector<Attachment> attached;       ///< ascending
+    BodyBuffers body_buffers;               ///< empty without bodies
+    std::vector<CollectedShare> collected;  ///< of each body, likewise
+    bool meets_bodies = false;              ///< it may, in the present substep
     AlignedBuffer<Vec4> part_start;  ///< where the present of a step's parts began, if it is not the first
     /// That colliders gave each particle in this step [N s]; only where contacts are reported. Before it 0.
     AlignedBuffer<Vec4> collider_impulses;

@@ -66,6 +66,10 @@ bool can_be_together(const Cloth& cloth) {
     return cloth.solver->joins() && cloth.settings.substeps == 1 && !has_zones(cloth.settings.self_collision);
 }
 
+bool meets_bodies(std::span<Cloth* const> cloths) {
+    return std::ranges::any_of(cloths, &Cloth::meets_bodies);
+}
+
 bool touches_colliders(std::span<Cloth* const> cloths) {
     return std::ranges::any_of(cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0; });
 }
@@ -164,14 +168,23 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
     int parts = parts_of_step(island);
+    if (meets_bodies(island)) {
+        take_bodies(island, substep.h);
+        start_part_of_bodies(island, substep.h, substep.h);
+    }
     for (Cloth* cloth : island) parts = std::max(parts, parts_to_meet(worker, *cloth, substep));
+    const bool with_bodies = meets_bodies(island);
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         if (k > 0 && air_is_on())
             for (Cloth* cloth : island) air_forces(worker, *cloth, true);
         solve_together(worker, island, dt, substep.part(k, parts, dt));
         cut_much |= was_cut_much(island);
+        if (with_bodies)  // the next part goes on from there
+            for (std::size_t b = 0; b < bodies_->moving.size(); ++b)
+                bodies_->begins[b] = {bodies_->moving[b].start, bodies_->moving[b].velocity};
     }
+    if (with_bodies) load_bodies();
     count_halved_steps(island, cut_much);
 }
 
@@ -193,8 +206,18 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         solve(worker, cloth, dt, substep);
         space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
     }
-    move_colliders(worker, substep);
     joined_.clear();
+    for (Cloth* cloth : island)
+        if (is_member(*cloth)) joined_.push_back(cloth);
+    const bool with_bodies = meets_bodies(joined_);
+    if (with_bodies) {
+        take_bodies(joined_, substep.h);
+        start_part_of_bodies(joined_, substep.h,
+                             takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h)
+                                                                                  : substep.h);
+    }
+    move_colliders(worker, substep, with_bodies);
+    if (with_bodies) bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
     equations_.clear();
     steps_.clear();
     members_.clear();
@@ -204,7 +227,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
         cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
         join_features(worker, space, k, cloth, equation);
-        joined_.push_back(&cloth);
+        if (with_bodies) carry_bodies(worker, cloth, equation);
         steps_.push_back({.parallel = worker.parallel,
                           .profiler = profiler,
                           .model = cloth.model,
@@ -215,6 +238,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
     }
     solve_joined(worker, substep);
     settle_features(worker, space, island, substep);
+    if (with_bodies) finish_part_of_bodies(joined_);
 }
 
 void Simulation::solve_joined(Worker& worker, const Substep& substep) {
@@ -226,6 +250,7 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
     for (std::size_t m = 0; m < joined_.size(); ++m) {
         Cloth& cloth = *joined_[m];
         take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
+        collect_from_equation(cloth, equations_[m]);
         advance(worker, cloth, equations_[m], substep.is_first());
         settle(worker, cloth, substep);
     }

@@ -129,10 +129,12 @@ const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
 
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
+    if (bodies_) bodies_->reserve(cloths.size(), count);
     reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
     ForCloths<AlignedBuffer<Vec4>> starts;
-    if (count > 0) {
+    const bool any = count > 0 || state.bodies.size() > 0;
+    if (any) {
         contacts.reserve(cloths.size());
         starts.reserve(cloths.size());
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
@@ -144,7 +146,7 @@ void Simulation::expect_colliders(std::size_t count) {
     // From here on nothing can fail.
     for (auto& [cloth, made] : contacts) cloth->take_contacts(std::move(made), true);
     for (auto& [cloth, made] : starts) cloth->take_part_start(std::move(made));
-    if (count == 0)
+    if (!any)
         cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) {
             cloth->take_contacts(std::nullopt, false);
             cloth->take_part_start({});
@@ -171,10 +173,12 @@ void Simulation::reserve_cloth() {
     steps_.reserve(count);
     members_.reserve(count);
     residuals_.reserve(count);
+    if (bodies_) bodies_->reserve(count, state.colliders.size());
 }
 
 void Simulation::prepare(Cloth& cloth) {
-    const bool any_colliders = state.colliders.size() > 0;
+    const bool any_colliders = state.colliders.size() > 0 || state.bodies.size() > 0;
+    prepare_for_bodies(cloth);
     cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "cloth/frame/bodies/body_stage.h"
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/contact_log.h"
 #include "cloth/frame/islands.h"
@@ -43,6 +44,11 @@ struct Substep {
     [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
 };
 
+[[nodiscard]] inline BodyPose pose_of(const BodyState& state) {
+    const Rotation& r = state.rotation;
+    return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
+}
+
 /// Settings are validated before they get here. Calls that can run out of memory change nothing then.
 struct Simulation {
     explicit Simulation(const WorldSettings& settings);
@@ -79,6 +85,15 @@ struct Simulation {
     void apply(Cloth& cloth, const ClothSettings& changed);
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
+
+    BodyId add_body(const BodySlot& slot);
+    void remove_body(BodyId id);
+    /// Colliders that bodies carry are where these are.
+    void place_carried_colliders() noexcept;
+    [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept {
+        return bodies_ ? std::span<const BodyImpulse>(bodies_->impulses) : std::span<const BodyImpulse>();
+    }
+    void clear_body_impulses() noexcept;
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
@@ -128,7 +143,25 @@ struct Simulation {
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
-    void move_colliders(Worker& worker, const Substep& substep) const;
+    /// Those that bodies carry move with them, if cloth may meet them, and are left out else.
+    void move_colliders(Worker& worker, const Substep& substep, bool meets_bodies) const;
+    void move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const;
+
+    [[nodiscard]] std::size_t number_of(BodyId id) const;
+    void prepare_for_bodies(Cloth& cloth) const;
+    void begin_bodies(const Substep& substep);
+    void load_bodies();
+    [[nodiscard]] bool may_meet_bodies(const Cloth& cloth, float h) const;
+    void take_bodies(std::span<Cloth* const> cloths, float h);
+    void start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma);
+    void carry_bodies(Worker& worker, Cloth& cloth, StepEquation& equation);
+    void collect_from_equation(Cloth& cloth, const StepEquation& equation);
+    void collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t particle, const Vector3& change);
+    [[nodiscard]] std::uint32_t collide_with_bodies(Worker& worker, Cloth& cloth, float h,
+                                                    std::span<const Vec4> starts);
+    void place_attached(Cloth& cloth);
+    void finish_part_of_bodies(std::span<Cloth* const> cloths);
+    void end_bodies(const Substep& substep);
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
@@ -175,6 +208,7 @@ struct Simulation {
     Islands finder_;
     Motions motions_;  // one list for each thread
     ContactReports contact_reports_;
+    std::unique_ptr<BodyStage> bodies_;     // null: there are none
     std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
 
     // Of islands, which are solved one after the other.

@@ -14,6 +14,7 @@
 #include "engine/aligned_buffer.h"
 #include "engine/slot_map.h"
 #include "engine/vector.h"
+#include "weft/body.h"
 #include "weft/collider.h"
 #include "weft/types.h"
 
@@ -40,6 +41,12 @@ struct StepRecord {
     }
 };
 
+/// What a cloth gave a body [N s, N m s].
+struct BodyShare {
+    std::array<float, 6> last{};  ///< in the last substep
+    std::array<float, 6> echo{};  ///< in its last equation, of which BDF2 gives another third in the next
+};
+
 /// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
@@ -50,6 +57,7 @@ struct ClothState {
     StepRecord record;                       ///< only with BDF2
     HeldContacts held;                       ///< only with colliders, and if the solver is implicit
     AlignedBuffer<TangleMemory> tangles;     ///< only with contact
+    std::vector<BodyShare> shares;           ///< of each body, in the order of their ids
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
@@ -61,13 +69,21 @@ struct ClothState {
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
-               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + tangles.bytes();
+               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + tangles.bytes() +
+               shares.capacity() * sizeof(BodyShare);
     }
 };
 
 /// A collider now, and where the host wants it at the end of the next step.
 struct ColliderSlot {
     Collider current, target;
+    BodyId body{};   ///< that carries it; null: none
+    Collider own{};  ///< then: in the body's frame
+};
+
+struct BodySlot {
+    BodySettings settings;
+    BodyState state;
 };
 
 /// What a World has besides its cloths.
@@ -79,6 +95,7 @@ struct WorldState {
     double time = 0;                    ///< [s] since then
     std::array<double, 3> wind_path{};  ///< path of the mean wind since then [m]
     SlotMap<ColliderId, ColliderSlot> colliders;
+    SlotMap<BodyId, BodySlot> bodies{new_first_generation()};
 };
 
 template <class Pins, class Visit>
@@ -106,6 +123,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
+    if (!state.shares.empty()) visit(std::span(state.shares));
     if (state.tangles.size() == 0) return;
     visit(state.tangles.span());
     visit(std::span(&state.may_cross, 1));
@@ -135,6 +153,7 @@ void for_each_part(State& state, const Visit& visit) {
             std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
         }
     });
+    state.bodies.for_each([&](BodyId, auto& slot) { visit(std::span(&slot.state, 1)); });
 }
 
 }  // namespace weft

@@ -15,6 +15,10 @@ namespace weft {
 
 namespace {
 
+float gamma_of(const Cloth& cloth, float h) {
+    return cloth.history && cloth.state.record.h == h ? History::gamma(h) : h;
+}
+
 Vector3 limited(const Vector3& velocity, float max_speed) {
     const float squared = velocity.squaredNorm();
     return squared > max_speed * max_speed ? Vector3(velocity * (max_speed / std::sqrt(squared))) : velocity;
@@ -24,7 +28,7 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 
 void Simulation::step(float dt) {
     begin(dt);
-    if (together_)
+    if (together_ || bodies_)
         step_together(dt);
     else
         step_each(dt);
@@ -35,6 +39,7 @@ void Simulation::step(float dt) {
 void Simulation::step_together(float dt) {
     for (int s = 0; s < settings.substeps; ++s) {
         const Substep substep = Substep{0, 1, dt}.part(s, settings.substeps, dt);
+        begin_bodies(substep);
         for_each_cloth([&](Worker& worker, Cloth& cloth) { predict(worker, cloth, substep); });
         meet(substep);
         for_each_group(islands_, [&](Worker& worker, std::span<Cloth* const> island) {
@@ -44,6 +49,7 @@ void Simulation::step_together(float dt) {
                 solve_island(worker, island, dt, substep);
         });
         part_strays(substep);
+        end_bodies(substep);
     }
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
         guard(worker, cloth);
@@ -127,12 +133,18 @@ void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
 void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
     Cloth* const self = &cloth;
     const std::span<Cloth* const> alone(&self, 1);
+    const bool with_bodies = cloth.meets_bodies;
+    if (with_bodies) {
+        take_bodies(alone, substep.h);
+        start_part_of_bodies(alone, substep.h, substep.h);
+    }
     const int parts =
         cloth.settings.substeps * std::max(parts_of_step(alone), parts_to_meet(worker, cloth, substep));
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
-        move_colliders(worker, part);
+        if (with_bodies) start_part_of_bodies(alone, part.h, gamma_of(cloth, part.h));
+        move_colliders(worker, part, with_bodies);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
@@ -141,7 +153,12 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
+        if (with_bodies) {
+            bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
+            carry_bodies(worker, cloth, equation);
+        }
         solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
+        if (with_bodies) collect_from_equation(cloth, equation);
         if (reports_contacts() && equation.pairs != nullptr) {
             equation.pairs->take(worker.parallel, 0, std::as_const(cloth.next_velocities).span());
             find_missing_impulses({.parallel = worker.parallel,
@@ -154,9 +171,11 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
         }
         advance(worker, cloth, equation, part.is_first());
         settle(worker, cloth, part);
-        if (!cloth.features) continue;
-        settle_features(worker, *cloth.features, alone, part);
-        cut_much |= was_cut_much(alone);
+        if (cloth.features) {
+            settle_features(worker, *cloth.features, alone, part);
+            cut_much |= was_cut_much(alone);
+        }
+        if (with_bodies) finish_part_of_bodies(alone);
     }
     count_halved_steps(alone, cut_much);
 }
@@ -166,7 +185,7 @@ int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& subst
     constexpr std::uint32_t most = 8;
     if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
     const auto timer = timed(Stage::colliders);
-    move_colliders(worker, substep);
+    move_colliders(worker, substep, cloth.meets_bodies);
     return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, cloth.settings.thickness,
                                                 substep.h, most, std::as_const(cloth.state.positions).span(),
                                                 std::as_const(cloth.state.velocities).span(),
@@ -178,20 +197,53 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(worker, cloth);
     avoid_self_collision(worker, cloth, part.h);
     collide_with_colliders(worker, cloth, part);
+    place_attached(cloth);
     if (!cloth.limits.empty() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 
-void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
+void Simulation::move_colliders(Worker& worker, const Substep& substep, bool meets_bodies) const {
     worker.motions.clear();
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        ColliderMotion& motion = worker.motions.emplace_back(
-            ColliderMotion{blend(slot.current, slot.target, substep.begin()),
-                           blend(slot.current, slot.target, substep.end()), settings.max_speed});
-        motion.held = held_by(slot.target);
-        if (motion.held != nullptr && motion.held->deforms_in(state.steps))
-            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+        if (state.bodies.find(slot.body) == nullptr) move_collider(worker, substep, slot);
     });
+    if (!meets_bodies) return;
+    bodies_->carried.clear();
+    for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
+        const MovingBody& body = bodies_->moving[k];
+        state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+            if (state.bodies.find(slot.body) == nullptr || number_of(slot.body) != k) return;
+            bodies_->carried.push_back({.motion = static_cast<std::uint32_t>(worker.motions.size()),
+                                        .body = static_cast<std::uint32_t>(k),
+                                        .own = &slot.own});
+            move_collider(worker, substep, slot);
+            ColliderMotion& motion = worker.motions.back();
+            motion.start = carried(slot.own, body.swept_from());
+            motion.end = carried(slot.own, body.end);
+            motion.body = static_cast<std::int32_t>(k);
+        });
+    }
+}
+
+void Simulation::move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const {
+    ColliderMotion& motion = worker.motions.emplace_back(
+        ColliderMotion{blend(slot.current, slot.target, substep.begin()),
+                       blend(slot.current, slot.target, substep.end()), settings.max_speed});
+    motion.held = held_by(slot.target);
+    if (motion.held != nullptr && motion.held->deforms_in(state.steps))
+        motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+}
+
+/// The equation of a cloth that may meet bodies has them.
+void Simulation::carry_bodies(Worker& /*worker*/, Cloth& cloth, StepEquation& equation) {
+    if (!cloth.contacts) return;
+    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.body_buffers);
+    equation.velocity_changes = equation.gamma != equation.h
+                                    ? std::as_const(cloth.state.record.velocity_changes).span()
+                                    : std::span<const Vec4>();
+    if (!cloth.solver->joins()) return;
+    bodies_->coupling.join(equation);
+    equation.bodies = &bodies_->coupling;
 }
 
 void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
@@ -215,14 +267,14 @@ void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
     const ClothState& now = cloth.state;
     // BDF2 needs a step of the same length before this one; the first is of backward Euler.
-    const bool second_order = cloth.history && now.record.h == h;
+    const bool second_order = gamma_of(cloth, h) != h;
     if (second_order) {
         const auto timer = timed(Stage::assemble);
         cloth.history->begin(worker.parallel, now);
     }
     return {.settings = cloth.settings,
             .h = h,
-            .gamma = second_order ? History::gamma(h) : h,
+            .gamma = gamma_of(cloth, h),
             .positions = now.positions.span(),
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
@@ -318,6 +370,7 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Subs
 
 std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
     const auto timer = timed(Stage::colliders);
+    if (cloth.meets_bodies) return collide_with_bodies(worker, cloth, h, starts);
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
     const std::uint32_t touching =

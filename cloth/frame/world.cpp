@@ -8,29 +8,15 @@
 #include <vector>
 
 #include "cloth/frame/save/save.h"
-#include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
+#include "cloth/frame/world_impl.h"
 #include "engine/error_text.h"
 #include "engine/state_hash.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
 
-struct World::Impl {
-    explicit Impl(const WorldSettings& settings) : simulation(settings) {}
-    Simulation simulation;
-};
-
 namespace {
-
-template <class Id>
-Error stale_id(const char* type, Id id) {
-    if (id == Id{})
-        return {ErrorCode::stale_id, std::string(type) + " is null; use the one that the World returned"};
-    return {ErrorCode::stale_id, std::string(type) + " {" + std::to_string(id.index) + ", " +
-                                     std::to_string(id.generation) +
-                                     "} is of an object that was removed, or of another World"};
-}
 
 /// With all the memory that its steps will need.
 Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
@@ -54,7 +40,8 @@ Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
     return map[vertex];
 }
 
-/// The particles of mesh vertices.
+}  // namespace
+
 Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth, std::span<const std::uint32_t> vertices) {
     std::vector<std::uint32_t> particles;
     particles.reserve(vertices.size());
@@ -65,6 +52,8 @@ Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth, std::span<co
     }
     return particles;
 }
+
+namespace {
 
 /// The pin of a mesh vertex.
 Result<Pin*> pin_of(Cloth& cloth, std::uint32_t vertex) {
@@ -125,6 +114,9 @@ Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider
         if (!are_of_one_kind(slot->current, target))
             return Error{ErrorCode::invalid_argument,
                          "the collider is of another kind of shape; remove it and add the new one"};
+        if (slot->body != BodyId{})
+            return Error{ErrorCode::invalid_argument,
+                         "a body carries the collider; set_body_state moves it, or detach_collider first"};
         use(*slot);
         return {};
     });
@@ -303,7 +295,8 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
 }
 
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
-    return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) { slot.target = target; });
+    return with_collider(impl_->simulation, id, target,
+                         [&](ColliderSlot& slot) { slot.target = target; });
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {

@@ -136,6 +136,9 @@ constexpr float reach = 4e-3f;
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
 constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
 
+// An attached particle's load displaces it by a tenth of what it stretches the fabric.
+constexpr float attached_per_mass = 1000, attached_per_fabric = 10;
+
 float stiffness_of(const ClothSettings& settings) {
     return std::max(settings.fabric.warp, settings.fabric.weft);
 }
@@ -164,7 +167,10 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const bool near =
         find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
                            equation.positions.subspan(range.begin, size),
-                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
+                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces,
+                           body_buffers_ != nullptr
+                               ? body_buffers_->pressed.span().subspan(range.begin, size)
+                               : std::span<std::int32_t>());
     const ContactBlock block{.near = surfaces,
                              .velocities = v.data(),
                              .gamma = gamma,
@@ -186,7 +192,53 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         }
         touching = touches ? 1 : 0;
     }
+    if (!attached_.empty()) attach_block(equation, velocities, range);
     if (has_pairs()) add_pairs(range);
+}
+
+// As pressed into place from all sides; what colliders do to such a particle does not count.
+void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
+                            const BlockRange& range) {
+    const float gamma = equation.gamma;
+    const float of_fabric = attached_per_fabric * gamma * gamma * stiffness_of(equation.settings);
+    auto at = std::ranges::lower_bound(attached_, range.begin, {}, &Attachment::particle);
+    for (; at != attached_.end() && at->particle < range.end; ++at) {
+        const std::uint32_t i = at->particle, group = i / Stencil::lanes, start = group * Stencil::lanes;
+        const float w = equation.positions[i].w;
+        if (!(w > 0)) continue;
+        if (held_->touching[group] == 0) {
+            held_->touching[group] = 1;
+            std::fill_n(rows_.blocks.data() + std::size_t{6} * start, 6 * Stencil::lanes, 0.0f);
+            std::fill_n(of_colliders().data() + start, Stencil::lanes, Vec4{});
+        }
+        const float spring = attached_per_mass / w + of_fabric;
+        const Vector3 v = xyz(velocities[i]);
+        const Vector3 away = bodies_[at->body].end * at->own - (xyz(equation.base_positions[i]) + gamma * v);
+        for (std::uint32_t k = 0; k < 6; ++k) rows_.blocks[lane_index(i, k, 6)] = k < 3 ? spring : 0;
+        of_colliders()[i] = to_vec4(spring * v + spring / gamma * away, 0);
+        held_->normals[i] = {};
+        held_->rubbed[i] = 0;
+        body_buffers_->pressed[i] = -1;
+    }
+}
+
+void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> velocities) {
+    std::vector<BodyPush>& pushes = body_buffers_->pushes;
+    pushes.clear();
+    const auto add = [&](std::uint32_t i, std::uint32_t body) {
+        const Vector3 v = xyz(velocities[i]);
+        const Vector3 there = xyz(equation.base_positions[i]) + equation.gamma * v;
+        pushes.push_back({i, body, there - bodies_[body].end.position, v});
+    };
+    const auto particles = static_cast<std::uint32_t>(velocities.size());
+    for (std::uint32_t start = 0; start < particles; start += Stencil::lanes) {
+        if (held_->touching[start / Stencil::lanes] == 0) continue;
+        for (std::uint32_t i = start; i < std::min(start + Stencil::lanes, particles); ++i)
+            if (body_buffers_->pressed[i] >= 0 && presses_collider(i))
+                add(i, static_cast<std::uint32_t>(body_buffers_->pressed[i]));
+    }
+    for (const Attachment& attached : attached_)
+        if (equation.positions[attached.particle].w > 0) add(attached.particle, attached.body);
 }
 
 // Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.

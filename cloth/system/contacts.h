@@ -2,9 +2,12 @@
 // Colliders as forces in the implicit step. Met only after it, they would hold up nothing but the particles
 // that touch them: tension would draw these into the collider instead of holding what hangs from them.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "cloth/system/bodies/moving_body.h"
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/stencil.h"
 #include "cloth/system/step_equation.h"
@@ -55,6 +58,18 @@ struct ContactRows {
     return contacts != nullptr && contacts->touches(i);
 }
 
+/// What contacts of a cloth need besides where it may meet bodies.
+struct BodyBuffers {
+    BodyBuffers() = default;
+    explicit BodyBuffers(std::uint32_t particles) : pressed(particles) { pushes.reserve(particles); }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return pressed.bytes() + pushes.capacity() * sizeof(BodyPush);
+    }
+
+    AlignedBuffer<std::int32_t> pressed;  ///< the body that each particle is nearest to, -1: none
+    std::vector<BodyPush> pushes;         ///< as last linearised, ascending, those attached last
+};
+
 /// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
 /// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
 /// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
@@ -72,6 +87,17 @@ class Contacts {
         pairs_ = nullptr;
         rows_.touching = held.touching.span();
         passes_ = 0;
+        body_buffers_ = nullptr;
+        bodies_ = {};
+        attached_ = {};
+    }
+    /// Then: some of the colliders are of these bodies, and these particles, ascending, are attached to them.
+    void carry(std::span<const MovingBody> bodies, std::span<const Attachment> attached,
+               BodyBuffers& buffers) {
+        bodies_ = bodies;
+        attached_ = attached;
+        body_buffers_ = &buffers;
+        buffers.pushes.clear();
     }
     /// Then: its rows are to hold these pairs, too, in which the cloth's particles are numbered from `first`
     /// on, a multiple of 16. Whoever has another linearisation begin linearises the pairs before.
@@ -93,6 +119,22 @@ class Contacts {
     /// The pairs have been linearised again, the colliders not.
     void renew_pairs(Parallel& parallel);
 
+    /// What presses on bodies, and is attached to them, in a linearisation at these velocities.
+    void find_pushes(const StepEquation& equation, std::span<const Vec4> velocities);
+    [[nodiscard]] std::span<BodyPush> pushes() const noexcept {
+        return body_buffers_ != nullptr ? std::span<BodyPush>(body_buffers_->pushes) : std::span<BodyPush>();
+    }
+    /// A particle gets this at any velocity, since a body moves otherwise than it was linearised with.
+    void add_impulse(std::uint32_t particle, const Vector3& impulse) {
+        if (has_pairs())
+            set_xyz(of_colliders_[particle], xyz(of_colliders_[particle]) + impulse);
+        set_xyz(rows_.impulses[particle], xyz(rows_.impulses[particle]) + impulse);
+    }
+    /// Whether a collider or a body that it is attached to has a hold of it.
+    [[nodiscard]] bool is_held(std::uint32_t particle) const noexcept {
+        return presses_collider(particle) || is_attached(particle);
+    }
+
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
     /// In the last linearisation.
     [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
@@ -112,6 +154,12 @@ class Contacts {
   private:
     void press(const BlockRange& range, std::span<const Vec4> velocities);
     void add_pairs(const BlockRange& range);
+    void attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
+                      const BlockRange& range);
+    [[nodiscard]] bool is_attached(std::uint32_t particle) const noexcept {
+        const auto at = std::ranges::lower_bound(attached_, particle, {}, &Attachment::particle);
+        return at != attached_.end() && at->particle == particle;
+    }
     /// Impulses of colliders alone.
     [[nodiscard]] AlignedBuffer<Vec4>& of_colliders() noexcept {
         return has_pairs() ? of_colliders_ : rows_.impulses;
@@ -125,6 +173,9 @@ class Contacts {
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
     int passes_ = 0;  // of this substep
+    BodyBuffers* body_buffers_ = nullptr;  // null: no bodies
+    std::span<const MovingBody> bodies_;
+    std::span<const Attachment> attached_;
 };
 
 }  // namespace weft

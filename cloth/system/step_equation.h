@@ -10,6 +10,7 @@
 
 namespace weft {
 
+class BodyCoupling;
 class Contacts;
 class PairRows;
 
@@ -38,6 +39,8 @@ struct StepEquation {
     Contacts* contacts = nullptr;  ///< of the cloth with colliders and features, or null: there are none
     PairRows* pairs = nullptr;     ///< of features of all bodies that are solved together, or null
     std::uint32_t first = 0;       ///< the cloth's first particle among these bodies'
+    BodyCoupling* bodies = nullptr;            ///< rigid ones that the cloth may move, or null
+    std::span<const Vec4> velocity_changes{};  ///< that BDF2 goes on with; empty: none
 };
 
 /// What acts on one particle besides fabric and contacts.

@@ -27,6 +27,16 @@ std::uint32_t kinds_of(const WorldState& state) {
     return kinds;
 }
 
+template <class Simulation>
+std::uint32_t attached_of(const Simulation& simulation) {
+    std::size_t count = 0;
+    simulation.state.colliders.for_each(
+        [&](ColliderId, const ColliderSlot& slot) { count += slot.body == BodyId{} ? 0 : 1; });
+    simulation.cloths.for_each(
+        [&](ClothId, const std::unique_ptr<Cloth>& cloth) { count += cloth->attached.size(); });
+    return static_cast<std::uint32_t>(count);
+}
+
 /// visit(span) for all behind the save's head.
 template <class Simulation, class Visit>
 void for_each_saved(Simulation& simulation, const Visit& visit) {
@@ -47,6 +57,8 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
 SaveHead head_of(const Simulation& simulation) {
     return {.cloths = static_cast<std::uint32_t>(simulation.cloths.size()),
             .colliders = static_cast<std::uint32_t>(simulation.state.colliders.size()),
+            .bodies = static_cast<std::uint32_t>(simulation.state.bodies.size()),
+            .attached = attached_of(simulation),
             .kinds = kinds_of(simulation.state),
             .bytes = save_size(simulation)};
 }
@@ -72,6 +84,13 @@ Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
     if (head.colliders != here.colliders)
         return other_world("it has " + std::to_string(head.colliders) + " colliders, this one has " +
                            std::to_string(here.colliders));
+    if (head.bodies != here.bodies)
+        return other_world("it has " + std::to_string(head.bodies) + " bodies, this one has " +
+                           std::to_string(here.bodies));
+    if (head.attached != here.attached)
+        return other_world("it has " + std::to_string(head.attached) +
+                           " colliders and vertices attached to bodies, this one has " +
+                           std::to_string(here.attached));
     if (head.kinds != here.kinds) return other_world("its colliders are of other kinds, or in another order");
     return {};
 }
@@ -169,6 +188,7 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
         simulation.state_has_changed(*cloth);
     });
     simulation.clear_contacts();
+    simulation.clear_body_impulses();
     return {};
 }
 

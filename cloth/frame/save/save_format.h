@@ -17,7 +17,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 1;
+inline constexpr std::uint32_t save_version = 2;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -25,7 +25,9 @@ struct SaveHead {
     std::uint32_t version = save_version;
     std::uint32_t cloths = 0;
     std::uint32_t colliders = 0;
-    std::uint32_t kinds = 0;  ///< of the colliders' shapes, as kinds_of() has them
+    std::uint32_t bodies = 0;
+    std::uint32_t attached = 0;  ///< colliders and vertices, as attached_of() has them
+    std::uint32_t kinds = 0;     ///< of the colliders' shapes, as kinds_of() has them
     std::uint64_t bytes = 0;  ///< of the whole save
     std::uint64_t hash = 0;   ///< of all behind the head
 };

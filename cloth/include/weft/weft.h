@@ -12,6 +12,7 @@
 //       upload(view.positions);  // x y z w, sixteen bytes a particle, no copy
 //   }
 
+#include "weft/body.h"
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "weft/body.h"
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
@@ -127,6 +128,40 @@ class World {
     Result<void> place_collider(ColliderId id, const Collider& place);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
+
+    /// A body that cloth moves, and Weft with it: in each step it falls, turns, and gets back what its colliders
+    /// and the vertices attached to it give cloth. A host whose own engine moves it sets the body's state
+    /// before each step, takes body_impulses() after it, and lets its engine do the rest.
+    ///
+    /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth of
+    /// the cloth's mass to any. With other methods they get what the solved step gave cloth, for bodies that
+    /// are no lighter than the cloth that they meet. Several cloths on one body are solved in turn, each
+    /// expecting of the others what they gave last.
+    ///
+    /// Each gives every cloth 48 bytes; the first of a World also 40 bytes a particle, and what
+    /// a first collider does.
+    Result<BodyId> add_body(const BodySettings& settings, const BodyState& state = {});
+    /// Its colliders stay where they are, its vertices are let go.
+    Result<void> remove_body(BodyId id);
+    [[nodiscard]] Result<BodySettings> body_settings(BodyId id) const;
+    Result<void> set_body_settings(BodyId id, const BodySettings& settings);
+    [[nodiscard]] Result<BodyState> body_state(BodyId id) const;
+    /// The body is there at once; what its colliders come to hold is put outside.
+    Result<void> set_body_state(BodyId id, const BodyState& state);
+    /// From here on the body carries the collider, which keeps its place in the body's frame, and neither
+    /// moves nor is placed otherwise. A collider is of one body at most, the last it was attached to.
+    Result<void> attach_collider(BodyId id, ColliderId collider);
+    /// It stays where it is. Of no body, none.
+    Result<void> detach_collider(ColliderId collider);
+    /// From here on vertices go with the body, each at its place in the body's frame, and pull it: all of them
+    /// or, with an error, none. A vertex is of one body at most, the last it was attached to. While it is
+    /// pinned the pin holds it. Tethers do not start from it.
+    Result<void> attach(BodyId id, ClothId cloth, std::span<const std::uint32_t> vertices);
+    /// All of them or, with an error, none. What is attached to nothing stays so.
+    Result<void> detach(ClothId cloth, std::span<const std::uint32_t> vertices);
+    /// Of each body, in the order of their ids, what it got in the last step. Valid until the next step(),
+    /// add_body() or remove_body(). What a cloth gave that was put back to the start of the step is in it.
+    [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept;
 
     /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt; a game passes the
     /// same dt at every call. It never allocates, and prepares nothing: what a change needs is made by the

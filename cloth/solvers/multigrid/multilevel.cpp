@@ -4,6 +4,7 @@
 #include <ranges>
 #include <utility>
 
+#include "cloth/system/bodies/body_coupling.h"
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/vectors.h"
 
@@ -77,6 +78,7 @@ class MultilevelSolve {
           step_(*members.front().step),
           method_(std::get<Multilevel>(step_.settings.method)),
           pairs_(step_.equation.pairs),
+          bodies_(step_.equation.bodies),
           effort_(method_, mass_of(members), static_cast<double>(step_.equation.gamma)) {}
 
     SolveResult operator()();
@@ -95,7 +97,11 @@ class MultilevelSolve {
     template <class VectorOf>
     void give_pairs(const VectorOf& vector_of);
     void linearise_pairs();
+    void linearise_bodies();
+    void let_bodies_follow();
     double couple(bool wants_products);
+    double couple_pairs(bool wants_products);
+    double couple_bodies(bool wants_products);
     CgResult take_pass();
     /// If the last step went too far along direction_of(member), takes part of it back. residual_of(member)
     /// is the equation's where the step ended.
@@ -111,6 +117,7 @@ class MultilevelSolve {
     const SolverStep& step_;  // of the first: what all share is taken from it
     const Multilevel& method_;
     PairRows* pairs_;
+    BodyCoupling* bodies_;
     Effort effort_;
 };
 
@@ -134,6 +141,36 @@ void MultilevelSolve::linearise_pairs() {
 }
 
 double MultilevelSolve::couple(bool wants_products) {
+    return couple_pairs(wants_products) + couple_bodies(wants_products);
+}
+
+/// Once the cloths are.
+void MultilevelSolve::linearise_bodies() {
+    if (bodies_ == nullptr) return;
+    for (std::size_t k = 0; k < members_.size(); ++k) bodies_->gather(k, members_[k].step->velocities);
+    bodies_->eliminate();
+    for (std::size_t k = 0; k < members_.size(); ++k)
+        bodies_->add_to_right_side(k, members_[k].solver->system_->right_side().span());
+}
+
+/// Since velocities have changed.
+void MultilevelSolve::let_bodies_follow() {
+    if (bodies_ == nullptr) return;
+    for (std::size_t k = 0; k < members_.size(); ++k) bodies_->look(k, members_[k].step->velocities);
+    bodies_->follow();
+}
+
+double MultilevelSolve::couple_bodies(bool wants_products) {
+    if (bodies_ == nullptr) return 0;
+    for (std::size_t k = 0; k < members_.size(); ++k)
+        bodies_->take(k, std::as_const(members_[k].solver->vectors_.direction).span());
+    const double sum = bodies_->respond();
+    for (std::size_t k = 0; k < members_.size(); ++k)
+        if (wants_products) bodies_->give(k, members_[k].solver->vectors_.product.span());
+    return sum;
+}
+
+double MultilevelSolve::couple_pairs(bool wants_products) {
     if (pairs_ == nullptr || pairs_->empty()) return 0;
     give_pairs([](const Member& member) { return std::as_const(member.solver->vectors_.direction).span(); });
     const double sum = pairs_->multiply(step_.parallel);
@@ -157,10 +194,12 @@ SolveResult MultilevelSolve::operator()() {
         {
             const auto timer = step_.timed(Stage::assemble);
             linearise_pairs();
+            if (!effort_.is_at_start()) let_bodies_follow();
             for (const Member& member : members_) {
                 member.solver->linearise(*member.step);
                 if (effort_.is_at_start()) member.solver->build_levels(*member.step);
             }
+            linearise_bodies();
         }
         const auto timer = step_.timed(Stage::solve);
         const CgResult pass = take_pass();
@@ -169,6 +208,7 @@ SolveResult MultilevelSolve::operator()() {
     } while (effort_.wants_another_pass());
     if (effort_.is_hard()) check_last_step();
     keep_momentum();
+    let_bodies_follow();
     return {.unsolved = effort_.is_unsolved()};
 }
 
@@ -213,6 +253,7 @@ void MultilevelSolve::check_last_step() {
     const auto timer = step_.timed(Stage::solve);
     for (int k = 0; k < most; ++k) {
         linearise_pairs();
+        let_bodies_follow();
         for (const Member& member : members_) {
             const StepEquation& equation = member.step->equation;
             if (pairs_ != nullptr) equation.contacts->renew_pairs(step_.parallel);
@@ -274,7 +315,7 @@ void MultilevelSolver::weigh_pieces(const SolverStep& step) {
                                       });
     for (std::uint32_t i = 0; i < particles; ++i) {
         Piece& piece = pieces_[component_of_[i]];
-        piece.is_held |= equation.positions[i].w == 0 || equation.contacts->presses_collider(i);
+        piece.is_held |= equation.positions[i].w == 0 || equation.contacts->is_held(i);
         if (piece.is_held) continue;
         const ExternalRow row = external_row(equation, i);
         piece.missing += (row.row_sum * (row.free_velocity - xyz(step.velocities[i]))).cast<double>();

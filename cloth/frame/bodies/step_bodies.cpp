@@ -1,0 +1,297 @@
+// The part of the frame that bodies have: how they move, and what cloths give them.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cloth/frame/simulation.h"
+
+namespace weft {
+
+namespace {
+
+Vector6 to_vector6(const std::array<float, 6>& values) {
+    Vector6 v;
+    for (int k = 0; k < 6; ++k) v[k] = static_cast<double>(values[static_cast<std::size_t>(k)]);
+    return v;
+}
+std::array<float, 6> to_floats(const Vector6& v) {
+    std::array<float, 6> values{};
+    for (int k = 0; k < 6; ++k) values[static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
+    return values;
+}
+
+double inverse(float value) {
+    return value > 0 ? 1 / static_cast<double>(value) : 0;
+}
+
+void limit_length(Eigen::Ref<Eigen::Vector3d> v, double most) {
+    const double length = v.norm();
+    if (length > most) v *= most / length;
+}
+
+/// The box's least distance from a point would be this far, were both where they are.
+Bounds box_of(const Collider& collider, const HeldShape* held) {
+    const Sphere ball = ball_around(collider, held);
+    const Vector3 centre = to_vector(ball.center), reach = Vector3::Constant(ball.radius);
+    return {to_vec3(centre - reach), to_vec3(centre + reach)};
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+           b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+
+Bounds grown(const Bounds& box, float by) {
+    const Vector3 margin = Vector3::Constant(by);
+    return {to_vec3(to_vector(box.lower) - margin), to_vec3(to_vector(box.upper) + margin)};
+}
+
+/// The end of a part: where the body is, and how it moves with what cloth gave it. Angular momentum stays as
+/// it is while the inertia turns with the body.
+void arrive(MovingBody& body, const Vector6& given) {
+    Vector6 after = body.drift + body.root * (body.root.transpose() * given);
+    const Eigen::Vector3d& inverse_inertia = body.inverse_inertia;
+    const bool turns_evenly = inverse_inertia.minCoeff() == inverse_inertia.maxCoeff();
+    if (!turns_evenly && inverse_inertia.minCoeff() > 0) {
+        const Eigen::Matrix3d from = body.start.rotation.cast<double>().toRotationMatrix();
+        const Eigen::Matrix3d to = body.end.rotation.cast<double>().toRotationMatrix();
+        const Eigen::Vector3d momentum =
+            from * inverse_inertia.cwiseInverse().asDiagonal() * from.transpose() * body.drift.tail<3>() +
+            given.tail<3>();
+        after.tail<3>() = to * inverse_inertia.asDiagonal() * to.transpose() * momentum;
+    }
+    body.start = body.end;
+    body.velocity = after;
+}
+
+}  // namespace
+
+void Simulation::begin_bodies(const Substep& substep) {
+    if (!bodies_) return;
+    BodyStage& stage = *bodies_;
+    stage.were_taken = false;
+    std::size_t k = 0;
+    state.bodies.for_each([&](BodyId id, const BodySlot& slot) {
+        MovingBody& body = stage.moving[k];
+        body.inverse_mass = inverse(slot.settings.mass);
+        const Vector3 inertia = to_vector(slot.settings.inertia);
+        for (int axis = 0; axis < 3; ++axis) body.inverse_inertia[axis] = inverse(inertia[axis]);
+        stage.settings[k] = slot.settings;
+        if (substep.is_first()) {
+            stage.given[k].setZero();
+            stage.impulses[k].body = id;
+        }
+        ++k;
+    });
+    load_bodies();
+    take_bodies({}, substep.h);
+    start_part_of_bodies({}, substep.h, substep.h);
+    for (Cloth* cloth : present_) {
+        for (Attachment& attached : cloth->attached)
+            attached.body = static_cast<std::uint32_t>(number_of(attached.id));
+        cloth->meets_bodies = may_meet_bodies(*cloth, substep.h);
+        if (!cloth->meets_bodies) std::ranges::fill(cloth->state.shares, BodyShare{});
+    }
+}
+
+/// Where the substep begins.
+void Simulation::load_bodies() {
+    std::size_t k = 0;
+    state.bodies.for_each([&](BodyId, const BodySlot& slot) {
+        BodyStage::Begin& begin = bodies_->begins[k++];
+        begin.pose = pose_of(slot.state);
+        begin.velocity << to_vector(slot.state.velocity).cast<double>(),
+            to_vector(slot.state.angular_velocity).cast<double>();
+    });
+}
+
+// Whatever can come near in the substep, and more: in it all others leave bodies alone.
+bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
+    if (!cloth.attached.empty()) return true;
+    if (!meets_in_equation(cloth.settings)) return false;
+    float fastest = std::sqrt(cloth.extent.peak_speed_squared);
+    for (const Pin& pin : cloth.state.pins)
+        fastest = std::max(fastest, xyz(cloth.state.velocities[pin.particle]).norm());
+    constexpr float about = 0.05f;
+    const Bounds box =
+        grown({cloth.extent.lower, cloth.extent.upper}, cloth.settings.thickness + 2 * h * fastest + about);
+    bool any = false;
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (any || state.bodies.find(slot.body) == nullptr) return;
+        const MovingBody& body = bodies_->moving[number_of(slot.body)];
+        const float way = 2 * h * body.now.head<3>().cast<float>().norm();
+        any = overlap(box, grown(box_of(carried(slot.own, body.start), held_by(slot.own)), way)) ||
+              overlap(box, grown(box_of(carried(slot.own, body.end), held_by(slot.own)), way));
+    });
+    return any;
+}
+
+/// Cloths that are solved together take bodies along over the next h seconds.
+void Simulation::take_bodies(std::span<Cloth* const> cloths, float h) {
+    BodyStage& stage = *bodies_;
+    stage.h = h;
+    for (std::size_t k = 0; k < stage.moving.size(); ++k) {
+        stage.moving[k].start = stage.begins[k].pose;
+        stage.moving[k].velocity = stage.begins[k].velocity;
+    }
+    for (Cloth* cloth : cloths) std::ranges::fill(cloth->collected, CollectedShare{});
+    stage.were_taken |= !cloths.empty();
+}
+
+void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma) {
+    BodyStage& stage = *bodies_;
+    const double part = static_cast<double>(h / stage.h), step = static_cast<double>(h);
+    for (std::size_t k = 0; k < stage.moving.size(); ++k) {
+        MovingBody& body = stage.moving[k];
+        const BodySettings& of = stage.settings[k];
+        body.h = h;
+        body.gamma = gamma;
+        body.set_root();
+        body.drift = body.velocity;
+        if (body.inverse_mass > 0)
+            body.drift.head<3>() +=
+                step * static_cast<double>(of.gravity_scale) * to_vector(settings.gravity).cast<double>();
+        body.drift.head<3>() /= 1 + step * static_cast<double>(of.damping);
+        body.drift.tail<3>() /= 1 + step * static_cast<double>(of.angular_damping);
+        Vector6 others = Vector6::Zero(), expected = Vector6::Zero(), echo = Vector6::Zero();
+        for (Cloth* cloth : present_) {
+            const bool is_other = std::ranges::find(cloths, cloth) == cloths.end();
+            const BodyShare& share = cloth->state.shares[k];
+            (is_other ? others : expected) += part * to_vector6(share.last);
+            if (is_other) continue;
+            CollectedShare& collected = cloth->collected[k];
+            collected.in_part.setZero();
+            if (gamma != h) collected.in_part = to_vector6(share.echo) / 3;
+            echo += collected.in_part;
+        }
+        const auto moved_by = [&](const Vector6& impulse) -> Vector6 {
+            return body.root * (body.root.transpose() * impulse);
+        };
+        body.drift += moved_by(others);
+        body.free = body.drift + moved_by(echo);
+        body.expected = expected - echo;
+        body.expect();
+    }
+}
+
+/// What the equation that was solved gave bodies.
+void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.meets_bodies || !cloth.contacts) return;
+    const std::span<const Vec4> velocities = std::as_const(cloth.next_velocities).span();
+    if (!cloth.solver->joins()) cloth.contacts->find_pushes(equation, velocities);
+    for (const BodyPush& push : std::as_const(*cloth.contacts).pushes()) {
+        const std::uint32_t i = push.particle;
+        const Vector3 v = xyz(velocities[i]);
+        const Vector3 there = xyz(equation.base_positions[i]) + equation.gamma * v;
+        const Vector3 arm = there - bodies_->moving[push.body].end.position;
+        const Vector3 given = cloth.contacts->of_colliders(i, v) + forgotten(equation, i);
+        cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
+    }
+    for (std::size_t k = 0; k < cloth.collected.size(); ++k)
+        cloth.state.shares[k].echo =
+            cloth.history ? to_floats(cloth.collected[k].in_part) : std::array<float, 6>{};
+}
+
+/// A particle's velocity was changed since a body is where it is.
+void Simulation::collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t particle,
+                                const Vector3& change) {
+    const Vec4& position = cloth.state.positions[particle];
+    const Vector3 arm = xyz(position) - bodies_->moving[body].end.position;
+    cloth.collected[body].in_part -= wrench(arm.cast<double>(), (change / position.w).cast<double>());
+}
+
+// Bodies first: what stands still has the last word.
+std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, float h,
+                                              std::span<const Vec4> starts) {
+    const std::span<const ColliderMotion> motions = worker.motions;
+    std::uint32_t touching = 0;
+    for (std::size_t end = motions.size(), begin = end; end > 0; end = begin) {
+        const std::int32_t body = motions[end - 1].body;
+        while (begin > 0 && motions[begin - 1].body == body) --begin;
+        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
+        const std::uint32_t met =
+            weft::collide(worker.parallel, motions.subspan(begin, end - begin), cloth.settings.thickness,
+                          cloth.settings.friction, h, std::as_const(cloth.state.held.normals).span(), starts,
+                          cloth.state.positions.span(), cloth.state.velocities.span(),
+                          cloth.partial_counts.span());
+        touching += met;
+        if (met == 0) continue;
+        if (reports_contacts())
+            add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
+        if (body < 0) continue;
+        for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(cloth.next_velocities[i]);
+            if (!change.isZero(0)) collect_change(cloth, static_cast<std::uint32_t>(body), i, change);
+        }
+    }
+    return touching;
+}
+
+/// Attached particles are where their bodies are.
+void Simulation::place_attached(Cloth& cloth) {
+    if (!cloth.meets_bodies) return;
+    for (const Attachment& attached : cloth.attached) {
+        const std::uint32_t i = attached.particle;
+        if (!(cloth.state.positions[i].w > 0)) continue;
+        const MovingBody& body = bodies_->moving[attached.body];
+        const Vector3 place = body.end * attached.own;
+        const Vector3 velocity = body.velocity_at(place);
+        set_xyz(cloth.state.positions[i], place);
+        collect_change(cloth, attached.body, i, velocity - xyz(cloth.state.velocities[i]));
+        set_xyz(cloth.state.velocities[i], velocity);
+    }
+}
+
+void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {
+    for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
+        Vector6 given = Vector6::Zero();
+        for (Cloth* cloth : cloths) {
+            CollectedShare& share = cloth->collected[k];
+            if (!share.in_part.allFinite()) share.in_part.setZero();  // of a cloth that is put back
+            share.sum += share.in_part;
+            given += share.in_part;
+            cloth->state.shares[k].last = to_floats(share.sum);
+        }
+        bodies_->given[k] += given;
+        arrive(bodies_->moving[k], given);
+    }
+}
+
+/// What cloths gave while they took bodies along is expected of them again.
+void Simulation::end_bodies(const Substep& substep) {
+    if (!bodies_) return;
+    BodyStage& stage = *bodies_;
+    if (!stage.were_taken) {
+        take_bodies({}, substep.h);
+        start_part_of_bodies({}, substep.h, substep.h);
+        finish_part_of_bodies({});
+    }
+    std::size_t k = 0;
+    state.bodies.for_each([&](BodyId, BodySlot& slot) {
+        const MovingBody& body = stage.moving[k];
+        Vector6 velocity = body.velocity;
+        limit_length(velocity.head<3>(), static_cast<double>(settings.max_speed));
+        limit_length(velocity.tail<3>(), 1e4);
+        if (substep.is_last()) {
+            stage.impulses[k].linear = to_vec3(stage.given[k].head<3>().cast<float>());
+            stage.impulses[k].angular = to_vec3(stage.given[k].tail<3>().cast<float>());
+        }
+        ++k;
+        // Where it cannot be it does not go.
+        const float farthest_out = body.start.position.cwiseAbs().maxCoeff();
+        if (!velocity.allFinite() || !(farthest_out <= runaway_distance) ||
+            !body.start.rotation.coeffs().allFinite()) {
+            slot.state.velocity = slot.state.angular_velocity = {};
+            return;
+        }
+        const Eigen::Quaternionf& r = body.start.rotation;
+        slot.state = {.position = to_vec3(body.start.position),
+                      .rotation = {r.x(), r.y(), r.z(), r.w()},
+                      .velocity = to_vec3(velocity.head<3>().cast<float>()),
+                      .angular_velocity = to_vec3(velocity.tail<3>().cast<float>())};
+    });
+    place_carried_colliders();
+}
+
+}  // namespace weft
