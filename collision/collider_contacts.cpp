@@ -42,6 +42,18 @@ void clear(NearSurfaces& near, float reach) {
     near.surfaces.w.fill(reach);
 }
 
+/// The i-th particle is nearest to this collider, and its surface goes with the body.
+void take_body(const ColliderMotion& motion, std::size_t i, NearSurfaces& near,
+               std::span<std::int32_t> bodies) {
+    bodies[i] = motion.body;
+    if (motion.body < 0) return;
+    const Vector3 arm = Vector3(near.points.x[i], near.points.y[i], near.points.z[i]) - motion.centre;
+    const Vector3 v = motion.velocity + motion.spin.cross(arm);
+    near.motions.x[i] = v.x();
+    near.motions.y[i] = v.y();
+    near.motions.z[i] = v.z();
+}
+
 }  // namespace
 
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
@@ -109,7 +121,7 @@ bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickne
             if (!bodies.empty()) before = near.surfaces.w;
             found |= find_nearest(shape, {settings, reach, starts, size}, near);
             for (std::size_t i = 0; i < bodies.size(); ++i)
-                if (near.surfaces.w[i] < before[i]) bodies[i] = motion.body;
+                if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
         });
     return found;
 }

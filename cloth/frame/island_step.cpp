@@ -211,6 +211,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         if (is_member(*cloth)) joined_.push_back(cloth);
     const bool with_bodies = meets_bodies(joined_);
     if (with_bodies) {
+        for (Cloth* cloth : joined_) cloth->meets_bodies = true;
         take_bodies(joined_, substep.h);
         start_part_of_bodies(joined_, substep.h,
                              takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h)

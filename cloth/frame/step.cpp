@@ -218,8 +218,7 @@ void Simulation::move_colliders(Worker& worker, const Substep& substep, bool mee
                                         .own = &slot.own});
             move_collider(worker, substep, slot);
             ColliderMotion& motion = worker.motions.back();
-            motion.start = carried(slot.own, body.swept_from());
-            motion.end = carried(slot.own, body.end);
+            body.move(slot.own, motion);
             motion.body = static_cast<std::int32_t>(k);
         });
     }

@@ -20,7 +20,9 @@
     SCENE(meeting, "two sheets meet where nothing has weight")                                               \
     SCENE(hammock, "a sheet is dropped on one that hangs by its corners")                                    \
     SCENE(tangled, "cloth that starts through itself comes apart")                                           \
-    SCENE(crossed, "two sheets that start through each other come apart")
+    SCENE(crossed, "two sheets that start through each other come apart")                                   \
+    SCENE(ball, "a ball falls into a hammock")                                                              \
+    SCENE(trampoline, "a box on a trampoline")
 // clang-format on
 
 namespace weft::demo {

@@ -71,6 +71,12 @@ class Player {
     Answered make(const Operation&, const MoveCollider& call);
     Answered make(const Operation&, const PlaceCollider& call);
     Answered make(const Operation&, const RemoveCollider& call);
+    Answered make(const Operation&, const AddBody& call);
+    Answered make(const Operation&, const SetBody& call);
+    Answered make(const Operation&, const RemoveBody& call);
+    Answered make(const Operation&, const AttachCollider& call);
+    Answered make(const Operation& operation, const Attach& call);
+    Answered make(const Operation& operation, const Detach& call);
     Answered make(const Operation&, const SetWorldSettings& call);
     Answered make(const Operation&, const Step& call);
     Answered make(const Operation&, const StartTrace& call);
@@ -97,6 +103,10 @@ class Player {
         auto made = World::create(with_threads(script_.world));
         if (!made) throw Failure{0, "World::create: " + made.error().message};
         return std::move(made).value();
+    }
+    [[nodiscard]] bool is_carried(std::size_t collider) const {
+        const auto found = carried_.find(collider);
+        return found != carried_.end() && world_.body_state(*bodies_[found->second]).ok();
     }
     /// False as well for the id of a cloth that was removed.
     [[nodiscard]] bool is_there(std::size_t cloth) const {
@@ -125,6 +135,8 @@ class Player {
     World world_;
     std::vector<std::optional<ClothId>> cloths_;
     std::vector<std::optional<ColliderId>> colliders_;
+    std::vector<std::optional<BodyId>> bodies_;
+    std::map<std::size_t, std::size_t> carried_;  ///< colliders, and by which body
     std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
 };
 
@@ -234,6 +246,10 @@ Player::Answered Player::make(const Operation& operation, const MoveCollider& ca
     const auto answer = world_.move_collider(*id, call.target);
     check(there || !answer, "a collider that was removed was moved");
     if (!there) return std::nullopt;
+    if (is_carried(call.collider)) {
+        check(!answer, "a collider that a body carries was moved");
+        return std::nullopt;
+    }
     // An extreme collider is refused where it is added, and then its moves have nothing to move.
     return answer || operation.answer == Answer::refused ? Answered(answer) : std::nullopt;
 }
@@ -244,7 +260,7 @@ Player::Answered Player::make(const Operation& operation, const PlaceCollider& c
     const bool there = world_.collider(*id).ok();
     const auto answer = world_.place_collider(*id, call.place);
     check(there || !answer, "a collider that was removed was placed");
-    if (!there) return std::nullopt;
+    if (!there || is_carried(call.collider)) return std::nullopt;
     if (answer)
         check(text_of(world_.collider(*id).value()) == text_of(call.place), "it is not where it was placed");
     return answer || operation.answer == Answer::refused ? Answered(answer) : std::nullopt;
@@ -257,6 +273,47 @@ Player::Answered Player::make(const Operation&, const RemoveCollider& call) {
     check(world_.remove_collider(*id).ok() == there,
           "removing a collider that is there must work, and once only");
     return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const AddBody& call) {
+    const auto added = world_.add_body(call.settings, call.state);
+    bodies_.push_back(added ? std::optional(*added) : std::nullopt);
+    if (!added) return added.error();
+    check(world_.body_settings(*added).value() == call.settings, "settings are not those given");
+    return Result<void>();
+}
+
+Player::Answered Player::make(const Operation&, const SetBody& call) {
+    const auto& id = bodies_[call.body];
+    if (!id) return std::nullopt;
+    const auto set = world_.set_body_settings(*id, call.settings);
+    return set ? Answered(world_.set_body_state(*id, call.state)) : Answered(set);
+}
+
+Player::Answered Player::make(const Operation&, const RemoveBody& call) {
+    const auto& id = bodies_[call.body];
+    if (!id) return std::nullopt;
+    const bool there = world_.body_state(*id).ok();
+    check(world_.remove_body(*id).ok() == there, "removing a body that is there must work, and once only");
+    return std::nullopt;
+}
+
+Player::Answered Player::make(const Operation&, const AttachCollider& call) {
+    const auto &body = bodies_[call.body], &collider = colliders_[call.collider];
+    if (!body || !collider) return std::nullopt;
+    const auto answer = world_.attach_collider(*body, *collider);
+    if (answer) carried_[call.collider] = call.body;
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const Attach& call) {
+    const auto& body = bodies_[call.body];
+    if (!body) return std::nullopt;
+    return world_.attach(*body, *cloths_[operation.cloth], call.vertices);
+}
+
+Player::Answered Player::make(const Operation& operation, const Detach& call) {
+    return world_.detach(*cloths_[operation.cloth], call.vertices);
 }
 
 Player::Answered Player::make(const Operation&, const SetWorldSettings& call) {
@@ -335,6 +392,13 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
     check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
           "the flag and the count of restored cloths differ");
     check_contacts(report);
+    for (const BodyImpulse& impulse : world_.body_impulses()) {
+        const auto state = world_.body_state(impulse.body);
+        check(state.ok(), "an impulse of no body");
+        for (const Vec3& v : {impulse.linear, impulse.angular, state->position, state->velocity,
+                              state->angular_velocity})
+            check(is_finite(Vec4{v.x, v.y, v.z}), "a body that is not finite");
+    }
 }
 
 void Player::check_contacts(const StepReport& report) const {
@@ -372,6 +436,7 @@ std::vector<bool> can_meet(const Script& script) {
         if (meets_cloth(settings) && operation.cloth < result.size()) result[operation.cloth] = true;
     };
     for (const Operation& operation : script.operations) {
+        if (std::holds_alternative<AddBody>(operation.call)) return std::vector<bool>(script.cloths, true);
         if (const auto* add = std::get_if<AddCloth>(&operation.call)) look(operation, add->settings);
         if (const auto* set = std::get_if<SetClothSettings>(&operation.call)) look(operation, set->settings);
     }

@@ -354,4 +354,26 @@ Executor backwards_executor() {
             .width = 2};
 }
 
+Drawn<BodySettings> random_body(Random& random) {
+    BodySettings settings;
+    settings.mass = random.chance(0.2) ? 0 : random.of_any_size(random.chance(0.8) ? 1e-2f : 1e-6f, 1e3f);
+    const auto inertia = [&] { return random.chance(0.2) ? 0 : random.of_any_size(1e-6f, 1e3f); };
+    const float x = inertia(), y = inertia(), z = inertia();
+    settings.inertia = {x, y, z};
+    settings.gravity_scale = random.chance(0.8) ? 1 : random.between(-2, 2);
+    if (random.chance(0.3)) settings.damping = random.of_any_size(1e-3f, 1e6f);
+    if (random.chance(0.3)) settings.angular_damping = random.of_any_size(1e-3f, 1e6f);
+    if (!random.chance(0.05)) return {settings};
+    settings.mass = random.one_of({-1.0f, 1e-7f, 2e9f, std::numeric_limits<float>::quiet_NaN()});
+    return {settings, Answer::refused};
+}
+
+BodyState random_body_state(Random& random) {
+    const float fast = random.chance(0.8) ? 1.0f : 1e4f;
+    const Vec3 position = random.point(random.chance(0.9) ? 1.0f : 1e5f), velocity = random.point(fast),
+               spin = random.point(fast), axis = random.point(0.5f);
+    const float w = std::sqrt(std::max(1 - axis.x * axis.x - axis.y * axis.y - axis.z * axis.z, 0.0f));
+    return {position, {axis.x, axis.y, axis.z, w}, velocity, spin};
+}
+
 }  // namespace weft::fuzz

@@ -12,6 +12,8 @@ namespace weft::fuzz {
 [[nodiscard]] Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_passes);
 [[nodiscard]] Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps);
 [[nodiscard]] Drawn<Collider> random_collider(Random& random);
+[[nodiscard]] Drawn<BodySettings> random_body(Random& random);
+[[nodiscard]] BodyState random_body_state(Random& random);
 /// The same kind of shape elsewhere, now and then far off.
 [[nodiscard]] Drawn<Collider> random_move(Random& random, const Collider& from);
 

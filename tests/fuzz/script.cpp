@@ -62,6 +62,12 @@ class Author {
     void add_collider();
     void move_collider();
     void remove_collider();
+    void add_body();
+    void set_body();
+    void remove_body();
+    void attach_collider();
+    void attach();
+    void detach();
     void set_world_settings();
     void step();
     void start_trace();
@@ -95,6 +101,7 @@ class Author {
     Drawn<WorldSettings> world_;
     std::vector<PlannedCloth> cloths_;
     std::vector<PlannedCollider> colliders_;
+    std::size_t bodies_ = 0;
 };
 
 void Author::add_operation() {
@@ -113,6 +120,12 @@ void Author::add_operation() {
         {6, &Author::add_collider},
         {12, &Author::move_collider},
         {2, &Author::remove_collider},
+        {3, &Author::add_body},
+        {3, &Author::set_body},
+        {1, &Author::remove_body},
+        {3, &Author::attach_collider},
+        {3, &Author::attach},
+        {1, &Author::detach},
         {8, &Author::set_cloth_settings},
         {6, &Author::set_world_settings},
         {1, &Author::start_trace},
@@ -270,6 +283,39 @@ void Author::remove_collider() {
     const std::size_t chosen = any_of(colliders_);
     colliders_[chosen].removed = true;
     add(RemoveCollider{chosen});
+}
+
+void Author::add_body() {
+    if (bodies_ >= 5) return;
+    ++bodies_;
+    const Drawn<BodySettings> settings = random_body(random_);
+    add(AddBody{settings.value, random_body_state(random_)}, settings.answer);
+}
+
+void Author::set_body() {
+    if (bodies_ == 0) return add_body();
+    const Drawn<BodySettings> settings = random_body(random_);
+    add(SetBody{random_.below(bodies_), settings.value, random_body_state(random_)}, Answer::either);
+}
+
+void Author::remove_body() {
+    if (bodies_ > 0) add(RemoveBody{random_.below(bodies_)}, Answer::either);
+}
+
+void Author::attach_collider() {
+    if (bodies_ == 0 || colliders_.empty()) return add_body();
+    add(AttachCollider{random_.below(bodies_), any_of(colliders_)}, Answer::either);
+}
+
+void Author::attach() {
+    if (bodies_ == 0) return add_body();
+    const std::size_t chosen = any_of(cloths_);
+    add(Attach{random_.below(bodies_), pattern_of_vertices(cloths_[chosen].mesh)}, Answer::either, chosen);
+}
+
+void Author::detach() {
+    const std::size_t chosen = any_of(cloths_);
+    add(Detach{pattern_of_vertices(cloths_[chosen].mesh)}, Answer::either, chosen);
 }
 
 void Author::set_world_settings() {

@@ -47,6 +47,28 @@ struct PlaceCollider {
 struct RemoveCollider {
     std::size_t collider;
 };
+struct AddBody {
+    BodySettings settings;
+    BodyState state;
+};
+struct SetBody {
+    std::size_t body;  ///< its place among all that were added
+    BodySettings settings;
+    BodyState state;
+};
+struct RemoveBody {
+    std::size_t body;
+};
+struct AttachCollider {
+    std::size_t body, collider;
+};
+struct Attach {
+    std::size_t body;
+    std::vector<std::uint32_t> vertices;
+};
+struct Detach {
+    std::vector<std::uint32_t> vertices;
+};
 struct SetWorldSettings {
     WorldSettings settings;
 };
@@ -62,7 +84,8 @@ struct Operation {
     static constexpr std::size_t no_cloth = ~std::size_t{0};
 
     std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
-                 MoveCollider, PlaceCollider, RemoveCollider, SetWorldSettings, Step, StartTrace, MoveWorld>
+                 MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
+                 Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

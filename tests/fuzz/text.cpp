@@ -181,6 +181,34 @@ static std::string text_of(const MoveCollider& call) {
 static std::string text_of(const RemoveCollider& call) {
     return "remove_collider(" + text_of(call.collider) + ")";
 }
+static std::string text_of(const BodySettings& b) {
+    return "mass " + text_of(b.mass) + " inertia " + text_of(b.inertia) + " gravity " +
+           text_of(b.gravity_scale) + " damping " + text_of(b.damping) + " " + text_of(b.angular_damping);
+}
+static std::string text_of(const BodyState& b) {
+    return "at " + text_of(b.position) + " turned " + text_of(Vec3{b.rotation.x, b.rotation.y, b.rotation.z}) +
+           " " + text_of(b.rotation.w) + " going " + text_of(b.velocity) + " spinning " +
+           text_of(b.angular_velocity);
+}
+static std::string text_of(const AddBody& call) {
+    return "add_body(" + text_of(call.settings) + "; " + text_of(call.state) + ")";
+}
+static std::string text_of(const SetBody& call) {
+    return "set_body(" + std::to_string(call.body) + ", " + text_of(call.settings) + "; " + text_of(call.state) +
+           ")";
+}
+static std::string text_of(const RemoveBody& call) {
+    return "remove_body(" + std::to_string(call.body) + ")";
+}
+static std::string text_of(const AttachCollider& call) {
+    return "attach_collider(" + std::to_string(call.body) + ", " + std::to_string(call.collider) + ")";
+}
+static std::string text_of(const Attach& call) {
+    return "attach(" + std::to_string(call.body) + ", " + text_of(call.vertices) + ")";
+}
+static std::string text_of(const Detach& call) {
+    return "detach(" + text_of(call.vertices) + ")";
+}
 static std::string text_of(const SetWorldSettings& call) {
     return "set_settings(" + text_of(call.settings) + ")";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cloth/frame/bodies/free_cloth.h"
 #include "cloth/frame/simulation.h"
 
 namespace weft {
@@ -19,6 +20,11 @@ std::array<float, 6> to_floats(const Vector6& v) {
     std::array<float, 6> values{};
     for (int k = 0; k < 6; ++k) values[static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
     return values;
+}
+
+/// BDF2 has more to give.
+bool is_still_heard(const BodyShare& share) {
+    return std::ranges::any_of(share.echo, [](float part) { return std::abs(part) > 1e-10f; });
 }
 
 double inverse(float value) {
@@ -108,7 +114,7 @@ void Simulation::load_bodies() {
 
 // Whatever can come near in the substep, and more: in it all others leave bodies alone.
 bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
-    if (!cloth.attached.empty()) return true;
+    if (!cloth.attached.empty() || std::ranges::any_of(cloth.state.shares, is_still_heard)) return true;
     if (!meets_in_equation(cloth.settings)) return false;
     float fastest = std::sqrt(cloth.extent.peak_speed_squared);
     for (const Pin& pin : cloth.state.pins)
@@ -188,6 +194,7 @@ void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equatio
         const Vector3 given = cloth.contacts->of_colliders(i, v) + forgotten(equation, i);
         cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
     }
+    keep_momentum_with_bodies(cloth, equation, bodies_->moving);
     for (std::size_t k = 0; k < cloth.collected.size(); ++k)
         cloth.state.shares[k].echo =
             cloth.history ? to_floats(cloth.collected[k].in_part) : std::array<float, 6>{};

@@ -160,10 +160,7 @@ void BodyCoupling::follow() {
         moving.find_end();
     }
     for (const CarriedCollider& collider : carried_) {
-        const MovingBody& moving = bodies_[collider.body];
-        ColliderMotion& motion = motions_[collider.motion];
-        motion.start = carried(*collider.own, moving.swept_from());
-        motion.end = carried(*collider.own, moving.end);
+        bodies_[collider.body].move(*collider.own, motions_[collider.motion]);
     }
     for (std::size_t cloth = 0; cloth < equations_.size(); ++cloth) {
         Contacts& contacts = *equations_[cloth]->contacts;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "collision/carried.h"
+#include "collision/collider_contacts.h"
 #include "engine/vector.h"
 #include "weft/body.h"
 
@@ -64,6 +65,14 @@ struct MovingBody {
     [[nodiscard]] BodyPose swept_from() const {
         return {end.position - h * now.head<3>().cast<float>(),
                 turned(end.rotation, -h * now.tail<3>().cast<float>())};
+    }
+    /// A collider that it carries, given in its frame.
+    void move(const Collider& own, ColliderMotion& motion) const {
+        motion.start = carried(own, swept_from());
+        motion.end = carried(own, end);
+        motion.centre = end.position;
+        motion.velocity = now.head<3>().cast<float>();
+        motion.spin = now.tail<3>().cast<float>();
     }
     [[nodiscard]] Vector3 velocity_at(const Vector3& point) const {
         return now.head<3>().cast<float>() + Vector3(now.tail<3>().cast<float>()).cross(point - end.position);

@@ -1,0 +1,124 @@
+#include "cloth/frame/bodies/free_cloth.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace weft {
+
+namespace {
+
+Eigen::Vector3d wide(const Vec4& v) {
+    return xyz(v).cast<double>();
+}
+
+bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.state.pins.empty() || equation.pairs != nullptr || cloth.model.component_offsets.size() != 2)
+        return false;
+    if (std::ranges::all_of(cloth.collected, [](const CollectedShare& share) { return share.in_part.isZero(0); }))
+        return false;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
+        if (cloth.contacts->presses_collider(i) && cloth.body_buffers.pressed[i] < 0) return false;
+    return true;
+}
+
+/// Of the cloth when the part ends, at what velocities are now.
+struct Motion {
+    double mass = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the origin [kg m^2]
+
+    void add(double m, const Eigen::Vector3d& x, const Eigen::Vector3d& v) {
+        mass += m;
+        centre += m * x;
+        linear += m * v;
+        angular += m * x.cross(v);
+        inertia += m * (x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose());
+    }
+};
+
+Eigen::Vector3d place(const StepEquation& equation, std::uint32_t i, const Eigen::Vector3d& v) {
+    return wide(equation.base_positions[i]) + static_cast<double>(equation.gamma) * v;
+}
+
+template <class Visit>
+void for_each_free(const StepEquation& equation, const Visit& visit) {
+    for (std::uint32_t i = 0; i < equation.positions.size(); ++i)
+        if (equation.positions[i].w > 0) visit(i, 1 / static_cast<double>(equation.positions[i].w));
+}
+
+/// What the cloth should have when the part ends.
+Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const MovingBody> bodies,
+             std::span<const Vec4> velocities) {
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, echo = linear, outside = linear,
+                    torque = linear, centre = linear;
+    double mass = 0;
+    const double ratio = static_cast<double>(equation.h / equation.gamma);
+    for_each_free(equation, [&](std::uint32_t i, double m) {
+        const Eigen::Vector3d v = wide(equation.velocities[i]), x = wide(equation.positions[i]);
+        linear += m * v;
+        angular += m * x.cross(v);
+        const ExternalRow row = external_row(equation, i);
+        const Eigen::Vector3d solved = wide(velocities[i]), there = place(equation, i, solved);
+        const Eigen::Vector3d impulse =
+            static_cast<double>(row.row_sum) * (row.free_velocity.cast<double>() - solved) +
+            m * (solved - wide(equation.base_velocities[i]));
+        outside += impulse;
+        torque += ratio * there.cross(impulse);
+        if (!equation.velocity_changes.empty()) echo += m / 3 * wide(equation.velocity_changes[i]);
+        centre += m * there;
+        mass += m;
+    });
+    centre /= mass;
+    Vector6 of_bodies = Vector6::Zero();
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const Vector6& given = cloth.collected[k].in_part;
+        // The angular momentum of a body that came so to its end has changed by that of an impulse there.
+        const Eigen::Vector3d at = bodies[k].end.position.cast<double>() -
+                                   static_cast<double>(equation.gamma) * bodies[k].velocity.head<3>();
+        of_bodies.head<3>() += given.head<3>();
+        of_bodies.tail<3>() += given.tail<3>() + at.cross(Eigen::Vector3d(given.head<3>()));
+        if (equation.gamma != equation.h)
+            for (int axis = 0; axis < 3; ++axis)
+                echo[axis] += static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) / 3;
+    }
+    const Eigen::Vector3d by_outside = outside + echo;
+    torque += centre.cross(by_outside - ratio * outside);
+    Vector6 sum;
+    sum << linear + by_outside, angular + torque;
+    return sum - of_bodies;
+}
+
+}  // namespace
+
+void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation,
+                               std::span<const MovingBody> bodies) {
+    if (!is_free_but_for_bodies(cloth, equation)) return;
+    const std::span<Vec4> velocities = cloth.next_velocities.span();
+    const Vector6 target = owed(cloth, equation, bodies, velocities);
+    constexpr int rounds = 3;  // since what moves ends elsewhere
+    for (int round = 0; round < rounds; ++round) {
+        Motion now;
+        for_each_free(equation, [&](std::uint32_t i, double m) {
+            const Eigen::Vector3d v = wide(velocities[i]);
+            now.add(m, place(equation, i, v), v);
+        });
+        const Eigen::Vector3d centre = now.centre / now.mass;
+        const Eigen::Vector3d linear = target.head<3>() - now.linear;
+        const Eigen::Vector3d angular = target.tail<3>() - now.angular - centre.cross(linear);
+        const Eigen::Matrix3d inertia =
+            now.inertia -
+            now.mass * (centre.squaredNorm() * Eigen::Matrix3d::Identity() - centre * centre.transpose());
+        const Eigen::Vector3d turn =
+            (inertia + 1e-9 * inertia.trace() * Eigen::Matrix3d::Identity()).ldlt().solve(angular);
+        const Eigen::Vector3d shift = linear / now.mass;
+        if (!shift.allFinite() || !turn.allFinite()) return;
+        for_each_free(equation, [&](std::uint32_t i, double /*m*/) {
+            const Eigen::Vector3d v = wide(velocities[i]);
+            const Eigen::Vector3d moved = v + shift + turn.cross(place(equation, i, v) - centre);
+            velocities[i] = to_vec4(moved.cast<float>(), 0);
+        });
+    }
+}
+
+}  // namespace weft
