@@ -22,6 +22,11 @@ std::array<float, 6> to_floats(const Vector6& v) {
     return values;
 }
 
+/// Else bodies get what came of their going on as they did.
+bool are_solved_with_bodies(std::span<Cloth* const> cloths) {
+    return std::ranges::all_of(cloths, [](const Cloth* cloth) { return cloth->solver->joins(); });
+}
+
 /// BDF2 has more to give.
 bool is_still_heard(const BodyShare& share) {
     return std::ranges::any_of(share.echo, [](float part) { return std::abs(part) > 1e-10f; });
@@ -55,8 +60,12 @@ Bounds grown(const Bounds& box, float by) {
 
 /// The end of a part: where the body is, and how it moves with what cloth gave it. Angular momentum stays as
 /// it is while the inertia turns with the body.
-void arrive(MovingBody& body, const Vector6& given) {
+void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
     Vector6 after = body.drift + body.root * (body.root.transpose() * given);
+    if (!is_solved_for) {
+        body.now = after;
+        body.find_end();
+    }
     const Eigen::Vector3d& inverse_inertia = body.inverse_inertia;
     const bool turns_evenly = inverse_inertia.minCoeff() == inverse_inertia.maxCoeff();
     if (!turns_evenly && inverse_inertia.minCoeff() > 0) {
@@ -164,7 +173,8 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
         for (Cloth* cloth : present_) {
             const bool is_other = std::ranges::find(cloths, cloth) == cloths.end();
             const BodyShare& share = cloth->state.shares[k];
-            (is_other ? others : expected) += part * to_vector6(share.last);
+            if (is_other || cloth->solver->joins())
+                (is_other ? others : expected) += part * to_vector6(share.last);
             if (is_other) continue;
             CollectedShare& collected = cloth->collected[k];
             collected.in_part.setZero();
@@ -176,7 +186,7 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
         };
         body.drift += moved_by(others);
         body.free = body.drift + moved_by(echo);
-        body.expected = expected - echo;
+        body.expected = are_solved_with_bodies(cloths) ? Vector6(expected - echo) : Vector6(Vector6::Zero());
         body.expect();
     }
 }
@@ -261,7 +271,7 @@ void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {
             cloth->state.shares[k].last = to_floats(share.sum);
         }
         bodies_->given[k] += given;
-        arrive(bodies_->moving[k], given);
+        arrive(bodies_->moving[k], given, are_solved_with_bodies(cloths));
     }
 }
 
