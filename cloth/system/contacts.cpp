@@ -30,6 +30,7 @@ struct ContactBlock {
     Vec4* impulses;
     Vec4* normals;
     const float* rubbed;
+    const float* of_bodies;  // per particle what its spring has more on a body [kg]; null: no bodies
 };
 
 struct PressedGroup {
@@ -65,7 +66,8 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
 
     const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
-    const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+    Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+    if (block.of_bodies != nullptr) spring = hn::Add(spring, hn::Load(Tag(), block.of_bodies + i));
     // What did not press yet is not drawn to the surface.
     const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
     const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
@@ -134,6 +136,9 @@ constexpr float reach = 4e-3f;
 // A particle presses its own weight a fiftieth of a free step's fall into the collider. Part 3 of
 // tests/bench/MEASUREMENTS.md says why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
+// A body that lies on n particles presses them in by fifty free steps' falls over n. With the springs above a
+// heavy one would come through light cloth; springs that stiffen with what they bear would give it energy.
+constexpr double spring_per_body = 0.02;
 constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
 
 // An attached particle's load displaces it by a tenth of what it stretches the fabric.
@@ -171,6 +176,12 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                            body_buffers_ != nullptr
                                ? body_buffers_->pressed.span().subspan(range.begin, size)
                                : std::span<std::int32_t>());
+    alignas(64) std::array<float, block_size> of_bodies;
+    for (std::uint32_t i = 0; body_buffers_ != nullptr && i < block_size; ++i) {
+        const std::int32_t body = i < size ? body_buffers_->pressed[range.begin + i] : -1;
+        const double inverse_mass = body >= 0 ? bodies_[static_cast<std::size_t>(body)].inverse_mass : 0;
+        of_bodies[i] = inverse_mass > 0 ? static_cast<float>(spring_per_body / inverse_mass) : 0.0f;
+    }
     const ContactBlock block{.near = surfaces,
                              .velocities = v.data(),
                              .gamma = gamma,
@@ -182,7 +193,8 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
                              .impulses = of_colliders().data() + range.begin,
                              .normals = held_->normals.data() + range.begin,
-                             .rubbed = held_->rubbed.data() + range.begin};
+                             .rubbed = held_->rubbed.data() + range.begin,
+                             .of_bodies = body_buffers_ != nullptr ? of_bodies.data() : nullptr};
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         std::uint32_t& touching = held_->touching[i / Stencil::lanes];
         const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);
