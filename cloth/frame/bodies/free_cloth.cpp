@@ -11,11 +11,17 @@ Eigen::Vector3d wide(const Vec4& v) {
     return xyz(v).cast<double>();
 }
 
-bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation) {
+bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation,
+                            std::span<const MovingBody> bodies) {
     if (!cloth.state.pins.empty() || equation.pairs != nullptr || cloth.model.component_offsets.size() != 2)
         return false;
-    if (std::ranges::all_of(cloth.collected, [](const CollectedShare& share) { return share.in_part.isZero(0); }))
-        return false;
+    bool any = false;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        if (cloth.collected[k].in_part.isZero(0)) continue;
+        if (bodies[k].inverse_mass == 0) return false;
+        any = true;
+    }
+    if (!any) return false;
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
         if (cloth.contacts->presses_collider(i) && cloth.body_buffers.pressed[i] < 0) return false;
     return true;
@@ -93,7 +99,7 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
 
 void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation,
                                std::span<const MovingBody> bodies) {
-    if (!is_free_but_for_bodies(cloth, equation)) return;
+    if (!is_free_but_for_bodies(cloth, equation, bodies)) return;
     const std::span<Vec4> velocities = cloth.next_velocities.span();
     const Vector6 target = owed(cloth, equation, bodies, velocities);
     constexpr int rounds = 3;  // since what moves ends elsewhere

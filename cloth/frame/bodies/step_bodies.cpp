@@ -66,16 +66,9 @@ void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
         body.now = after;
         body.find_end();
     }
-    const Eigen::Vector3d& inverse_inertia = body.inverse_inertia;
-    const bool turns_evenly = inverse_inertia.minCoeff() == inverse_inertia.maxCoeff();
-    if (!turns_evenly && inverse_inertia.minCoeff() > 0) {
-        const Eigen::Matrix3d from = body.start.rotation.cast<double>().toRotationMatrix();
-        const Eigen::Matrix3d to = body.end.rotation.cast<double>().toRotationMatrix();
-        const Eigen::Vector3d momentum =
-            from * inverse_inertia.cwiseInverse().asDiagonal() * from.transpose() * body.drift.tail<3>() +
-            given.tail<3>();
-        after.tail<3>() = to * inverse_inertia.asDiagonal() * to.transpose() * momentum;
-    }
+    if (body.is_uneven())
+        after.tail<3>() =
+            body.inverse_inertia_at(body.end.rotation) * (body.momentum + Eigen::Vector3d(given.tail<3>()));
     body.start = body.end;
     body.velocity = after;
 }
@@ -185,6 +178,10 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
             return body.root * (body.root.transpose() * impulse);
         };
         body.drift += moved_by(others);
+        if (body.is_uneven()) {
+            body.momentum = body.inverse_inertia_at(body.start.rotation).inverse() * body.drift.tail<3>();
+            body.turn_freely();
+        }
         body.free = body.drift + moved_by(echo);
         body.expected = are_solved_with_bodies(cloths) ? Vector6(expected - echo) : Vector6(Vector6::Zero());
         body.expect();

@@ -133,13 +133,15 @@ class World {
     /// and the vertices attached to it give cloth. A host whose own engine moves it sets the body's state
     /// before each step, takes body_impulses() after it, and lets its engine do the rest.
     ///
-    /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth of
-    /// the cloth's mass to any. With other methods they get what the solved step gave cloth, for bodies that
-    /// are no lighter than the cloth that they meet. Several cloths on one body are solved in turn, each
-    /// expecting of the others what they gave last.
+    /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth to a
+    /// hundred times the cloth's mass. With other methods they get what the step gave particles that touch
+    /// them, which holds up little but what is much lighter than these. By ColliderResponse::velocity_filter
+    /// they get nothing. Several cloths on one body are solved in turn, each expecting of the others what
+    /// they gave last. Cloth that only free bodies touch keeps momentum with them to rounding, unless features
+    /// of it meet others. A body smaller than the cells of the cloth, as stretched, falls through them.
     ///
-    /// Each gives every cloth 48 bytes; the first of a World also 40 bytes a particle, and what
-    /// a first collider does.
+    /// Each gives every cloth 144 bytes; the first of a World also 36 bytes a particle, and what a first
+    /// collider does.
     Result<BodyId> add_body(const BodySettings& settings, const BodyState& state = {});
     /// Its colliders stay where they are, its vertices are let go.
     Result<void> remove_body(BodyId id);

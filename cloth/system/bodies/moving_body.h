@@ -37,6 +37,7 @@ struct MovingBody {
     BodyPose start;                                                    ///< of the part
     Vector6 velocity = Vector6::Zero();                                ///< likewise
     Vector6 drift = Vector6::Zero();  ///< at its end, if cloth gave it nothing
+    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< its angular one then, if its inertia turns
     Vector6 free = Vector6::Zero();   ///< the same with what does not depend on the equation's solution
     Matrix6 root = Matrix6::Zero();   ///< its inverse mass is root root^T
     Vector6 expected = Vector6::Zero();  ///< to be given by cloth [N s, N m s]
@@ -54,12 +55,34 @@ struct MovingBody {
         now = free + root * (root.transpose() * expected);
         find_end();
     }
-    /// As particles go that a collider holds: x + (h - gamma) v + gamma v', see History.
+    /// Whether its inertia turns with it.
+    [[nodiscard]] bool is_uneven() const {
+        return inverse_inertia.minCoeff() > 0 && inverse_inertia.minCoeff() < inverse_inertia.maxCoeff();
+    }
+    /// Times an angular momentum: the angular velocity.
+    [[nodiscard]] Eigen::Matrix3d inverse_inertia_at(const Eigen::Quaternionf& rotation) const {
+        const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
+        return axes * inverse_inertia.asDiagonal() * axes.transpose();
+    }
+    /// As particles go that a collider holds: x + (h - gamma) v + gamma v', see History. What nothing touches
+    /// turns at the mean of both ends, so that it keeps its energy.
     void find_end() {
         const Vector6 way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
         end.position = start.position + way.head<3>().cast<float>();
-        end.rotation = turned(turned(start.rotation, (h - gamma) * velocity.tail<3>().cast<float>()),
-                              gamma * now.tail<3>().cast<float>());
+        const Eigen::Vector3d turn = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
+                                     static_cast<double>(gamma) * (now - drift).tail<3>();
+        end.rotation = turned(start.rotation, turn.cast<float>());
+    }
+    /// Of an uneven body with this momentum, if nothing touches it: the implicit midpoint rule.
+    void turn_freely() {
+        constexpr int rounds = 8;
+        for (int round = 0; round < rounds; ++round) {
+            const Eigen::Vector3d mean = 0.5 * (velocity + drift).tail<3>();
+            const Eigen::Vector3d there =
+                inverse_inertia_at(turned(start.rotation, h * mean.cast<float>())) * momentum;
+            if (!there.allFinite()) return;
+            drift.tail<3>() = there;
+        }
     }
     /// From where it would come to its end at the velocity that it has there: surfaces move at that.
     [[nodiscard]] BodyPose swept_from() const {
