@@ -14,7 +14,8 @@ Vec3 carried(const Vec3& own, const BodyPose& pose) {
 }
 
 Rotation carried(const Rotation& own, const BodyPose& pose) {
-    const Eigen::Quaternionf r = (pose.rotation * Eigen::Quaternionf(own.w, own.x, own.y, own.z)).normalized();
+    const Eigen::Quaternionf r =
+        (pose.rotation * Eigen::Quaternionf(own.w, own.x, own.y, own.z)).normalized();
     return {r.x(), r.y(), r.z(), r.w()};
 }
 

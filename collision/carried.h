@@ -8,7 +8,7 @@ namespace weft {
 
 /// Where something is: what is at p in its own frame is at position + rotation p in the World.
 struct BodyPose {
-    Vector3 position = Vector3::Zero();                         ///< [m]
+    Vector3 position = Vector3::Zero();                            ///< [m]
     Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();  ///< of unit length
 
     [[nodiscard]] Vector3 operator*(const Vector3& own) const { return position + rotation * own; }

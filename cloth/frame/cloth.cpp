@@ -365,8 +365,8 @@ ClothInfo Cloth::info() const {
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
                  missing_impulses.bytes() + part_start.bytes() + body_buffers.bytes() +
-                 collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) + partial_counts.bytes() +
-                 partial_surveys.bytes();
+                 collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
+                 partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

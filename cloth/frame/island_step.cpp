@@ -213,9 +213,9 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
     if (with_bodies) {
         for (Cloth* cloth : joined_) cloth->meets_bodies = true;
         take_bodies(joined_, substep.h);
-        start_part_of_bodies(joined_, substep.h,
-                             takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h)
-                                                                                  : substep.h);
+        start_part_of_bodies(
+            joined_, substep.h,
+            takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h) : substep.h);
     }
     move_colliders(worker, substep, with_bodies);
     if (with_bodies) bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);

@@ -77,9 +77,8 @@ void Schedule::share_out(int threads) {
     for (const Group& group : groups_) total += group.work;
     // Cloths that are taken together share memory that there is once.
     for (Group& group : groups_)
-        group.is_whole =
-            group.cloths.size() == 1 && !group.cloths.front()->meets_bodies &&
-            suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
+        group.is_whole = group.cloths.size() == 1 && !group.cloths.front()->meets_bodies &&
+                         suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
     // Of equal ones the first comes first: cloths that meet a body have an order.
     std::ranges::sort(groups_, std::ranges::greater(), [this](const Group& group) {
         return std::tuple(group.is_whole, group.work, members_.data() - group.cloths.data());

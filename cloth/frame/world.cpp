@@ -295,8 +295,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
 }
 
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
-    return with_collider(impl_->simulation, id, target,
-                         [&](ColliderSlot& slot) { slot.target = target; });
+    return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) { slot.target = target; });
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {

@@ -174,9 +174,8 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
                            equation.positions.subspan(range.begin, size),
                            equation.base_positions.subspan(range.begin, size), gamma, v, surfaces,
-                           body_buffers_ != nullptr
-                               ? body_buffers_->pressed.span().subspan(range.begin, size)
-                               : std::span<std::int32_t>());
+                           body_buffers_ != nullptr ? body_buffers_->pressed.span().subspan(range.begin, size)
+                                                    : std::span<std::int32_t>());
     alignas(64) std::array<float, block_size> of_bodies;
     for (std::uint32_t i = 0; body_buffers_ != nullptr && i < block_size; ++i) {
         const std::int32_t body = i < size ? body_buffers_->pressed[range.begin + i] : -1;

@@ -126,8 +126,7 @@ class Contacts {
     }
     /// A particle gets this at any velocity, since a body moves otherwise than it was linearised with.
     void add_impulse(std::uint32_t particle, const Vector3& impulse) {
-        if (has_pairs())
-            set_xyz(of_colliders_[particle], xyz(of_colliders_[particle]) + impulse);
+        if (has_pairs()) set_xyz(of_colliders_[particle], xyz(of_colliders_[particle]) + impulse);
         set_xyz(rows_.impulses[particle], xyz(rows_.impulses[particle]) + impulse);
     }
     /// Whether a collider or a body that it is attached to has a hold of it.
@@ -172,7 +171,7 @@ class Contacts {
     std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
-    int passes_ = 0;  // of this substep
+    int passes_ = 0;                       // of this substep
     BodyBuffers* body_buffers_ = nullptr;  // null: no bodies
     std::span<const MovingBody> bodies_;
     std::span<const Attachment> attached_;

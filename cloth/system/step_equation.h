@@ -36,10 +36,10 @@ struct StepEquation {
     std::span<const Vec4> base_positions;  ///< w inverse mass
     std::span<const Vec4> base_velocities;
     ExternalForces external;
-    Contacts* contacts = nullptr;  ///< of the cloth with colliders and features, or null: there are none
-    PairRows* pairs = nullptr;     ///< of features of all bodies that are solved together, or null
-    std::uint32_t first = 0;       ///< the cloth's first particle among these bodies'
-    BodyCoupling* bodies = nullptr;            ///< rigid ones that the cloth may move, or null
+    Contacts* contacts = nullptr;    ///< of the cloth with colliders and features, or null: there are none
+    PairRows* pairs = nullptr;       ///< of features of all bodies that are solved together, or null
+    std::uint32_t first = 0;         ///< the cloth's first particle among these bodies'
+    BodyCoupling* bodies = nullptr;  ///< rigid ones that the cloth may move, or null
     std::span<const Vec4> velocity_changes{};  ///< that BDF2 goes on with; empty: none
 };
 

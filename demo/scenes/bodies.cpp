@@ -71,7 +71,8 @@ class BodyScene : public Scene {
         const Vector3 where = to_vector(state->position);
         checks.at_least("the body's height [m]", where.y(), height - 0.75f * side);
         checks.at_most("its height [m]", where.y(), height + 0.2f);
-        checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())), 0.1f);
+        checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())),
+                       0.1f);
         checks.at_most("its speed [m/s]", to_vector(state->velocity).norm(), 0.1f);
         const float weight = 9.81f * props_.mass;
         const float force = to_vector(world.body_impulses().front().linear).y() * 60;
@@ -115,14 +116,14 @@ std::unique_ptr<Scene> make_trampoline_scene() {
     constexpr float mass = 3, edge = 0.24f, inertia = mass * edge * edge / 6;
     const Vec3 start{0.03f, height + 0.6f, 0};
     const Rotation tilted{0.13f, 0, 0.1f, 0.98641776f};
-    return std::make_unique<BodyScene>(
-        Props{.fabric = {.areal_density = 0.3f, .warp = 6000, .weft = 6000, .shear = 1500},
-              .border = true,
-              .mass = mass,
-              .shape = {.shape = Box{start, tilted, {0.5f * edge, 0.5f * edge, 0.5f * edge}}, .friction = 0.5f},
-              .inertia = {inertia, inertia, inertia},
-              .start = start,
-              .rotation = tilted});
+    return std::make_unique<BodyScene>(Props{
+        .fabric = {.areal_density = 0.3f, .warp = 6000, .weft = 6000, .shear = 1500},
+        .border = true,
+        .mass = mass,
+        .shape = {.shape = Box{start, tilted, {0.5f * edge, 0.5f * edge, 0.5f * edge}}, .friction = 0.5f},
+        .inertia = {inertia, inertia, inertia},
+        .start = start,
+        .rotation = tilted});
 }
 
 }  // namespace weft::demo

@@ -35,8 +35,8 @@ struct SheetAndBody {
         pin(held);
         const float r = setup.radius;
         const float inertia = setup.box ? setup.mass * 8 * r * r / 12 : 0.4f * setup.mass * r * r;
-        body = world.add_body({.mass = setup.mass, .inertia = {inertia, inertia, inertia}}, setup.state)
-                   .value();
+        body =
+            world.add_body({.mass = setup.mass, .inertia = {inertia, inertia, inertia}}, setup.state).value();
         Collider shape{.shape = Sphere{setup.state.position, r}};
         if (setup.box) shape.shape = Box{.center = setup.state.position, .half_extents = {r, r, r}};
         collider = world.add_collider(shape).value();

@@ -37,7 +37,8 @@ TEST(Bodies, ABallComesToRestInAHammockAndItsHooksBearTheWeight) {
         {.side = 17, .cloth = {.fabric = {.warp = 2000, .weft = 2000, .shear = 500}, .air_damping = 2}},
         Held::free);
     const BodyId hooks = scene.world.add_body({.mass = 0}).value();
-    ASSERT_TRUE(scene.world.attach(hooks, scene.cloth, std::vector<std::uint32_t>{0, 16, 16 * 17, 17 * 17 - 1}));
+    ASSERT_TRUE(
+        scene.world.attach(hooks, scene.cloth, std::vector<std::uint32_t>{0, 16, 16 * 17, 17 * 17 - 1}));
     scene.steps(900);
     const float height = scene.state().position.y;
     EXPECT_LT(scene.fastest(), 0.01f);
@@ -94,11 +95,12 @@ TEST(Bodies, AThrownBallAndAFreeSheetKeepTheirMomentumTogether) {
 TEST(Bodies, OfAnyMassComeToRestOnCloth) {
     const float of_cloth = 0.2f;
     for (const float ratio : {0.01f, 0.1f, 1.0f, 10.0f, 100.0f}) {
-        SheetAndBody scene({.side = 17,
-                            .cloth = {.fabric = {.warp = 4000, .weft = 4000, .shear = 1000}, .air_damping = 1},
-                            .mass = ratio * of_cloth,
-                            .state = {.position = {0, 0.2f, 0}}},
-                           Held::border);
+        SheetAndBody scene(
+            {.side = 17,
+             .cloth = {.fabric = {.warp = 4000, .weft = 4000, .shear = 1000}, .air_damping = 1},
+             .mass = ratio * of_cloth,
+             .state = {.position = {0, 0.2f, 0}}},
+            Held::border);
         float fastest = 0;
         for (int k = 0; k < 600; ++k) {
             scene.steps(1);
@@ -118,7 +120,9 @@ TEST(Bodies, TheFlagPullsItsPole) {
     settings.wind.air_density = 0;
     World world = World::create(settings).value();
     const ClothId flag =
-        world.add_cloth(*make_sheet({.rows = 17, .columns = 25, .origin = {0, 1, 0}, .u = {0.6f, 0, 0}, .v = {0, -0.4f, 0}}))
+        world
+            .add_cloth(*make_sheet(
+                {.rows = 17, .columns = 25, .origin = {0, 1, 0}, .u = {0.6f, 0, 0}, .v = {0, -0.4f, 0}}))
             .value();
     const BodyId pole = world.add_body({.mass = 0}, {.position = {0, 0.8f, 0}}).value();
     std::vector<std::uint32_t> border;
@@ -135,8 +139,8 @@ TEST(Bodies, TheFlagPullsItsPole) {
     // The host's engine shakes it.
     const auto shake = [&](int k) {
         const float t = static_cast<float>(k) * body_step, w = 2 * std::numbers::pi_v<float>;
-        ASSERT_TRUE(world.set_body_state(
-            pole, {.position = {0.1f * std::sin(w * t), 0.8f, 0}, .velocity = {0.1f * w * std::cos(w * t), 0, 0}}));
+        ASSERT_TRUE(world.set_body_state(pole, {.position = {0.1f * std::sin(w * t), 0.8f, 0},
+                                                .velocity = {0.1f * w * std::cos(w * t), 0, 0}}));
     };
     for (int k = 0; k < 120; ++k) {
         shake(k);
@@ -159,9 +163,10 @@ TEST(Bodies, WhatIsAttachedGoesAlong) {
     SheetAndBody scene({.side = 9, .mass = 0, .state = {.position = {0, 0.5f, 0}}}, Held::free);
     const std::vector<std::uint32_t> vertices{0, 8};
     ASSERT_TRUE(scene.world.attach(scene.body, scene.cloth, vertices));
-    ASSERT_TRUE(scene.world.set_body_state(
-        scene.body,
-        {.position = {0, 0.5f, 0}, .velocity = {0, 1, 0}, .angular_velocity = {0, std::numbers::pi_v<float>, 0}}));
+    ASSERT_TRUE(
+        scene.world.set_body_state(scene.body, {.position = {0, 0.5f, 0},
+                                                .velocity = {0, 1, 0},
+                                                .angular_velocity = {0, std::numbers::pi_v<float>, 0}}));
     scene.steps(60);
     const ClothView view = scene.view();
     for (const std::uint32_t vertex : vertices) {  // half a turn, and up by 1 m
@@ -175,7 +180,8 @@ TEST(Bodies, WhatIsAttachedGoesAlong) {
 TEST(Bodies, ABallBetweenTwoClothsRestsOnTheLowerOne) {
     SheetAndBody scene({.side = 17, .cloth = {.air_damping = 2}}, Held::border);
     const ClothId upper =
-        scene.world.add_cloth(*make_sheet({.rows = 17, .columns = 17, .origin = {-0.5f, 0.6f, -0.5f}})).value();
+        scene.world.add_cloth(*make_sheet({.rows = 17, .columns = 17, .origin = {-0.5f, 0.6f, -0.5f}}))
+            .value();
     scene.steps(900);
     EXPECT_LT(to_vector(scene.state().velocity).norm(), 0.05f);
     const float above = 9.81f * (1 + scene.world.cloth_info(upper)->mass);
@@ -187,7 +193,8 @@ TEST(Bodies, ASpinningBodyKeepsItsAngularMomentum) {
     World world = World::create({.gravity = {}, .threads = 1}).value();
     const Vec3 inertia{0.01f, 0.02f, 0.03f};
     const BodyId body =
-        world.add_body({.inertia = inertia}, {.velocity = {1, 0, 0}, .angular_velocity = {0.1f, 5, 0.1f}}).value();
+        world.add_body({.inertia = inertia}, {.velocity = {1, 0, 0}, .angular_velocity = {0.1f, 5, 0.1f}})
+            .value();
     const auto momentum = [&] {
         const BodyState s = world.body_state(body).value();
         const Eigen::Quaternionf r(s.rotation.w, s.rotation.x, s.rotation.y, s.rotation.z);
@@ -206,7 +213,8 @@ TEST(Bodies, ASpinningBodyKeepsItsAngularMomentum) {
 
 TEST(Bodies, TakeNoCallThatMakesNoSense) {
     World world = World::create().value();
-    EXPECT_NE(world.add_body({.mass = -1}).error().message.find("BodySettings::mass is -1"), std::string::npos);
+    EXPECT_NE(world.add_body({.mass = -1}).error().message.find("BodySettings::mass is -1"),
+              std::string::npos);
     EXPECT_FALSE(world.add_body({.inertia = {0.1f, NAN, 0.1f}}));
     EXPECT_FALSE(world.add_body({}, {.rotation = {0, 0, 0, 0}}));
     EXPECT_FALSE(world.add_body({}, {.velocity = {2e4f, 0, 0}}));
@@ -246,7 +254,8 @@ TEST(Bodies, GoOnAfterARestoreAsTheyDid) {
 TEST(Bodies, MoveAlikeOnAnyNumberOfThreads) {
     const auto hash_of = [](int threads) {
         SheetAndBody scene({.side = 33}, Held::border);
-        EXPECT_TRUE(scene.world.add_cloth(*make_sheet({.rows = 33, .columns = 33, .origin = {-0.5f, 0.7f, -0.5f}})));
+        EXPECT_TRUE(
+            scene.world.add_cloth(*make_sheet({.rows = 33, .columns = 33, .origin = {-0.5f, 0.7f, -0.5f}})));
         WorldSettings settings = scene.world.settings();
         settings.threads = threads;
         EXPECT_TRUE(scene.world.set_settings(settings));

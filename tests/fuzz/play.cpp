@@ -136,7 +136,7 @@ class Player {
     std::vector<std::optional<ClothId>> cloths_;
     std::vector<std::optional<ColliderId>> colliders_;
     std::vector<std::optional<BodyId>> bodies_;
-    std::map<std::size_t, std::size_t> carried_;  ///< colliders, and by which body
+    std::map<std::size_t, std::size_t> carried_;       ///< colliders, and by which body
     std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
 };
 
@@ -395,8 +395,8 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
     for (const BodyImpulse& impulse : world_.body_impulses()) {
         const auto state = world_.body_state(impulse.body);
         check(state.ok(), "an impulse of no body");
-        for (const Vec3& v : {impulse.linear, impulse.angular, state->position, state->velocity,
-                              state->angular_velocity})
+        for (const Vec3& v :
+             {impulse.linear, impulse.angular, state->position, state->velocity, state->angular_velocity})
             check(is_finite(Vec4{v.x, v.y, v.z}), "a body that is not finite");
     }
 }

@@ -186,16 +186,16 @@ static std::string text_of(const BodySettings& b) {
            text_of(b.gravity_scale) + " damping " + text_of(b.damping) + " " + text_of(b.angular_damping);
 }
 static std::string text_of(const BodyState& b) {
-    return "at " + text_of(b.position) + " turned " + text_of(Vec3{b.rotation.x, b.rotation.y, b.rotation.z}) +
-           " " + text_of(b.rotation.w) + " going " + text_of(b.velocity) + " spinning " +
-           text_of(b.angular_velocity);
+    return "at " + text_of(b.position) + " turned " +
+           text_of(Vec3{b.rotation.x, b.rotation.y, b.rotation.z}) + " " + text_of(b.rotation.w) + " going " +
+           text_of(b.velocity) + " spinning " + text_of(b.angular_velocity);
 }
 static std::string text_of(const AddBody& call) {
     return "add_body(" + text_of(call.settings) + "; " + text_of(call.state) + ")";
 }
 static std::string text_of(const SetBody& call) {
-    return "set_body(" + std::to_string(call.body) + ", " + text_of(call.settings) + "; " + text_of(call.state) +
-           ")";
+    return "set_body(" + std::to_string(call.body) + ", " + text_of(call.settings) + "; " +
+           text_of(call.state) + ")";
 }
 static std::string text_of(const RemoveBody& call) {
     return "remove_body(" + std::to_string(call.body) + ")";

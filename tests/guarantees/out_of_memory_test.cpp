@@ -37,6 +37,7 @@ struct Scene {
         for (const ClothId id : {cloth, other}) EXPECT_TRUE(world.pin(id, 0));
         if (!bare) collider = world.add_collider({.shape = Sphere{{0, 0.3f, 0.05f}, 0.1f}}).value();
         if (!bare) shape = world.add_shape(Tetrahedron{}.mesh()).value();
+        if (!bare) body = world.add_body({}, {.position = {0, 0.4f, 0.3f}}).value();
         step();
     }
     static WorldSettings windy() {
@@ -61,6 +62,7 @@ struct Scene {
     ClothId cloth, other;
     ColliderId collider;
     ShapeId shape;
+    BodyId body;
 };
 
 using Answer = Result<void>;
@@ -256,6 +258,15 @@ std::vector<Call> other_calls() {
     add("place_shape", [](Scene& s) {
         return without_value(s.world.add_collider({.shape = PlacedShape{s.shape, {0, 0.2f, 0}}}));
     });
+    add("add_body", [](Scene& s) { return without_value(s.world.add_body({})); });
+    add("attach", [=](Scene& s) { return s.world.attach(s.body, s.cloth, row); });
+    add("detach", [=](Scene& s) { return s.world.detach(s.cloth, row); });
+    add("attach_collider", [](Scene& s) { return s.world.attach_collider(s.body, s.collider); });
+    add("remove_body",
+        [](Scene& s) { return s.world.body_state(s.body) ? s.world.remove_body(s.body) : Answer(); });
+    calls.push_back({.name = "first_body",
+                     .make = [](Scene& s) { return without_value(s.world.add_body({})); },
+                     .bare = true});
     calls.push_back({.name = "first_collider",
                      .make = [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); },
                      .bare = true});

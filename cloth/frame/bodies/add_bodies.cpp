@@ -11,8 +11,7 @@ void Cloth::attach(BodyId body, const BodyPose& pose, std::span<const std::uint3
     const BodyPose to_own = pose.inverse();
     std::vector<Attachment> changed = attached;
     changed.reserve(changed.size() + particles.size());
-    for (const std::uint32_t i : particles)
-        changed.push_back({i, 0, to_own * xyz(state.positions[i]), body});
+    for (const std::uint32_t i : particles) changed.push_back({i, 0, to_own * xyz(state.positions[i]), body});
     // The last that was said of a particle holds.
     std::ranges::reverse(changed);
     std::ranges::stable_sort(changed, {}, &Attachment::particle);

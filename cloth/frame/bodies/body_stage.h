@@ -50,7 +50,7 @@ struct BodyStage {
     std::vector<BodyImpulse> impulses;  ///< of the last step
     std::vector<CarriedCollider> carried;
     BodyCoupling coupling;
-    float h = 0;             ///< of what a cloth takes them along for [s]
+    float h = 0;              ///< of what a cloth takes them along for [s]
     bool were_taken = false;  ///< in this substep
 };
 

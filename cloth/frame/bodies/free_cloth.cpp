@@ -1,7 +1,7 @@
 #include "cloth/frame/bodies/free_cloth.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <Eigen/Cholesky>
 
 namespace weft {
 
@@ -86,7 +86,8 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
         of_bodies.tail<3>() += given.tail<3>() + at.cross(Eigen::Vector3d(given.head<3>()));
         if (equation.gamma != equation.h)
             for (int axis = 0; axis < 3; ++axis)
-                echo[axis] += static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) / 3;
+                echo[axis] +=
+                    static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) / 3;
     }
     const Eigen::Vector3d by_outside = outside + echo;
     torque += centre.cross(by_outside - ratio * outside);

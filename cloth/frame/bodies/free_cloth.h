@@ -13,6 +13,7 @@ namespace weft {
 /// and turns all of the cloth by what its solved velocities, in next_velocities, lack against what bodies got
 /// (CollectedShare::in_part) and what acts from outside. Does nothing where something else holds the cloth,
 /// or features of others meet it.
-void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::span<const MovingBody> bodies);
+void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation,
+                               std::span<const MovingBody> bodies);
 
 }  // namespace weft

@@ -13,8 +13,10 @@ namespace {
 
 // Written so that what is not a number fails.
 
-Result<void> validate_within(const char* name, float value, float least, float most, const char* requirement) {
-    if (!(value >= least && value <= most)) return out_of_range(name, static_cast<double>(value), requirement);
+Result<void> validate_within(const char* name, float value, float least, float most,
+                             const char* requirement) {
+    if (!(value >= least && value <= most))
+        return out_of_range(name, static_cast<double>(value), requirement);
     return {};
 }
 
@@ -30,8 +32,7 @@ Result<void> validate_body(const BodySettings& settings) {
                                      "from -1000 to 1000");
         !valid)
         return valid;
-    if (auto valid =
-            validate_within("BodySettings::damping", settings.damping, 0, 1e6f, "from 0 to 1e6 1/s");
+    if (auto valid = validate_within("BodySettings::damping", settings.damping, 0, 1e6f, "from 0 to 1e6 1/s");
         !valid)
         return valid;
     return validate_within("BodySettings::angular_damping", settings.angular_damping, 0, 1e6f,

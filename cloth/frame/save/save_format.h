@@ -28,8 +28,8 @@ struct SaveHead {
     std::uint32_t bodies = 0;
     std::uint32_t attached = 0;  ///< colliders and vertices, as attached_of() has them
     std::uint32_t kinds = 0;     ///< of the colliders' shapes, as kinds_of() has them
-    std::uint64_t bytes = 0;  ///< of the whole save
-    std::uint64_t hash = 0;   ///< of all behind the head
+    std::uint64_t bytes = 0;     ///< of the whole save
+    std::uint64_t hash = 0;      ///< of all behind the head
 };
 static_assert(std::has_unique_object_representations_v<SaveHead>);
 

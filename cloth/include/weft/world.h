@@ -129,16 +129,17 @@ class World {
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
-    /// A body that cloth moves, and Weft with it: in each step it falls, turns, and gets back what its colliders
-    /// and the vertices attached to it give cloth. A host whose own engine moves it sets the body's state
-    /// before each step, takes body_impulses() after it, and lets its engine do the rest.
+    /// A body that cloth moves, and Weft with it: in each step it falls, turns, and gets back what its
+    /// colliders and the vertices attached to it give cloth. A host whose own engine moves it sets the body's
+    /// state before each step, takes body_impulses() after it, and lets its engine do the rest.
     ///
-    /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth to a
-    /// hundred times the cloth's mass. With other methods they get what the step gave particles that touch
+    /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth to
+    /// a hundred times the cloth's mass. With other methods they get what the step gave particles that touch
     /// them, which holds up little but what is much lighter than these. By ColliderResponse::velocity_filter
     /// they get nothing. Several cloths on one body are solved in turn, each expecting of the others what
-    /// they gave last. Cloth that only free bodies touch keeps momentum with them to rounding, unless features
-    /// of it meet others. A body smaller than the cells of the cloth, as stretched, falls through them.
+    /// they gave last. Cloth that only free bodies touch keeps momentum with them to rounding, unless
+    /// features of it meet others. A body smaller than the cells of the cloth, as stretched, falls through
+    /// them.
     ///
     /// Each gives every cloth 144 bytes; the first of a World also 36 bytes a particle, and what a first
     /// collider does.
@@ -155,9 +156,9 @@ class World {
     Result<void> attach_collider(BodyId id, ColliderId collider);
     /// It stays where it is. Of no body, none.
     Result<void> detach_collider(ColliderId collider);
-    /// From here on vertices go with the body, each at its place in the body's frame, and pull it: all of them
-    /// or, with an error, none. A vertex is of one body at most, the last it was attached to. While it is
-    /// pinned the pin holds it. Tethers do not start from it.
+    /// From here on vertices go with the body, each at its place in the body's frame, and pull it: all of
+    /// them or, with an error, none. A vertex is of one body at most, the last it was attached to. While it
+    /// is pinned the pin holds it. Tethers do not start from it.
     Result<void> attach(BodyId id, ClothId cloth, std::span<const std::uint32_t> vertices);
     /// All of them or, with an error, none. What is attached to nothing stays so.
     Result<void> detach(ClothId cloth, std::span<const std::uint32_t> vertices);

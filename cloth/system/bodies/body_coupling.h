@@ -39,7 +39,8 @@ class BodyCoupling {
     void join(const StepEquation& equation) { equations_.push_back(&equation); }
     [[nodiscard]] std::size_t cloths() const noexcept { return equations_.size(); }
 
-    // A linearisation, once the contacts of all cloths are linearised at `velocities`: first all are gathered.
+    // A linearisation, once the contacts of all cloths are linearised at `velocities`: first all are
+    // gathered.
     void gather(std::size_t cloth, std::span<const Vec4> velocities);
     void eliminate();
     /// b + U R g.
@@ -58,13 +59,13 @@ class BodyCoupling {
 
   private:
     struct Eliminated {
-        Matrix6 stiffness = Matrix6::Zero();   // sum A^T G A
-        Vector6 pressed = Vector6::Zero();     // sum A^T of what contacts give cloth
-        Vector6 sum = Vector6::Zero();         // of what is taken
-        Vector6 answer = Vector6::Zero();      // R sum
-        Vector6 extra = Vector6::Zero();       // R g
-        Vector6 departure = Vector6::Zero();   // z: V = V_free + root z
-        Vector6 missing = Vector6::Zero();     // root^T g
+        Matrix6 stiffness = Matrix6::Zero();     // sum A^T G A
+        Vector6 pressed = Vector6::Zero();       // sum A^T of what contacts give cloth
+        Vector6 sum = Vector6::Zero();           // of what is taken
+        Vector6 answer = Vector6::Zero();        // R sum
+        Vector6 extra = Vector6::Zero();         // R g
+        Vector6 departure = Vector6::Zero();     // z: V = V_free + root z
+        Vector6 missing = Vector6::Zero();       // root^T g
         Matrix6 response = Matrix6::Identity();  // (1 + root^T stiffness root)^-1: R = root response root^T
     };
     template <class Visit>

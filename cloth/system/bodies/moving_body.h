@@ -31,18 +31,18 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// All but its end is fixed while cloth is solved with it.
 struct MovingBody {
-    double inverse_mass = 0;                                           ///< [1/kg]
-    Eigen::Vector3d inverse_inertia = Eigen::Vector3d::Zero();         ///< [1/(kg m^2)]
-    float h = 0, gamma = 0;                                            ///< of the part, of its equation [s]
-    BodyPose start;                                                    ///< of the part
-    Vector6 velocity = Vector6::Zero();                                ///< likewise
-    Vector6 drift = Vector6::Zero();  ///< at its end, if cloth gave it nothing
+    double inverse_mass = 0;                                    ///< [1/kg]
+    Eigen::Vector3d inverse_inertia = Eigen::Vector3d::Zero();  ///< [1/(kg m^2)]
+    float h = 0, gamma = 0;                                     ///< of the part, of its equation [s]
+    BodyPose start;                                             ///< of the part
+    Vector6 velocity = Vector6::Zero();                         ///< likewise
+    Vector6 drift = Vector6::Zero();                            ///< at its end, if cloth gave it nothing
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< its angular one then, if its inertia turns
-    Vector6 free = Vector6::Zero();   ///< the same with what does not depend on the equation's solution
-    Matrix6 root = Matrix6::Zero();   ///< its inverse mass is root root^T
+    Vector6 free = Vector6::Zero();      ///< the same with what does not depend on the equation's solution
+    Matrix6 root = Matrix6::Zero();      ///< its inverse mass is root root^T
     Vector6 expected = Vector6::Zero();  ///< to be given by cloth [N s, N m s]
-    Vector6 now = Vector6::Zero();    ///< velocity at its end, as far as it is known
-    BodyPose end;                     ///< likewise
+    Vector6 now = Vector6::Zero();       ///< velocity at its end, as far as it is known
+    BodyPose end;                        ///< likewise
 
     void set_root() {
         const Eigen::Matrix3d axes = start.rotation.cast<double>().toRotationMatrix();
