@@ -228,7 +228,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
         cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
         join_features(worker, space, k, cloth, equation);
-        if (with_bodies) carry_bodies(worker, cloth, equation);
+        if (with_bodies) carry_bodies(cloth, equation);
         steps_.push_back({.parallel = worker.parallel,
                           .profiler = profiler,
                           .model = cloth.model,

@@ -154,7 +154,7 @@ struct Simulation {
     [[nodiscard]] bool may_meet_bodies(const Cloth& cloth, float h) const;
     void take_bodies(std::span<Cloth* const> cloths, float h);
     void start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma);
-    void carry_bodies(Worker& worker, Cloth& cloth, StepEquation& equation);
+    void carry_bodies(Cloth& cloth, StepEquation& equation);
     void collect_from_equation(Cloth& cloth, const StepEquation& equation);
     void collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t particle, const Vector3& change);
     [[nodiscard]] std::uint32_t collide_with_bodies(Worker& worker, Cloth& cloth, float h,

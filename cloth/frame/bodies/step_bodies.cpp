@@ -135,6 +135,49 @@ bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
     return any;
 }
 
+void Simulation::move_colliders(Worker& worker, const Substep& substep, bool meets_bodies) const {
+    worker.motions.clear();
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (state.bodies.find(slot.body) == nullptr) move_collider(worker, substep, slot);
+    });
+    if (!meets_bodies) return;
+    bodies_->carried.clear();
+    for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
+        const MovingBody& body = bodies_->moving[k];
+        state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+            if (state.bodies.find(slot.body) == nullptr || number_of(slot.body) != k) return;
+            bodies_->carried.push_back({.motion = static_cast<std::uint32_t>(worker.motions.size()),
+                                        .body = static_cast<std::uint32_t>(k),
+                                        .own = &slot.own});
+            move_collider(worker, substep, slot);
+            ColliderMotion& motion = worker.motions.back();
+            body.move(slot.own, motion);
+            motion.body = static_cast<std::int32_t>(k);
+        });
+    }
+}
+
+void Simulation::move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const {
+    ColliderMotion& motion = worker.motions.emplace_back(
+        ColliderMotion{blend(slot.current, slot.target, substep.begin()),
+                       blend(slot.current, slot.target, substep.end()), settings.max_speed});
+    motion.held = held_by(slot.target);
+    if (motion.held != nullptr && motion.held->deforms_in(state.steps))
+        motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+}
+
+/// The equation of a cloth that may meet bodies has them.
+void Simulation::carry_bodies(Cloth& cloth, StepEquation& equation) {
+    if (!cloth.contacts) return;
+    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.body_buffers);
+    equation.velocity_changes = equation.gamma != equation.h
+                                    ? std::as_const(cloth.state.record.velocity_changes).span()
+                                    : std::span<const Vec4>();
+    if (!cloth.solver->joins()) return;
+    bodies_->coupling.join(equation);
+    equation.bodies = &bodies_->coupling;
+}
+
 /// Cloths that are solved together take bodies along over the next h seconds.
 void Simulation::take_bodies(std::span<Cloth* const> cloths, float h) {
     BodyStage& stage = *bodies_;
