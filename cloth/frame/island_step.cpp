@@ -168,10 +168,7 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
     int parts = parts_of_step(island);
-    if (meets_bodies(island)) {
-        take_bodies(island, substep.h);
-        start_part_of_bodies(island, substep.h, substep.h);
-    }
+    if (meets_bodies(island)) take_bodies(island, substep.h);
     for (Cloth* cloth : island) parts = std::max(parts, parts_to_meet(worker, *cloth, substep));
     const bool with_bodies = meets_bodies(island);
     bool cut_much = false;
@@ -218,7 +215,6 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
             takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h) : substep.h);
     }
     move_colliders(worker, substep, with_bodies);
-    if (with_bodies) bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
     equations_.clear();
     steps_.clear();
     members_.clear();

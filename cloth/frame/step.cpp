@@ -134,10 +134,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
     Cloth* const self = &cloth;
     const std::span<Cloth* const> alone(&self, 1);
     const bool with_bodies = cloth.meets_bodies;
-    if (with_bodies) {
-        take_bodies(alone, substep.h);
-        start_part_of_bodies(alone, substep.h, substep.h);
-    }
+    if (with_bodies) take_bodies(alone, substep.h);
     const int parts =
         cloth.settings.substeps * std::max(parts_of_step(alone), parts_to_meet(worker, cloth, substep));
     bool cut_much = false;
@@ -153,10 +150,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
         }
-        if (with_bodies) {
-            bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
-            carry_bodies(cloth, equation);
-        }
+        if (with_bodies) carry_bodies(cloth, equation);
         solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
         if (with_bodies) collect_from_equation(cloth, equation);
         if (reports_contacts() && equation.pairs != nullptr) {
@@ -223,14 +217,15 @@ void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
     const ClothState& now = cloth.state;
     // BDF2 needs a step of the same length before this one; the first is of backward Euler.
-    const bool second_order = gamma_of(cloth, h) != h;
+    const float gamma = gamma_of(cloth, h);
+    const bool second_order = gamma != h;
     if (second_order) {
         const auto timer = timed(Stage::assemble);
         cloth.history->begin(worker.parallel, now);
     }
     return {.settings = cloth.settings,
             .h = h,
-            .gamma = gamma_of(cloth, h),
+            .gamma = gamma,
             .positions = now.positions.span(),
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),

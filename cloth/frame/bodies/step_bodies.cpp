@@ -94,7 +94,6 @@ void Simulation::begin_bodies(const Substep& substep) {
     });
     load_bodies();
     take_bodies({}, substep.h);
-    start_part_of_bodies({}, substep.h, substep.h);
     for (Cloth* cloth : present_) {
         for (Attachment& attached : cloth->attached)
             attached.body = static_cast<std::uint32_t>(number_of(attached.id));
@@ -155,6 +154,7 @@ void Simulation::move_colliders(Worker& worker, const Substep& substep, bool mee
             motion.body = static_cast<std::int32_t>(k);
         });
     }
+    bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
 }
 
 void Simulation::move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const {
@@ -188,6 +188,7 @@ void Simulation::take_bodies(std::span<Cloth* const> cloths, float h) {
     }
     for (Cloth* cloth : cloths) std::ranges::fill(cloth->collected, CollectedShare{});
     stage.were_taken |= !cloths.empty();
+    start_part_of_bodies(cloths, h, h);
 }
 
 void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma) {
@@ -320,7 +321,6 @@ void Simulation::end_bodies(const Substep& substep) {
     BodyStage& stage = *bodies_;
     if (!stage.were_taken) {
         take_bodies({}, substep.h);
-        start_part_of_bodies({}, substep.h, substep.h);
         finish_part_of_bodies({});
     }
     std::size_t k = 0;
