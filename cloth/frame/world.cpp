@@ -175,8 +175,31 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 Result<void> World::remove_cloth(ClothId id) {
     return without_exceptions([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
-        if (!simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        const auto* const cloth = simulation.cloths.find(id);
+        if (cloth == nullptr) return stale_id("ClothId", id);
+        simulation.wake_near(**cloth);
+        simulation.cloths.erase(id);
         simulation.cloth_has_gone();
+        return {};
+    });
+}
+
+Result<void> World::set_enabled(ClothId id, bool on) {
+    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+        if (!on) impl_->simulation.wake_near(cloth);
+        cloth.set_enabled(on);
+        return {};
+    });
+}
+
+Result<bool> World::is_asleep(ClothId id) const {
+    return with_cloth(impl_->simulation, id,
+                      [](const Cloth& cloth) { return Result<bool>(cloth.is_asleep()); });
+}
+
+Result<void> World::wake(ClothId id) {
+    return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
+        cloth.wake();
         return {};
     });
 }
@@ -298,6 +321,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
             simulation.state.colliders.erase(id);
             throw;
         }
+        simulation.wake_near(collider);
         return id;
     });
 }
@@ -307,15 +331,21 @@ Result<void> World::move_collider(ColliderId id, const Collider& target) {
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {
-    return with_collider(impl_->simulation, id, place,
-                         [&](ColliderSlot& slot) { slot = {.current = place, .target = place}; });
+    return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
+        impl_->simulation.wake_near(slot.current);
+        slot = {.current = place, .target = place};
+        impl_->simulation.wake_near(place);
+    });
 }
 
 Result<void> World::remove_collider(ColliderId id) {
     return without_exceptions([&]() -> Result<void> {
-        WorldState& state = impl_->simulation.state;
-        if (!state.colliders.erase(id)) return stale_id("ColliderId", id);
-        if (state.colliders.size() == 0) impl_->simulation.expect_colliders(0);
+        Simulation& simulation = impl_->simulation;
+        const ColliderSlot* const slot = simulation.state.colliders.find(id);
+        if (slot == nullptr) return stale_id("ColliderId", id);
+        simulation.wake_near(slot->current);
+        simulation.state.colliders.erase(id);
+        if (simulation.state.colliders.size() == 0) simulation.expect_colliders(0);
         return {};
     });
 }

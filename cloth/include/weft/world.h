@@ -85,6 +85,12 @@ class World {
     Result<void> remove_cloth(ClothId id);
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
+    /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, the cloth goes on from rest
+    /// where it was left, and finds its way out of what has moved into it.
+    Result<void> set_enabled(ClothId id, bool on);
+    /// See ClothSettings::sleep_speed.
+    [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
+    Result<void> wake(ClothId id);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
     /// next call for the same cloth writes it anew. Copy it to keep it.
