@@ -32,15 +32,16 @@ Error stale_id(const char* type, Id id) {
                                      "} is of an object that was removed, or of another World"};
 }
 
-/// With all the memory that its steps will need.
-Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
-                                          const ClothSettings& settings) {
+Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
     auto cooked = cook(mesh);
     if (!cooked) return cooked.error();
-    auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
-    simulation.prepare(*cloth);
-    return cloth;
+    return std::make_unique<Cloth>(std::move(cooked).value(), settings);
+}
+
+Error no_cloth() {
+    return {ErrorCode::invalid_argument,
+            "the PreparedCloth has no cloth: a World has taken it over; create another"};
 }
 
 /// The particle of a mesh vertex.
@@ -132,6 +133,27 @@ Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider
 
 }  // namespace
 
+struct PreparedCloth::Impl {
+    std::unique_ptr<Cloth> cloth;
+};
+PreparedCloth::PreparedCloth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PreparedCloth::PreparedCloth(PreparedCloth&&) noexcept = default;
+PreparedCloth& PreparedCloth::operator=(PreparedCloth&&) noexcept = default;
+PreparedCloth::~PreparedCloth() = default;
+
+Result<PreparedCloth> PreparedCloth::create(const Mesh& mesh, const ClothSettings& settings) {
+    return without_exceptions([&]() -> Result<PreparedCloth> {
+        auto cloth = make_cloth(mesh, settings);
+        if (!cloth) return cloth.error();
+        return PreparedCloth(std::make_unique<Impl>(std::move(cloth).value()));
+    });
+}
+
+Result<ClothInfo> PreparedCloth::info() const {
+    if (!impl_) return no_cloth();
+    return impl_->cloth->info();
+}
+
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -158,16 +180,28 @@ Result<void> World::set_settings(const WorldSettings& settings) {
 
 Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings) {
     return without_exceptions([&]() -> Result<ClothId> {
-        auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return impl_->simulation.add(std::move(cloth).value());
+    });
+}
+
+Result<ClothId> World::add_cloth(PreparedCloth&& cloth) {
+    return without_exceptions([&]() -> Result<ClothId> {
+        if (!cloth.impl_) return no_cloth();
+        impl_->simulation.prepare(*cloth.impl_->cloth);
+        const ClothId id = impl_->simulation.add(std::move(cloth.impl_->cloth));
+        cloth.impl_.reset();
+        return id;
     });
 }
 
 Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& settings) const {
     return without_exceptions([&]() -> Result<ClothInfo> {
-        const auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        const auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return (*cloth)->info();
     });
 }

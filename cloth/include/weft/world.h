@@ -49,6 +49,28 @@ struct ClothInfo {
     friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
 };
 
+/// A cloth made ready for a World that is to take it over at once: cooking takes a frame and more, and may be
+/// done on any thread, for many cloths at a time.
+class PreparedCloth {
+  public:
+    /// Errors are those of World::add_cloth.
+    [[nodiscard]] static Result<PreparedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
+    PreparedCloth(PreparedCloth&&) noexcept;
+    PreparedCloth& operator=(PreparedCloth&&) noexcept;
+    ~PreparedCloth();
+
+    /// No longer once a World has taken it over.
+    [[nodiscard]] bool has_cloth() const noexcept { return impl_ != nullptr; }
+    /// Error: it has no cloth. In a World with colliders, wind or contact reports it takes more bytes.
+    [[nodiscard]] Result<ClothInfo> info() const;
+
+  private:
+    friend class World;
+    struct Impl;
+    explicit PreparedCloth(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
 /// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
 /// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
 /// vertices.
@@ -79,6 +101,9 @@ class World {
     /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex
     /// or triangle.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
+    /// Takes it over, which costs what its memory for this World does: .1 ms for a garment. The same cloth as
+    /// by its mesh. Error: it has no cloth; with any, it keeps the one that it has.
+    Result<ClothId> add_cloth(PreparedCloth&& cloth);
     /// What cloth_info would say of it; nothing is added. Takes as long as add_cloth, and the memory
     /// meanwhile.
     [[nodiscard]] Result<ClothInfo> measure_cloth(const Mesh& mesh, const ClothSettings& settings = {}) const;
