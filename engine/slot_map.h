@@ -34,6 +34,7 @@ class SlotMap {
     /// Precondition: first_generation is not 0.
     explicit SlotMap(Generation first_generation = 1) : first_generation_(first_generation) {}
 
+    Id insert(const T& value) { return insert(T(value)); }
     /// Where it throws, the value is as it was.
     Id insert(T&& value) {
         if (free_.empty()) {
