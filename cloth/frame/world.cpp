@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/debug_draw/debug_draw.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
@@ -421,6 +422,10 @@ Result<void> World::start_trace(std::size_t max_events) {
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
     return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
+}
+
+void World::debug_draw(const DebugCanvas& canvas, DebugParts parts) const {
+    weft::debug_draw(impl_->simulation, canvas, parts);
 }
 
 std::size_t World::save_size() const noexcept {

@@ -10,6 +10,7 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/debug_draw.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
@@ -185,6 +186,10 @@ class World {
     Result<void> start_trace(std::size_t max_events = 1u << 20);
     /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
+
+    /// Calls the canvas with what is asked for, as it is after the last step: it takes no memory, and as long
+    /// as it takes to draw. Only exceptions of the canvas leave it.
+    void debug_draw(const DebugCanvas& canvas, DebugParts parts) const;
 
     /// Of all that changes from step to step, pins and colliders included: the same for any number of
     /// threads, with the same binary.
