@@ -67,6 +67,15 @@ struct Tethers {
     float slack = 1.0f;  ///< times the length along the cloth, 1 to 1000
 };
 
+/// How much of its frame's motion a cloth feels, see World::set_frame: each from 0, nothing, to 1, all. At 1
+/// each a frame has no effect, and takes no time.
+struct FrameInertia {
+    float linear = 1;  ///< of the acceleration of the frame's origin
+    /// Of the acceleration of its turning (Euler's), and of what it does to what moves in it (Coriolis').
+    float angular = 1;
+    float centrifugal = 1;  ///< of what turning drives outwards
+};
+
 /// One cloth. All of it can be changed between steps.
 struct ClothSettings {
     Fabric fabric{};
@@ -83,6 +92,7 @@ struct ClothSettings {
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
     ColliderResponse collider_response = ColliderResponse::contact;
+    FrameInertia frame_inertia{};
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.
