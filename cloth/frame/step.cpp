@@ -117,7 +117,10 @@ void Simulation::move_pins(Cloth& cloth, float dt) const {
 // begins with the normals that the last one ended with, since only steps move particles.
 void Simulation::predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
     if (substep.is_first()) {
-        if (cloth.carried) carry(worker.parallel, *cloth.carried, dt, cloth.state);
+        if (cloth.carried) {
+            carry(worker.parallel, *cloth.carried, dt, cloth.state);
+            limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
+        }
         move_pins(cloth, dt);
     }
     if (!air_is_on()) return;
@@ -364,7 +367,7 @@ void Simulation::add_to_report(const Cloth& cloth) {
 void Simulation::end(float dt) {
     for (Cloth* cloth : present_) {
         add_to_report(*cloth);
-        if (cloth->state.frame) arrive(*cloth->state.frame, dt);
+        if (cloth->state.frame) arrive(*cloth->state.frame, dt, settings.max_speed);
     }
     if (reports_contacts()) report_contacts();
     const Vec3& wind = settings.wind.velocity;

@@ -12,6 +12,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 // A leash so short lets nothing slide [m].
 constexpr float holds_fast = 1e-3f;
 constexpr float sticks = 1e6f;  // a friction
+constexpr float beyond_all = 1e6f;  // [m]
 // Rounding is less [m].
 constexpr float least_lag = 1e-6f;
 
@@ -138,11 +139,15 @@ void WornLimits::begin(const SkinState& skin, float end, float dt, float cloth_t
 
 WornLimits::Bounds WornLimits::bounds_of(std::uint32_t i) const noexcept {
     const Vector3 from = xyz(places_[i]), to = xyz(targets_[i]);
+    // What begins or ends farther off than anything goes does neither.
+    const auto far_is_none = [](const AlignedBuffer<float>& values, std::uint32_t k) {
+        return values.size() > 0 && values[k] < beyond_all ? values[k] : infinity;
+    };
     Bounds bounds{.place = end_ < 1 ? Vector3(from + end_ * (to - from)) : to,
                   .velocity = per_second_ * (to - from),
-                  .leash = leash.size() > 0 ? leash[i] : infinity,
-                  .offset = backstop.size() > 0 ? backstop[i] : infinity,
-                  .radius = backstop_radius.size() > 0 ? backstop_radius[i] : infinity};
+                  .leash = far_is_none(leash, i),
+                  .offset = far_is_none(backstop, i),
+                  .radius = far_is_none(backstop_radius, i)};
     if (bounds.offset == infinity) return bounds;
     const Vector3 n0 = xyz(normals_[i]), n1 = xyz(target_normals_[i]);
     bounds.normal = end_ < 1 ? Vector3((n0 + end_ * (n1 - n0)).normalized()) : n1;

@@ -102,8 +102,10 @@ void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& 
     });
 }
 
-void arrive(FrameState& frame, float dt) noexcept {
-    const Eigen::Vector3d velocity = (wide(frame.target.translation) - wide(frame.pose.translation)) / dt;
+void arrive(FrameState& frame, float dt, float max_speed) noexcept {
+    const Eigen::Vector3d way = wide(frame.target.translation) - wide(frame.pose.translation);
+    const double speed = way.norm() / static_cast<double>(dt), most = static_cast<double>(max_speed);
+    const Eigen::Vector3d velocity = way / static_cast<double>(dt) * (speed > most ? most / speed : 1);
     frame.velocity_change = narrow(velocity - wide(frame.velocity));
     frame.velocity = narrow(velocity);
     frame.pose = frame.target;

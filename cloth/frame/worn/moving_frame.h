@@ -41,8 +41,8 @@ struct Carried {
 void carry(Parallel& parallel, const Carried& carried, float dt, ClothState& state);
 /// At its end: puts where it began back to where the last one had ended.
 void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& state);
-/// The step has ended: the frame is where it was to be.
-void arrive(FrameState& frame, float dt) noexcept;
+/// The step has ended: the frame is where it was to be. Nothing it carries counts as faster than max_speed.
+void arrive(FrameState& frame, float dt, float max_speed) noexcept;
 
 [[nodiscard]] Collider moved(const Collider& collider, const RigidMotion& by);
 

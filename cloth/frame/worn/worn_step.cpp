@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cloth/frame/simulation.h"
+#include "cloth/mesh/coordinates.h"
 
 namespace weft {
 
@@ -23,13 +24,24 @@ Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
     const Eigen::AlignedBox3d here(to_vector(cloth.extent.lower).cast<double>(),
                                    to_vector(cloth.extent.upper).cast<double>());
     Eigen::AlignedBox3d box = here;
-    if (cloth.carried && !here.isEmpty())
-        for (int corner = 0; corner < 8; ++corner)
-            box.extend(cloth.carried->by.turn *
-                           here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
-                       cloth.carried->by.shift);
-    box.extend(box.max() + Eigen::Vector3d::Constant(static_cast<double>(cloth.as_body().radius)));
+    if (!cloth.carried || here.isEmpty()) return box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.extend(cloth.carried->by.turn *
+                       here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
+                   cloth.carried->by.shift);
     return box;
+}
+
+bool stays_within_reach(const Cloth& cloth) {
+    const Eigen::AlignedBox3d box = box_over_carry(cloth);
+    return box.isEmpty() ||
+           box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= double{runaway_distance};
+}
+
+/// Whether features of one may be carried across those of the other.
+bool may_be_carried_across(const Cloth& a, const Cloth& b) {
+    const auto reach = static_cast<double>(a.as_body().radius + b.as_body().radius);
+    return box_over_carry(a).exteriorDistance(box_over_carry(b)) <= reach;
 }
 
 bool are_carried_alike(const Cloth& a, const Cloth& b) {
@@ -52,7 +64,11 @@ void Simulation::plan_carries(float dt) {
         cloth->carried.reset();
         if (!cloth->state.frame) continue;
         cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
-        any |= is_moved(*cloth);
+        if (!is_moved(*cloth)) continue;
+        any = true;
+        if (stays_within_reach(*cloth)) continue;
+        cloth->carried.reset();
+        cloth->solver_failed = true;  // guard() stops it where it is
     }
     if (!any) return;
     for (Cloth* cloth : present_)
@@ -62,7 +78,7 @@ void Simulation::plan_carries(float dt) {
         if (!is_moved(*cloth) || !cloth->features) continue;
         for (const Cloth* other : present_)
             if (other != cloth && other->features && !are_carried_alike(*cloth, *other) &&
-                box_over_carry(*cloth).intersects(box_over_carry(*other)))
+                may_be_carried_across(*cloth, *other))
                 cloth->state.may_cross = 1;
     }
 }

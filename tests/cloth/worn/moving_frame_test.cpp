@@ -20,7 +20,9 @@ struct Shaken {
         cloth = world.add_cloth(hanging(9, 8), settings).value();
         EXPECT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, 7}));
         ball = world.add_collider(ball_at({})).value();
-        if (framed) EXPECT_TRUE(world.set_frame(cloth, {}));
+        if (framed) {
+            EXPECT_TRUE(world.set_frame(cloth, {}));
+        }
     }
     [[nodiscard]] static Collider ball_at(const RigidMotion& place) {
         return {.shape = Capsule{place.point(Vec3{-0.2f, 0.3f, 0.1f}), place.point(Vec3{0.2f, 0.3f, 0.1f}), 0.1f},
@@ -35,7 +37,9 @@ struct Shaken {
     }
     void step(const Transform& to) {
         const RigidMotion place = rigid_motion(to);
-        if (framed) EXPECT_TRUE(world.set_frame(cloth, to));
+        if (framed) {
+            EXPECT_TRUE(world.set_frame(cloth, to));
+        }
         EXPECT_TRUE(world.move_collider(ball, ball_at(place)));
         for (const std::uint32_t v : {0u, 7u})
             EXPECT_TRUE(world.move_pin(cloth, v, place.point(Vec3{v == 0 ? -0.3f : 0.3f, 0.6f, 0})));
