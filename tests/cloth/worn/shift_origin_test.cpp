@@ -18,17 +18,23 @@ ClothSettings carried() {
 struct Train {
     explicit Train(float metres_a_step)
         : world(World::create(vacuum(downwards)).value()), pace(metres_a_step) {
-        cloth = world.add_cloth(hanging(11, 10), carried()).value();
+        const Mesh mesh = make_sheet({.rows = 11,
+                                      .columns = 10,
+                                      .origin = {-0.3f, 0.6f, 0},
+                                      .u = {0.6f, 0, 0},
+                                      .v = {0, -0.55f, 0.2f}})
+                              .value();
+        cloth = world.add_cloth(mesh, carried()).value();
         EXPECT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, 9}));
         ball = world.add_collider(ball_at(0)).value();
         EXPECT_TRUE(world.set_frame(cloth, {}));
     }
     [[nodiscard]] static Collider ball_at(float x) {
-        return {.shape = Sphere{{x, 0.25f, 0.1f}, 0.15f}, .friction = 0.5f};
+        return {.shape = Sphere{{x, 0.25f, -0.08f}, 0.15f}, .friction = 0.5f};
     }
     void step() {
-        // The camera follows whenever it is 64 m off.
-        if (at - origin >= 64) {
+        // The camera follows whenever it is 16 m off.
+        if (at - origin >= 16) {
             ASSERT_TRUE(world.shift_origin({static_cast<float>(at - origin), 0, 0}));
             origin = at;
         }
@@ -39,7 +45,7 @@ struct Train {
         ASSERT_TRUE(world.move_collider(ball, ball_at(x)));
         for (const std::uint32_t v : {0u, 9u})
             ASSERT_TRUE(world.move_pin(cloth, v, {x + (v == 0 ? -0.3f : 0.3f), 0.6f, way}));
-        EXPECT_EQ(world.step(h).flags, StepFlags::none);
+        EXPECT_FALSE(has(world.step(h).flags, StepFlags::state_restored));
     }
 
     World world;
@@ -54,6 +60,7 @@ TEST(ShiftOrigin, AHundredKilometresOffClothMovesAsAtTheOrigin) {
     Train still(0), fast(8);
     const double start = 1e5 - 8 * 120;
     fast.at = fast.origin = start;
+    std::uint32_t contacts = 0;
     for (int k = 0; k < 120; ++k) {
         still.step();
         fast.step();
@@ -61,8 +68,9 @@ TEST(ShiftOrigin, AHundredKilometresOffClothMovesAsAtTheOrigin) {
         ASSERT_LT(farthest(places_of(still.world, still.cloth), place, places_of(fast.world, fast.cloth)),
                   1e-4f)
             << "after " << k + 1 << " steps";
-        EXPECT_GT(fast.world.report().collider_contacts + still.world.report().collider_contacts, 0u);
+        contacts += fast.world.report().collider_contacts;
     }
+    EXPECT_GT(contacts, 0u);
     EXPECT_NEAR(fast.at, 1e5, 1);
 }
 
