@@ -2,12 +2,15 @@
 
 #include <utility>
 
+#include "demo/character/garment/fitting.h"
+#include "demo/character/garment/garment_file.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/recorded_motion.h"
 
 namespace weft::demo {
 namespace {
 
+constexpr double growing = 1.0;                      // into a garment that has to be fitted [s]
 constexpr double standing = 0.3, blending_in = 0.9;  // [s]
 
 Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
@@ -15,6 +18,13 @@ Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
     auto recording = read_bvh(file);
     if (!recording) return recording.error();
     return std::unique_ptr<Motion>(std::make_unique<RecordedMotion>(std::move(*recording)));
+}
+
+Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& skeleton, const Body& body) {
+    if (!settings.garment.empty()) return read_garment(settings.garment);
+    Pose pose;
+    place_joints(skeleton, body.stance(skeleton, Fit().arms), pose);
+    return make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
 }
 
 }  // namespace
@@ -25,34 +35,42 @@ Result<Character> Character::create(const CharacterSettings& settings) {
     const Skeleton& skeleton = (*motion)->skeleton();
     auto body = Body::create(skeleton);
     if (!body) return Error{body.error().code, settings.motion.string() + ": " + body.error().message};
-    const JointAngles stance = body->stance(skeleton, 60);
-    Pose pose;
-    place_joints(skeleton, stance, pose);
-    Garment garment = make_dress(*body, pose, settings.particles == 0 ? 3100 : settings.particles);
-    Performance performance(std::move(*motion), stance, standing, blending_in, settings.speed);
-    return Character(std::move(*body), std::move(performance), std::move(garment), settings);
+    auto garment = make_garment(settings, skeleton, *body);
+    if (!garment) return garment.error();
+    auto fitted = fit(skeleton, *body, *garment);
+    if (!fitted) return Error{fitted.error().code, settings.garment.string() + ": " + fitted.error().message};
+    Performance performance(std::move(*motion), body->stance(skeleton, fitted->arms),
+                            standing + (fitted->inside > 0 ? growing : 0), blending_in, settings.speed);
+    return Character(std::move(*body), std::move(performance), std::move(*garment), std::move(*fitted), settings);
 }
 
-Character::Character(Body body, Performance performance, Garment garment, const CharacterSettings& settings)
+Character::Character(Body body, Performance performance, Garment garment, Fit fit, const CharacterSettings& settings)
     : body_(std::move(body)),
       performance_(std::move(performance)),
       garment_(std::move(garment)),
+      fit_(std::move(fit)),
       settings_(settings),
+      fitting_(fit_.inside > 0 ? growing : 0),
       targets_(garment_.fixed.size()) {
-    follow(0);
-    std::vector<Vec3> fixed;
-    for (const std::uint32_t vertex : garment_.fixed) fixed.push_back(garment_.mesh.positions[vertex]);
     Pose stance;
     place_joints(performance_.skeleton(), performance_.stance(), stance);
-    binding_ = Binding::to_nearest(body_, stance, fixed);
+    binding_ = Binding::to_nearest(body_, stance, fit_.held);
     for (Vec3& p : garment_.mesh.positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
+    follow(0);
 }
 
 void Character::follow(double time) {
     angles_ = performance_.at(time);
     angles_.root += to_vector(settings_.place);
     place_joints(performance_.skeleton(), angles_, pose_);
-    body_.place(pose_, 1, capsules_);
+    const float growth = growth_at(time, fitting_);
+    body_.place(pose_, growth, capsules_);
+    binding_.place(pose_, targets_);
+    if (growth == 1) return;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        const Vector3 start = to_vector(garment_.mesh.positions[garment_.fixed[i]]);
+        targets_[i] = to_vec3(start + smooth_step(time / fitting_) * (to_vector(targets_[i]) - start));
+    }
 }
 
 Result<void> Character::enter(World& world) {
@@ -72,7 +90,6 @@ void Character::before_step(World& world, double time, float dt) {
     follow(time + static_cast<double>(dt));
     for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
         (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
-    binding_.place(pose_, targets_);
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
 }
 

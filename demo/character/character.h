@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "demo/character/body/binding.h"
-#include "demo/character/garment/garment.h"
+#include "demo/character/garment/fitting.h"
 #include "demo/character/motion/motion.h"
 #include "weft/world.h"
 
@@ -37,17 +37,20 @@ class Character {
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
     /// As they are at the end of the step that before_step prepared.
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
+    [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const Pose& pose() const { return pose_; }
     [[nodiscard]] double dressed_after() const { return fitting_; }  ///< when the fitting is over [s]
 
   private:
-    Character(Body body, Performance performance, Garment garment, const CharacterSettings& settings);
+    Character(Body body, Performance performance, Garment garment, Fit fit,
+              const CharacterSettings& settings);
     void follow(double time);
 
     Body body_;
     Performance performance_;
     Garment garment_;
+    Fit fit_;
     CharacterSettings settings_;
     double fitting_ = 0;
     Binding binding_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "demo/scene.h"
-#include "demo/scenes/garment_mesh.h"
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {

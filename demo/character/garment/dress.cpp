@@ -32,7 +32,7 @@ class DressMaker {
         const std::uint32_t rows = vertices / columns;
         const auto fixed_rows = static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows)));
         Garment dress;
-        dress.fits = true;
+        dress.stands_ready = true;
         std::vector<float> radii(columns, 0.0f);
         for (std::uint32_t row = 0; row < rows; ++row) {
             const float height = height_of(row, rows, fixed_rows);

@@ -13,8 +13,7 @@ struct Garment {
     Mesh mesh;
     std::vector<std::uint32_t> fixed;  ///< vertices, ascending, one at least for each position; empty: it hangs
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
-    /// Whether it is shaped round a body that stands in a stance, and nothing of it is inside.
-    bool fits = false;
+    bool stands_ready = false;  ///< round a body in its stance; else it has to be brought there
     std::vector<std::string> notes;  ///< what its reader went on from: a material file that is missing
 };
 

@@ -1,0 +1,147 @@
+#include "demo/character/garment/fitting.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace weft::demo {
+namespace {
+
+constexpr float gap_held = 0.007f;        // between the body and what is held to it [m]
+constexpr float most_apart = 0.25f;       // of the opening from the body, on the whole, for one that fits [m]
+constexpr float least_radius_part = 0.3f;  // of the body's, when it begins to grow
+constexpr std::size_t samples = 1500;      // vertices by which places are compared
+
+struct Nearest {
+    float distance = std::numeric_limits<float>::max();
+    Vector3 normal = Vector3::UnitY();
+};
+
+Nearest nearest_surface_of(const std::vector<TaperedCapsule>& capsules, const Vector3& point) {
+    Nearest nearest;
+    for (const TaperedCapsule& capsule : capsules) {
+        const auto [distance, normal] = distance_to(capsule, point);
+        if (distance < nearest.distance) nearest = {distance, normal};
+    }
+    return nearest;
+}
+
+/// One body in one stance, and what a garment costs where it is moved to.
+class FittingRoom {
+  public:
+    FittingRoom(const Skeleton& skeleton, const Body& body, float arms) {
+        Pose pose;
+        place_joints(skeleton, body.stance(skeleton, arms), pose);
+        body.place(pose, 1, capsules_);
+        axis_ = pose.positions[body.joints()[Part::hips]];
+        top_ = pose.positions[body.joints()[Part::neck]].y();
+    }
+
+    [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
+    [[nodiscard]] const Vector3& axis() const { return axis_; }
+    [[nodiscard]] float top() const { return top_; }
+
+    /// Mean squares of how deep the garment is inside, and of how far its opening is from the body [m^2].
+    [[nodiscard]] float cost(const Garment& garment, const Vector3& shift) const {
+        const std::vector<Vec3>& points = garment.mesh.positions;
+        const std::size_t every = std::max<std::size_t>(points.size() / samples, 1);
+        float inside = 0, apart = 0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < points.size(); i += every, ++count) {
+            const float depth = -nearest_surface_of(capsules_, to_vector(points[i]) + shift).distance;
+            if (depth > 0) inside += depth * depth;
+        }
+        for (const std::uint32_t vertex : garment.fixed) {
+            const float distance = nearest_surface_of(capsules_, to_vector(points[vertex]) + shift).distance;
+            apart += (distance - gap_held) * (distance - gap_held);
+        }
+        return 20 * inside / static_cast<float>(count) + apart / static_cast<float>(std::max<std::size_t>(garment.fixed.size(), 1));
+    }
+
+    /// Out of the body, or up to it where `draw`.
+    [[nodiscard]] Vec3 held(const Vec3& start, bool draw) const {
+        Vector3 p = to_vector(start);
+        for (int i = 0; i < 20; ++i) {
+            const auto [distance, normal] = nearest_surface_of(capsules_, p);
+            if (distance >= gap_held && !draw) break;
+            p += (gap_held - distance) * normal;
+        }
+        return to_vec3(p);
+    }
+
+  private:
+    std::vector<TaperedCapsule> capsules_;
+    Vector3 axis_;
+    float top_ = 0;
+};
+
+struct Place {
+    float cost = std::numeric_limits<float>::max();
+    float arms = 60;
+    Vector3 shift = Vector3::Zero();
+};
+
+/// The best of a grid of places about `centre`.
+void search(const FittingRoom& room, const Garment& garment, float arms, const Vector3& centre, float reach, int steps,
+            Place& best) {
+    for (int y = -steps; y <= steps; ++y) {
+        for (int z = -2; z <= 2; ++z) {
+            const float step = reach / static_cast<float>(steps);
+            const Vector3 shift = centre + Vector3(0, static_cast<float>(y) * step, 0.5f * static_cast<float>(z) * step);
+            const float cost = room.cost(garment, shift);
+            if (cost < best.cost) best = {cost, arms, shift};
+        }
+    }
+}
+
+Place find_place(const Skeleton& skeleton, const Body& body, const Garment& garment) {
+    const auto highest = std::ranges::max(garment.mesh.positions, {}, &Vec3::y).y;
+    Place best;
+    for (const float arms : {25.0f, 40.0f, 55.0f, 70.0f}) {
+        const FittingRoom room(skeleton, body, arms);
+        // From the opening at the neck down to the hips.
+        search(room, garment, arms, {room.axis().x(), 0.5f * (room.top() + room.axis().y()) - highest, room.axis().z()},
+               0.35f, 9, best);
+    }
+    for (const float turn : {-8.0f, 0.0f, 8.0f}) {
+        const float arms = best.arms + turn;
+        const FittingRoom room(skeleton, body, arms);
+        search(room, garment, arms, best.shift, 0.03f, 3, best);
+    }
+    return best;
+}
+
+}  // namespace
+
+Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment) {
+    Fit fit;
+    if (!garment.stands_ready) {
+        const Place place = find_place(skeleton, body, garment);
+        fit.arms = place.arms;
+        for (Vec3& p : garment.mesh.positions) p = to_vec3(to_vector(p) + place.shift);
+    }
+    const FittingRoom room(skeleton, body, fit.arms);
+    float apart = 0;
+    for (const std::uint32_t vertex : garment.fixed) {
+        const Vec3& start = garment.mesh.positions[vertex];
+        fit.held.push_back(room.held(start, !garment.stands_ready));
+        apart += (to_vector(fit.held.back()) - to_vector(start)).norm() / static_cast<float>(garment.fixed.size());
+    }
+    if (!(apart <= most_apart))
+        return Error{ErrorCode::invalid_mesh, "the garment does not fit: what is fixed of it is " + std::to_string(apart) +
+                                                  " m from the body; at most " + std::to_string(most_apart) + " can be drawn up"};
+    for (const Vec3& p : garment.mesh.positions) {
+        const float depth = -nearest_surface_of(room.capsules(), to_vector(p)).distance;
+        if (depth <= 0) continue;
+        ++fit.inside;
+        fit.deepest = std::max(fit.deepest, depth);
+    }
+    return fit;
+}
+
+float growth_at(double time, double duration) {
+    if (time >= duration) return 1;
+    return least_radius_part + (1 - least_radius_part) * smooth_step(time / duration);
+}
+
+}  // namespace weft::demo
