@@ -33,13 +33,15 @@ class FittingRoom {
         Pose pose;
         place_joints(skeleton, body.stance(skeleton, arms), pose);
         body.place(pose, 1, capsules_);
-        axis_ = pose.positions[body.joints()[Part::hips]];
-        top_ = pose.positions[body.joints()[Part::neck]].y();
+        hips_ = pose.positions[body.joints()[Part::hips]];
+        neck_ = pose.positions[body.joints()[Part::neck]];
     }
 
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
-    [[nodiscard]] const Vector3& axis() const { return axis_; }
-    [[nodiscard]] float top() const { return top_; }
+    /// Where the middle of a garment's highest opening belongs.
+    [[nodiscard]] Vector3 place_of_opening(bool from_waist) const {
+        return from_waist ? Vector3(hips_ + 0.3f * (neck_ - hips_)) : neck_;
+    }
 
     /// Mean squares of how deep the garment is inside, and of how far its opening is from the body [m^2].
     [[nodiscard]] float cost(const Garment& garment, const Vector3& shift) const {
@@ -71,8 +73,7 @@ class FittingRoom {
 
   private:
     std::vector<TaperedCapsule> capsules_;
-    Vector3 axis_;
-    float top_ = 0;
+    Vector3 hips_, neck_;
 };
 
 struct Place {
@@ -95,13 +96,13 @@ void search(const FittingRoom& room, const Garment& garment, float arms, const V
 }
 
 Place find_place(const Skeleton& skeleton, const Body& body, const Garment& garment) {
-    const auto highest = std::ranges::max(garment.mesh.positions, {}, &Vec3::y).y;
+    Vector3 opening = Vector3::Zero();
+    for (const std::uint32_t vertex : garment.fixed)
+        opening += to_vector(garment.mesh.positions[vertex]) / static_cast<float>(garment.fixed.size());
     Place best;
     for (const float arms : {25.0f, 40.0f, 55.0f, 70.0f}) {
         const FittingRoom room(skeleton, body, arms);
-        // From the opening at the neck down to the hips.
-        search(room, garment, arms, {room.axis().x(), 0.5f * (room.top() + room.axis().y()) - highest, room.axis().z()},
-               0.35f, 9, best);
+        search(room, garment, arms, room.place_of_opening(garment.from_waist) - opening, 0.08f, 4, best);
     }
     for (const float turn : {-8.0f, 0.0f, 8.0f}) {
         const float arms = best.arms + turn;

@@ -14,6 +14,7 @@ struct Garment {
     std::vector<std::uint32_t> fixed;  ///< vertices, ascending, one at least for each position; empty: it hangs
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
     bool stands_ready = false;  ///< round a body in its stance; else it has to be brought there
+    bool from_waist = false;    ///< it hangs from the waist, not from neck and shoulders
     std::vector<std::string> notes;  ///< what its reader went on from: a material file that is missing
 };
 

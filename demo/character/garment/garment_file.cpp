@@ -148,6 +148,7 @@ Result<Garment> read_garment(const std::filesystem::path& file) {
     if (use->names.empty()) {
         stand_upright(garment.mesh, 0);
         garment.fixed = highest_opening(garment.mesh);
+        garment.from_waist = count_openings(garment.mesh) == 2;
         garment.notes.push_back(file.string() + " has no materials; it is held by its highest opening");
         return garment;
     }
