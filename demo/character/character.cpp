@@ -5,6 +5,7 @@
 #include "demo/character/garment/fitting.h"
 #include "demo/character/garment/garment_file.h"
 #include "demo/character/motion/generated_walk.h"
+#include "demo/character/motion/live_motion.h"
 #include "demo/character/motion/recorded_motion.h"
 
 namespace weft::demo {
@@ -15,6 +16,11 @@ constexpr double standing = 0.3, blending_in = 0.9;  // [s]
 
 Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
     if (file.empty()) return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>());
+    if (std::filesystem::is_fifo(file)) {
+        auto live = LiveMotion::open(file);
+        if (!live) return live.error();
+        return std::unique_ptr<Motion>(std::move(*live));
+    }
     auto recording = read_bvh(file);
     if (!recording) return recording.error();
     return std::unique_ptr<Motion>(std::make_unique<RecordedMotion>(std::move(*recording)));
@@ -41,10 +47,12 @@ Result<Character> Character::create(const CharacterSettings& settings) {
     if (!fitted) return Error{fitted.error().code, settings.garment.string() + ": " + fitted.error().message};
     Performance performance(std::move(*motion), body->stance(skeleton, fitted->arms),
                             standing + (fitted->inside > 0 ? growing : 0), blending_in, settings.speed);
-    return Character(std::move(*body), std::move(performance), std::move(*garment), std::move(*fitted), settings);
+    return Character(std::move(*body), std::move(performance), std::move(*garment), std::move(*fitted),
+                     settings);
 }
 
-Character::Character(Body body, Performance performance, Garment garment, Fit fit, const CharacterSettings& settings)
+Character::Character(Body body, Performance performance, Garment garment, Fit fit,
+                     const CharacterSettings& settings)
     : body_(std::move(body)),
       performance_(std::move(performance)),
       garment_(std::move(garment)),

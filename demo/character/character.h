@@ -13,7 +13,7 @@
 namespace weft::demo {
 
 struct CharacterSettings {
-    std::filesystem::path motion;   ///< a BVH file; empty: the walk that ships
+    std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
     std::filesystem::path garment;  ///< an OBJ file; empty: the dress that ships
     std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
     double speed = 1;               ///< of the motion, times its own

@@ -42,7 +42,9 @@ class CharacterScene final : public Scene {
         return content;
     }
 
-    void before_step(World& world, double time, float dt) override { character_->before_step(world, time, dt); }
+    void before_step(World& world, double time, float dt) override {
+        character_->before_step(world, time, dt);
+    }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
         const auto view = world.cloth(character_->cloth());

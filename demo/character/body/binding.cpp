@@ -25,7 +25,8 @@ Error misfit(std::size_t point, const std::string& what) {
 Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint) {
     std::vector<std::uint32_t> order(weight_of_joint.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::uint32_t j) { return weight_of_joint[j]; });
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&](std::uint32_t j) { return weight_of_joint[j]; });
     Bond bond;
     float sum = 0;
     const std::size_t kept = std::min(most, order.size());
@@ -39,7 +40,8 @@ Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<co
     return bond;
 }
 
-Binding Binding::to_nearest(const Body& body, const Pose& pose, std::span<const Vec3> points, Blending blending) {
+Binding Binding::to_nearest(const Body& body, const Pose& pose, std::span<const Vec3> points,
+                            Blending blending) {
     std::vector<TaperedCapsule> capsules;
     body.place(pose, 1, capsules);
     Binding binding;
@@ -48,7 +50,8 @@ Binding Binding::to_nearest(const Body& body, const Pose& pose, std::span<const 
         const Vector3 point = to_vector(p);
         std::ranges::fill(weights, 0.0f);
         for (std::size_t limb = 0; limb < capsules.size(); ++limb) {
-            const float distance = std::max(distance_to(capsules[limb], point).distance, 0.0f) + least_distance;
+            const float distance =
+                std::max(distance_to(capsules[limb], point).distance, 0.0f) + least_distance;
             const float weight = 1e-8f / (distance * distance * distance * distance);
             const float t = part_along(capsules[limb], point);
             weights[body.limbs()[limb].a.joint] += (1 - t) * weight;
@@ -78,14 +81,16 @@ Result<Binding> Binding::by_weights(const Pose& pose, std::span<const Vec3> poin
         float sum = 0;
         for (std::size_t k = most * i; k < most * (i + 1); ++k) {
             if (!(weights[k] >= 0 && weights[k] <= 1e6f))
-                return misfit(i, "has a weight of " + std::to_string(weights[k]) + "; it must be from 0 to 1");
+                return misfit(i,
+                              "has a weight of " + std::to_string(weights[k]) + "; it must be from 0 to 1");
             if (joints[k] >= of_joint.size())
                 return misfit(i, "hangs on joint " + std::to_string(joints[k]) + "; the skeleton has " +
                                      std::to_string(of_joint.size()));
             of_joint[joints[k]] += weights[k];
             sum += weights[k];
         }
-        if (!(sum > 1e-6f)) return misfit(i, "has weights that sum to " + std::to_string(sum) + "; it needs 1");
+        if (!(sum > 1e-6f))
+            return misfit(i, "has weights that sum to " + std::to_string(sum) + "; it needs 1");
         binding.bonds_.push_back(bond(pose, to_vector(points[i]), of_joint));
     }
     return binding;

@@ -38,7 +38,8 @@ class LimbMaker {
     }
     void add(const Limb::End& a, const Limb::End& b) { limbs_.push_back({a, b}); }
 
-    /// Two columns, from the hips to the waist and on to the shoulders, as far apart as hips and shoulders say.
+    /// Two columns, from the hips to the waist and on to the shoulders, as far apart as hips and shoulders
+    /// say.
     void add_torso() {
         const Vector3 low = 0.4f * at(Part::hips) + 0.3f * (at(Part::left_thigh) + at(Part::right_thigh));
         const Vector3 waist = at(Part::hips) + 0.33f * (at(Part::neck) - at(Part::hips));
@@ -49,7 +50,8 @@ class LimbMaker {
             const auto out = [&](float x) { return Vector3(side * x, 0, 0); };
             const Limb::End bottom = end(joints_[Part::hips], low + out(0.62f * hips), pelvis_radius * leg_);
             const Limb::End middle = end(joints_.spine, waist + out(0.42f * hips), waist_radius * leg_);
-            const Limb::End top = end(joints_[Part::chest], high + out(0.29f * shoulders), chest_radius * leg_);
+            const Limb::End top =
+                end(joints_[Part::chest], high + out(0.29f * shoulders), chest_radius * leg_);
             add(bottom, middle);
             add(middle, top);
         }
@@ -70,7 +72,8 @@ class LimbMaker {
             const int to_right = static_cast<int>(Part::right_arm) - static_cast<int>(Part::left_arm);
             return left ? of_left : static_cast<Part>(static_cast<int>(of_left) + to_right);
         };
-        const Part arm = part(Part::left_arm), forearm = part(Part::left_forearm), hand = part(Part::left_hand);
+        const Part arm = part(Part::left_arm), forearm = part(Part::left_forearm),
+                   hand = part(Part::left_hand);
         const Part thigh = part(Part::left_thigh), shin = part(Part::left_shin), foot = part(Part::left_foot);
         const auto bone_of = [&](Part from, Part to, float radius_a, float radius_b) {
             add(end(joints_[from], at(from), radius_a), end(joints_[from], at(to), radius_b));
@@ -81,7 +84,8 @@ class LimbMaker {
         bone_of(arm, forearm, arm_top * upper_arm, elbow * upper_arm);
         bone_of(forearm, hand, elbow * upper_arm, wrist * upper_arm);
         const Vector3 tip = at(hand) + 0.75f * (farthest(joints_[hand]) - at(hand));
-        add(end(joints_[hand], at(hand), 1.1f * wrist * upper_arm), end(joints_[hand], tip, 1.1f * wrist * upper_arm));
+        add(end(joints_[hand], at(hand), 1.1f * wrist * upper_arm),
+            end(joints_[hand], tip, 1.1f * wrist * upper_arm));
         bone_of(thigh, shin, thigh_top * bone(thigh, shin), knee * bone(thigh, shin));
         bone_of(shin, foot, calf_top * calf, ankle * calf);
         const float toes = toe * bone(foot, part(Part::left_toes));
@@ -110,16 +114,6 @@ class LimbMaker {
     std::vector<Limb> limbs_;
 };
 
-/// The turn of `joint` by which the bone to `child` points along `way`, its parents being turned as they are.
-void point(const Skeleton& skeleton, std::size_t joint, std::size_t child, const Vector3& way, JointAngles& angles) {
-    Pose pose;
-    angles.rotations[joint] = Quaternion::Identity();
-    place_joints(skeleton, angles, pose);
-    const Vector3 bone = pose.positions[child] - pose.positions[joint];
-    const Quaternion& own = pose.rotations[joint];
-    angles.rotations[joint] = own.conjugate() * Quaternion::FromTwoVectors(bone, way) * own;
-}
-
 }  // namespace
 
 Result<Body> Body::create(const Skeleton& skeleton) {
@@ -127,25 +121,25 @@ Result<Body> Body::create(const Skeleton& skeleton) {
     if (!joints) return joints.error();
     LimbMaker maker(skeleton, *joints);
     constexpr std::array<std::pair<Part, Part>, 13> bones{{{Part::hips, Part::neck},
-                                                            {Part::left_arm, Part::right_arm},
-                                                            {Part::left_thigh, Part::right_thigh},
-                                                            {Part::left_arm, Part::left_forearm},
-                                                            {Part::left_forearm, Part::left_hand},
-                                                            {Part::left_thigh, Part::left_shin},
-                                                            {Part::left_shin, Part::left_foot},
-                                                            {Part::left_foot, Part::left_toes},
-                                                            {Part::right_arm, Part::right_forearm},
-                                                            {Part::right_forearm, Part::right_hand},
-                                                            {Part::right_thigh, Part::right_shin},
-                                                            {Part::right_shin, Part::right_foot},
-                                                            {Part::right_foot, Part::right_toes}}};
+                                                           {Part::left_arm, Part::right_arm},
+                                                           {Part::left_thigh, Part::right_thigh},
+                                                           {Part::left_arm, Part::left_forearm},
+                                                           {Part::left_forearm, Part::left_hand},
+                                                           {Part::left_thigh, Part::left_shin},
+                                                           {Part::left_shin, Part::left_foot},
+                                                           {Part::left_foot, Part::left_toes},
+                                                           {Part::right_arm, Part::right_forearm},
+                                                           {Part::right_forearm, Part::right_hand},
+                                                           {Part::right_thigh, Part::right_shin},
+                                                           {Part::right_shin, Part::right_foot},
+                                                           {Part::right_foot, Part::right_toes}}};
     for (const auto& [from, to] : bones) {
         const float length = maker.bone(from, to);
         if (length >= 0.01f && length <= 10) continue;
-        return Error{ErrorCode::malformed_file,
-                     "the joints " + skeleton.joints[(*joints)[from]].name + " and " +
-                         skeleton.joints[(*joints)[to]].name + " are " + std::to_string(length) +
-                         " m apart; a body needs 0.01 to 10"};
+        return Error{ErrorCode::malformed_file, "the joints " + skeleton.joints[(*joints)[from]].name +
+                                                    " and " + skeleton.joints[(*joints)[to]].name + " are " +
+                                                    std::to_string(length) +
+                                                    " m apart; a body needs 0.01 to 10"};
     }
     return Body(*joints, maker.all());
 }
@@ -175,10 +169,10 @@ JointAngles Body::stance(const Skeleton& skeleton, float arms) const {
         const std::size_t forearm = joints_[left ? Part::left_forearm : Part::right_forearm];
         const std::size_t hand = joints_[left ? Part::left_hand : Part::right_hand];
         const Vector3 down(0.02f * side, -1, 0), out(side * std::cos(lowered), -std::sin(lowered), 0);
-        point(skeleton, thigh, shin, down, angles);
-        point(skeleton, shin, foot, down, angles);
-        point(skeleton, arm, forearm, out, angles);
-        point(skeleton, forearm, hand, out, angles);
+        point_bone(skeleton, thigh, shin, down, angles);
+        point_bone(skeleton, shin, foot, down, angles);
+        point_bone(skeleton, arm, forearm, out, angles);
+        point_bone(skeleton, forearm, hand, out, angles);
         // Feet stay as they are at rest.
         Pose pose;
         place_joints(skeleton, angles, pose);
@@ -189,8 +183,8 @@ JointAngles Body::stance(const Skeleton& skeleton, float arms) const {
     return angles;
 }
 
-/// Where one ball does not hold the other, the surface is a cone between two circles that lie `sine` times the
-/// radii before their middles (I. Quilez, "Round cone", 2018, in other words).
+/// Where one ball does not hold the other, the surface is a cone between two circles that lie `sine` times
+/// the radii before their middles (I. Quilez, "Round cone", 2018, in other words).
 SurfaceDistance distance_to(const TaperedCapsule& capsule, const Vector3& point) {
     const Vector3 a = to_vector(capsule.a), b = to_vector(capsule.b);
     const Vector3 axis = b - a, from_a = point - a;
@@ -200,13 +194,15 @@ SurfaceDistance distance_to(const TaperedCapsule& capsule, const Vector3& point)
         const float distance = away.norm();
         return SurfaceDistance{distance - radius, distance > 0 ? Vector3(away / distance) : Vector3::UnitY()};
     };
-    if (length <= std::abs(shrink)) return shrink > 0 ? from_ball(a, capsule.radius_a) : from_ball(b, capsule.radius_b);
+    if (length <= std::abs(shrink))
+        return shrink > 0 ? from_ball(a, capsule.radius_a) : from_ball(b, capsule.radius_b);
     const Vector3 along = axis / length;
     const float sine = shrink / length, cosine = std::sqrt(1 - sine * sine);
     const float x = from_a.dot(along);
     const Vector3 across = from_a - x * along;
     const float y = across.norm();
-    const float t = (x - y * sine / cosine) / length;  // where the cone's normal through the point meets the axis
+    const float t =
+        (x - y * sine / cosine) / length;  // where the cone's normal through the point meets the axis
     if (t <= 0) return from_ball(a, capsule.radius_a);
     if (t >= 1) return from_ball(b, capsule.radius_b);
     const Vector3 out = y > 0 ? Vector3(across / y) : along.unitOrthogonal();

@@ -47,7 +47,8 @@ std::size_t find_spine(const Skeleton& skeleton, const Pose& rest, std::size_t h
     for (auto j = static_cast<int>(chest); j >= 0 && static_cast<std::size_t>(j) != hips;
          j = skeleton.joints[static_cast<std::size_t>(j)].parent) {
         const auto joint = static_cast<std::size_t>(j);
-        if ((rest.positions[joint] - middle).norm() < (rest.positions[nearest] - middle).norm()) nearest = joint;
+        if ((rest.positions[joint] - middle).norm() < (rest.positions[nearest] - middle).norm())
+            nearest = joint;
     }
     return nearest;
 }

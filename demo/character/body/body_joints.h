@@ -9,15 +9,31 @@
 namespace weft::demo {
 
 enum class Part : std::uint8_t {
-    hips, chest, neck, head,
-    left_arm, left_forearm, left_hand, left_thigh, left_shin, left_foot, left_toes,
-    right_arm, right_forearm, right_hand, right_thigh, right_shin, right_foot, right_toes,
+    hips,
+    chest,
+    neck,
+    head,
+    left_arm,
+    left_forearm,
+    left_hand,
+    left_thigh,
+    left_shin,
+    left_foot,
+    left_toes,
+    right_arm,
+    right_forearm,
+    right_hand,
+    right_thigh,
+    right_shin,
+    right_foot,
+    right_toes,
     count
 };
 
 struct BodyJoints {
     std::array<std::size_t, static_cast<std::size_t>(Part::count)> of_part{};
-    std::size_t spine = 0;  ///< between hips and chest, nearest to their middle; the chest where there is none
+    std::size_t spine =
+        0;  ///< between hips and chest, nearest to their middle; the chest where there is none
 
     [[nodiscard]] std::size_t operator[](Part part) const { return of_part[static_cast<std::size_t>(part)]; }
 };

@@ -30,26 +30,31 @@ class DressMaker {
         // Two vertices along the hem for three down: there the rings are widest.
         const auto columns = static_cast<std::uint32_t>(std::lround(std::sqrt(1.85 * vertices)));
         const std::uint32_t rows = vertices / columns;
-        const auto fixed_rows = static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows)));
+        const auto fixed_rows =
+            static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows)));
         Garment dress;
         dress.stands_ready = true;
         std::vector<float> radii(columns, 0.0f);
         for (std::uint32_t row = 0; row < rows; ++row) {
             const float height = height_of(row, rows, fixed_rows);
             for (std::uint32_t column = 0; column < columns; ++column) {
-                const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(columns);
+                const float angle =
+                    2 * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(columns);
                 float& radius = radii[column];
                 const float near = radius_at(height, angle);
                 const float drop = row < fixed_rows ? 0 : height_of(row - 1, rows, fixed_rows) - height;
                 radius = row < fixed_rows ? near : std::max(near, radius + flare * drop);
-                const Vector3 p = axis_ + Vector3(radius * std::sin(angle), height - axis_.y(), radius * std::cos(angle));
-                if (row < fixed_rows) dress.fixed.push_back(static_cast<std::uint32_t>(dress.mesh.positions.size()));
+                const Vector3 p =
+                    axis_ + Vector3(radius * std::sin(angle), height - axis_.y(), radius * std::cos(angle));
+                if (row < fixed_rows)
+                    dress.fixed.push_back(static_cast<std::uint32_t>(dress.mesh.positions.size()));
                 dress.mesh.positions.push_back(to_vec3(p));
                 dress.mesh.texcoords.push_back({0.25f * angle, top_ - height});
             }
         }
         for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-            for (std::uint32_t column = 0; column < columns; ++column) add_cell(row, column, columns, dress.mesh);
+            for (std::uint32_t column = 0; column < columns; ++column)
+                add_cell(row, column, columns, dress.mesh);
         }
         return dress;
     }
@@ -75,7 +80,8 @@ class DressMaker {
         for (int i = 0; i < 60 && radius > 0.02f; ++i) {
             const Vector3 p = axis_ + radius * out + Vector3(0, height - axis_.y(), 0);
             float nearest = 1;
-            for (const TaperedCapsule& capsule : trunk_) nearest = std::min(nearest, distance_to(capsule, p).distance);
+            for (const TaperedCapsule& capsule : trunk_)
+                nearest = std::min(nearest, distance_to(capsule, p).distance);
             if (nearest - gap < 1e-4f) break;
             radius -= nearest - gap;
         }
@@ -84,7 +90,8 @@ class DressMaker {
 
     static void add_cell(std::uint32_t row, std::uint32_t column, std::uint32_t columns, Mesh& mesh) {
         const std::uint32_t next = (column + 1) % columns;
-        const std::uint32_t a = row * columns + column, b = row * columns + next, c = a + columns, d = b + columns;
+        const std::uint32_t a = row * columns + column, b = row * columns + next, c = a + columns,
+                            d = b + columns;
         if ((row + column) % 2 == 0) {
             mesh.triangles.push_back({a, c, b});
             mesh.triangles.push_back({b, c, d});

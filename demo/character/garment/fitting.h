@@ -7,7 +7,7 @@ namespace weft::demo {
 
 /// What fit() found.
 struct Fit {
-    float arms = 60;  ///< how far the stance lowers them from the horizontal [degrees]
+    float arms = 45;  ///< how far the stance lowers them from the horizontal [degrees]
     /// Where the garment's fixed vertices are to be when the body has grown, in the stance, in the order of
     /// Garment::fixed: where they are, or put out of the body, or drawn up to it.
     std::vector<Vec3> held;
@@ -15,8 +15,8 @@ struct Fit {
     float deepest = 0;         ///< the deepest of these [m]
 };
 
-/// Moves the garment so that as little of it as can be is inside the body, and its highest opening is next to the
-/// body; one that stands ready stays where it is. Error: it does not fit, with by how much.
+/// Moves the garment so that as little of it as can be is inside the body, and its highest opening is next to
+/// the body; one that stands ready stays where it is. Error: it does not fit, with by how much.
 [[nodiscard]] Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment);
 
 /// How far along the fitting the radii and what is held are at `time`, of `duration` [s]: 1 from then on.

@@ -18,7 +18,7 @@ constexpr float smallest = 0.1f, largest = 3;  // [m]
 
 /// What an OBJ file says of materials.
 struct MaterialUse {
-    std::vector<std::string> names;    // in order of use
+    std::vector<std::string> names;     // in order of use
     std::vector<bool> used, simulated;  // by `v` line
     std::string library;
 };
@@ -48,7 +48,8 @@ void use_face(std::string_view corners, bool simulated, std::size_t vertices, Ma
     for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
         std::int64_t index = 0;
         std::from_chars(corner.data(), corner.data() + corner.size(), index);
-        const auto vertex = static_cast<std::size_t>(index < 0 ? static_cast<std::int64_t>(vertices) + index : index - 1);
+        const auto vertex =
+            static_cast<std::size_t>(index < 0 ? static_cast<std::int64_t>(vertices) + index : index - 1);
         if (vertex >= use.used.size()) use.used.resize(vertex + 1), use.simulated.resize(vertex + 1);
         use.used[vertex] = true;
         if (simulated) use.simulated[vertex] = true;
@@ -103,14 +104,16 @@ std::optional<std::map<std::string, Vec3>> read_colours(const std::filesystem::p
 }
 
 void take_colour(const std::filesystem::path& file, const MaterialUse& use, Garment& garment) {
-    if (use.library.empty()) return garment.notes.push_back(file.string() + " names no MTL file; its colour is the default");
+    if (use.library.empty())
+        return garment.notes.push_back(file.string() + " names no MTL file; its colour is the default");
     const std::filesystem::path library = file.parent_path() / use.library;
     const auto colours = read_colours(library);
     if (!colours)
         return garment.notes.push_back(library.string() + " cannot be read; the names in " + file.string() +
                                        " still say what is simulated, and its colour is the default");
     for (const std::string& material : use.names) {
-        if (!colours->contains(material)) garment.notes.push_back(library.string() + " has no material " + material);
+        if (!colours->contains(material))
+            garment.notes.push_back(library.string() + " has no material " + material);
     }
     const auto first = std::ranges::find_if(use.names, is_simulated);
     if (const auto found = colours->find(*first); found != colours->end()) garment.colour = found->second;
@@ -121,8 +124,9 @@ Result<void> check_size(const std::filesystem::path& file, const Mesh& mesh) {
         const auto [low, high] = std::ranges::minmax(mesh.positions, {}, coordinate);
         const float size = high.*coordinate - low.*coordinate;
         if (size <= largest && (size >= smallest || *axis != 'z')) continue;
-        return Error{ErrorCode::invalid_mesh, file.string() + ": is " + std::to_string(size) + " m along " + axis +
-                                                  "; a garment that fits is 0.1 to 3 m. OBJ files are in metres here"};
+        return Error{ErrorCode::invalid_mesh,
+                     file.string() + ": is " + std::to_string(size) + " m along " + axis +
+                         "; a garment that fits is 0.1 to 3 m. OBJ files are in metres here"};
     }
     return {};
 }
@@ -153,8 +157,9 @@ Result<Garment> read_garment(const std::filesystem::path& file) {
         return garment;
     }
     if (std::ranges::none_of(use->names, is_simulated))
-        return Error{ErrorCode::invalid_mesh, file.string() + ": of its materials, " + use->names.front() +
-                                                  " and others, none ends in \"Free\"; name so what is simulated"};
+        return Error{ErrorCode::invalid_mesh,
+                     file.string() + ": of its materials, " + use->names.front() +
+                         " and others, none ends in \"Free\"; name so what is simulated"};
     garment.stands_ready = true;
     for (std::uint32_t vertex = 0; vertex < use->used.size(); ++vertex) {
         if (use->used[vertex] && !use->simulated[vertex]) garment.fixed.push_back(vertex);

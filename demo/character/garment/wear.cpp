@@ -8,8 +8,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr int excused = 5;      // steps after a squeeze
-constexpr int parts = 4;        // of a triangle's sides, between points that are measured
+constexpr int excused = 5;  // steps after a squeeze
+constexpr int parts = 4;    // of a triangle's sides, between points that are measured
 constexpr int long_ago = -1000;
 
 float rest_length_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
@@ -41,7 +41,8 @@ class TriangleDepth {
         for (int i = 0; i <= parts; ++i) {
             for (int j = 0; i + j <= parts; ++j) {
                 const float u = static_cast<float>(i) / parts, v = static_cast<float>(j) / parts;
-                const Depth at = at_point(corners_[0] + u * (corners_[1] - corners_[0]) + v * (corners_[2] - corners_[0]));
+                const Depth at =
+                    at_point(corners_[0] + u * (corners_[1] - corners_[0]) + v * (corners_[2] - corners_[0]));
                 found.depth = std::max(found.depth, at.depth);
                 found.squeezed |= at.squeezed;
             }
@@ -84,11 +85,14 @@ WearMeter::WearMeter(const Mesh& mesh, float kept)
 
 WearMeter::Wear WearMeter::measure(const ClothView& cloth, const std::vector<TaperedCapsule>& body) {
     Wear wear;
-    const auto particle = [&](std::uint32_t vertex) { return cloth.positions[cloth.vertex_to_particle[vertex]]; };
+    const auto particle = [&](std::uint32_t vertex) {
+        return cloth.positions[cloth.vertex_to_particle[vertex]];
+    };
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh_.triangles[t];
         if (particle(a).w == 0 && particle(b).w == 0 && particle(c).w == 0) continue;
-        const Depth found = TriangleDepth(body, {xyz(particle(a)), xyz(particle(b)), xyz(particle(c))}, kept_).deepest();
+        const Depth found =
+            TriangleDepth(body, {xyz(particle(a)), xyz(particle(b)), xyz(particle(c))}, kept_).deepest();
         wear.deepest = std::max(wear.deepest, found.depth);
         wear.squeezed += found.squeezed;
         if (found.squeezed) squeezed_at_[t] = step_;
@@ -103,7 +107,8 @@ WearMeter::Wear WearMeter::measure(const ClothView& cloth, const std::vector<Tap
     }
     if (!ratios_.empty()) {
         wear.stretch = std::ranges::max(ratios_);
-        const auto at = ratios_.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(ratios_.size() - 1));
+        const auto at =
+            ratios_.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(ratios_.size() - 1));
         std::ranges::nth_element(ratios_, at);
         wear.stretch_99 = *at;
     }

@@ -16,10 +16,10 @@ class WearMeter {
     WearMeter(const Mesh& mesh, float kept);
 
     struct Wear {
-        float deepest = 0;             ///< of any point of a triangle inside the body [m]; 0: none is
-        std::uint32_t inside = 0;      ///< triangles deeper than `kept` that no squeeze excuses
-        float deepest_of_these = 0;    ///< [m]
-        std::uint32_t squeezed = 0;    ///< triangles between two parts of the body that leave them no room
+        float deepest = 0;           ///< of any point of a triangle inside the body [m]; 0: none is
+        std::uint32_t inside = 0;    ///< triangles deeper than `kept` that no squeeze excuses
+        float deepest_of_these = 0;  ///< [m]
+        std::uint32_t squeezed = 0;  ///< triangles between two parts of the body that leave them no room
         float stretch_99 = 1, stretch = 1;  ///< length over rest length of edges: 99th percentile, worst
     };
     /// After each step, once. A squeeze excuses a triangle while it lasts and for five steps more.

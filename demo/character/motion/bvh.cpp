@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t most_joints = 1024, most_frames = 1'000'000;
 constexpr float tallest = 10;  // [m]
 
-/// What a number of a frame means to its joint: 0 to 2 a position along x, y, z, 3 to 5 a rotation about them.
+/// What a number of a frame means to its joint: 0 to 2 a position along x, y, z, 3 to 5 a rotation about
+/// them.
 struct Channel {
     std::size_t joint;
     int kind;
@@ -49,13 +50,15 @@ class BvhWords {
         double value = 0;
         const char* const end = word_.data() + word_.size();
         const auto [read, code] = std::from_chars(word_.data(), end, value);
-        if (code != std::errc{} || read != end || !(std::abs(value) <= 1e9)) return error(what + ", a finite number,");
+        if (code != std::errc{} || read != end || !(std::abs(value) <= 1e9))
+            return error(what + ", a finite number,");
         return value;
     }
     [[nodiscard]] Result<std::size_t> count(const char* what, std::size_t least, std::size_t most) {
         const auto value = number(what);
         if (!value) return value.error();
-        if (*value >= static_cast<double>(least) && *value <= static_cast<double>(most) && *value == std::floor(*value))
+        if (*value >= static_cast<double>(least) && *value <= static_cast<double>(most) &&
+            *value == std::floor(*value))
             return static_cast<std::size_t>(*value);
         return error(std::string(what) + ", a whole number from " + std::to_string(least) + " to " +
                      std::to_string(most) + ",");
@@ -92,7 +95,8 @@ class BvhParser {
     /// From behind the word that opens it to its closing brace.
     Result<void> read_joint(int parent, bool is_end) {
         std::vector<Joint>& joints = recording_.skeleton.joints;
-        if (joints.size() == most_joints) return words_.error("the last of " + std::to_string(most_joints) + " joints");
+        if (joints.size() == most_joints)
+            return words_.error("the last of " + std::to_string(most_joints) + " joints");
         const auto self = static_cast<int>(joints.size());
         if (words_.next().empty()) return words_.error("the joint's name");
         joints.push_back({is_end ? std::string() : words_.word(), parent, Vector3::Zero()});
@@ -109,7 +113,8 @@ class BvhParser {
         for (;;) {
             const std::string word = words_.next();
             if (word == "}") return {};
-            if (is_end || (word != "JOINT" && word != "End")) return words_.error("\"JOINT\", \"End\" or \"}\"");
+            if (is_end || (word != "JOINT" && word != "End"))
+                return words_.error("\"JOINT\", \"End\" or \"}\"");
             if (auto read = read_joint(self, word == "End"); !read) return read;
         }
     }
@@ -150,8 +155,9 @@ class BvhParser {
         angles.root = recording_.skeleton.joints.front().offset;
         for (const Channel& channel : channels_) {
             const std::string& name = recording_.skeleton.joints[channel.joint].name;
-            const auto value = words_.number("frame " + std::to_string(frame + 1) + "'s " +
-                                             channel_names[static_cast<std::size_t>(channel.kind)] + " of " + name);
+            const auto value =
+                words_.number("frame " + std::to_string(frame + 1) + "'s " +
+                              channel_names[static_cast<std::size_t>(channel.kind)] + " of " + name);
             if (!value) return value.error();
             if (channel.kind >= 3) {
                 Quaternion& q = angles.rotations[channel.joint];

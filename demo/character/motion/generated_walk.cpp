@@ -7,10 +7,21 @@
 namespace weft::demo {
 namespace {
 
-constexpr float sole_height = 0.035f;  // of the ankle's and the toes' joints, while the foot is on the ground [m]
+constexpr float sole_height =
+    0.035f;  // of the ankle's and the toes' joints, while the foot is on the ground [m]
 
 // Joints of plain_skeleton(), by number.
-enum PlainJoint : std::size_t { hips, spine, chest, neck, head, left_collar = 6, left_leg = 11, right_collar = 16, right_leg = 21 };
+enum PlainJoint : std::size_t {
+    hips,
+    spine,
+    chest,
+    neck,
+    head,
+    left_collar = 6,
+    left_leg = 11,
+    right_collar = 16,
+    right_leg = 21
+};
 // After a collar: arm, forearm, hand, end. After a leg: shin, foot, toes, end.
 
 Quaternion turned(float degrees, const Vector3& axis) {
@@ -40,8 +51,12 @@ void add_limbs(Skeleton& skeleton, const std::string& name, float side) {
 
 Skeleton plain_skeleton() {
     Skeleton skeleton;
-    skeleton.joints = {{"Hips", -1, {0, 0, 0}},          {"Spine", hips, {0, 0.11f, 0}},  {"Chest", spine, {0, 0.13f, 0}},
-                       {"Neck", chest, {0, 0.14f, -0.01f}}, {"Head", neck, {0, 0.10f, 0.015f}}, {"", head, {0, 0.17f, 0}}};
+    skeleton.joints = {{"Hips", -1, {0, 0, 0}},
+                       {"Spine", hips, {0, 0.11f, 0}},
+                       {"Chest", spine, {0, 0.13f, 0}},
+                       {"Neck", chest, {0, 0.14f, -0.01f}},
+                       {"Head", neck, {0, 0.10f, 0.015f}},
+                       {"", head, {0, 0.17f, 0}}};
     add_limbs(skeleton, "Left", 1);
     add_limbs(skeleton, "Right", -1);
     return skeleton;
@@ -69,7 +84,8 @@ void GeneratedWalk::evaluate(double time, JointAngles& angles) {
     turn(neck, turned(wave(5, 1, 0.3), y));
     for (const double side : {1.0, -1.0}) {
         const double half = side > 0 ? 0 : std::numbers::pi;  // the right leg is half a period behind
-        const std::size_t collar = side > 0 ? left_collar : right_collar, leg = side > 0 ? left_leg : right_leg;
+        const std::size_t collar = side > 0 ? left_collar : right_collar,
+                          leg = side > 0 ? left_leg : right_leg;
         const auto s = static_cast<float>(side);
         // The foot comes forward while the knee is bent; the heel is set down at phase 0.
         const float hip = 6 + wave(21, 1, half) + wave(2, 2, 2 * half + 0.6);

@@ -18,9 +18,10 @@ class Motion {
 /// A motion that is gone into from standing still.
 class Performance {
   public:
-    /// Stands in `stance` for `wait` seconds, then goes over into the motion within `blend_in` more; the motion
-    /// runs at `speed` times its own.
-    Performance(std::unique_ptr<Motion> motion, JointAngles stance, double wait, double blend_in, double speed);
+    /// Stands in `stance` for `wait` seconds, then goes over into the motion within `blend_in` more; the
+    /// motion runs at `speed` times its own.
+    Performance(std::unique_ptr<Motion> motion, JointAngles stance, double wait, double blend_in,
+                double speed);
 
     [[nodiscard]] const Skeleton& skeleton() const { return motion_->skeleton(); }
     [[nodiscard]] const JointAngles& stance() const { return stance_; }

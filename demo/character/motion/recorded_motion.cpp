@@ -48,7 +48,8 @@ void RecordedMotion::stand_on_the_spot() {
     if (last > 0) velocity_ = way / static_cast<float>(static_cast<double>(last) * recording_.frame_time);
     Vector3 mean = Vector3::Zero();
     for (std::size_t frame = 0; frame < frames.size(); ++frame) {
-        frames[frame].root -= static_cast<float>(static_cast<double>(frame) * recording_.frame_time) * velocity_;
+        frames[frame].root -=
+            static_cast<float>(static_cast<double>(frame) * recording_.frame_time) * velocity_;
         mean += frames[frame].root / static_cast<float>(frames.size());
     }
     for (JointAngles& frame : frames) frame.root -= Vector3(mean.x(), 0, mean.z());
@@ -63,7 +64,8 @@ void RecordedMotion::sample(double frame, JointAngles& angles) const {
     const double within = std::clamp(frame, 0.0, last);
     const auto first = static_cast<std::size_t>(within);
     const std::size_t second = std::min(first + 1, recording_.frames.size() - 1);
-    blend(recording_.frames[first], recording_.frames[second], static_cast<float>(within - std::floor(within)), angles);
+    blend(recording_.frames[first], recording_.frames[second],
+          static_cast<float>(within - std::floor(within)), angles);
 }
 
 void RecordedMotion::evaluate(double time, JointAngles& angles) {

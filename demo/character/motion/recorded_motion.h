@@ -17,7 +17,7 @@ class RecordedMotion final : public Motion {
     [[nodiscard]] const Skeleton& skeleton() const override { return recording_.skeleton; }
     void evaluate(double time, JointAngles& angles) override;
 
-    [[nodiscard]] double period() const;  ///< after which it is where it was [s]
+    [[nodiscard]] double period() const;                          ///< after which it is where it was [s]
     [[nodiscard]] Vector3 velocity() const { return velocity_; }  ///< that was taken out, level [m/s]
 
   private:

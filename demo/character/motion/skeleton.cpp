@@ -47,6 +47,16 @@ void place_joints(const Skeleton& skeleton, const JointAngles& angles, Pose& pos
     }
 }
 
+void point_bone(const Skeleton& skeleton, std::size_t joint, std::size_t child, const Vector3& way,
+                JointAngles& angles) {
+    Pose pose;
+    angles.rotations[joint] = Quaternion::Identity();
+    place_joints(skeleton, angles, pose);
+    const Vector3 bone = pose.positions[child] - pose.positions[joint];
+    const Quaternion& own = pose.rotations[joint];
+    angles.rotations[joint] = own.conjugate() * Quaternion::FromTwoVectors(bone, way) * own;
+}
+
 void blend(const JointAngles& a, const JointAngles& b, float part, JointAngles& to) {
     to.root = a.root + part * (b.root - a.root);
     to.rotations.resize(a.rotations.size());

@@ -14,8 +14,8 @@ namespace weft::demo {
 using Quaternion = Eigen::Quaternionf;
 
 struct Joint {
-    std::string name;  ///< empty: the end of a limb
-    int parent = -1;   ///< an earlier joint; -1: this is the first, the root
+    std::string name;                  ///< empty: the end of a limb
+    int parent = -1;                   ///< an earlier joint; -1: this is the first, the root
     Vector3 offset = Vector3::Zero();  ///< from its parent, while nothing is turned [m]
 };
 
@@ -48,6 +48,11 @@ struct Pose {
 
 /// Writes where `angles` put the joints. Takes no memory where `pose` has as many.
 void place_joints(const Skeleton& skeleton, const JointAngles& angles, Pose& pose);
+
+/// Turns `joint`, its parents being turned as they are, by the least by which the bone from it to `child`
+/// points along `way`.
+void point_bone(const Skeleton& skeleton, std::size_t joint, std::size_t child, const Vector3& way,
+                JointAngles& angles);
 
 /// `to` = a moved towards b by `part` of the way, each joint the shorter way round.
 void blend(const JointAngles& a, const JointAngles& b, float part, JointAngles& to);

@@ -1,5 +1,5 @@
-// What somebody dressed costs and how well it is worn: WEFT_CHARACTER_TABLE=SECONDS prints a row for each motion
-// and garment, of so much time.
+// What somebody dressed costs and how well it is worn: WEFT_CHARACTER_TABLE=SECONDS prints a row for each
+// motion and garment, of so much time.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,8 @@ double processor_ms() {
 }
 
 float at_part(std::vector<float>& values, double part) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
     std::ranges::nth_element(values, at);
     return *at;
 }
@@ -62,13 +63,13 @@ void print_row(const char* name, const CharacterSettings& settings, double secon
         soup.add(view);
         crossed = std::max<std::size_t>(crossed, study::count_crossings(soup).all);
     }
-    std::printf("| %s, %u | %u, %.0f | %.2f, %.2f | %zu; %.1f, %.1f | %zu | %zu | %.3f, %.3f; %.2f | %zu |\n", name,
-                world->cloth_info(character.cloth())->particles, character.fitted().inside,
-                1e3 * static_cast<double>(character.fitted().deepest), static_cast<double>(at_part(times, 0.5)),
-                static_cast<double>(at_part(times, 0.99)), inside_frames, 1e3 * static_cast<double>(deepest),
-                1e3 * static_cast<double>(deepest_excused), squeezes, crossed,
-                static_cast<double>(at_part(stretch_99, 0.5)), static_cast<double>(at_part(stretch_99, 1)),
-                static_cast<double>(worst_stretch), unsolved);
+    std::printf("| %s, %u | %u, %.0f | %.2f, %.2f | %zu; %.1f, %.1f | %zu | %zu | %.3f, %.3f; %.2f | %zu |\n",
+                name, world->cloth_info(character.cloth())->particles, character.fitted().inside,
+                1e3 * static_cast<double>(character.fitted().deepest),
+                static_cast<double>(at_part(times, 0.5)), static_cast<double>(at_part(times, 0.99)),
+                inside_frames, 1e3 * static_cast<double>(deepest), 1e3 * static_cast<double>(deepest_excused),
+                squeezes, crossed, static_cast<double>(at_part(stretch_99, 0.5)),
+                static_cast<double>(at_part(stretch_99, 1)), static_cast<double>(worst_stretch), unsolved);
     std::fflush(stdout);
 }
 
@@ -77,12 +78,15 @@ TEST(CharacterTable, Prints) {
     if (wanted == nullptr) GTEST_SKIP() << "set WEFT_CHARACTER_TABLE to seconds";
     WEFT_NEEDS_DATA();
     const char* const only = std::getenv("WEFT_CHARACTER_ONLY");
-    std::printf("| motion, garment, particles | inside at the start, mm | step p50, p99 ms of processor | frames with triangles inside; deepest mm, excused too | frames with squeezes | crossings | stretch p99 median, worst; worst | unsolved |\n");
+    std::printf(
+        "| motion, garment, particles | inside at the start, mm | step p50, p99 ms of processor | frames "
+        "with triangles inside; deepest mm, excused too | frames with squeezes | crossings | stretch p99 "
+        "median, worst; worst | unsolved |\n");
     for (const char* garment : {"", "tshirt-iso", "skirt-iso", "dress-victor-iso-draped"}) {
         for (const char* motion : {"", "walk", "run"}) {
             for (const double speed : {1.0, 2.0}) {
-                const std::string name = std::string(*motion ? motion : "own walk") + " x" + (speed > 1 ? "2" : "1") + " " +
-                                         (*garment ? garment : "dress");
+                const std::string name = std::string(*motion ? motion : "own walk") + " x" +
+                                         (speed > 1 ? "2" : "1") + " " + (*garment ? garment : "dress");
                 if (only != nullptr && name.find(only) == std::string::npos) continue;
                 CharacterSettings settings;
                 if (*motion) settings.motion = data_folder() / "motion" / (std::string(motion) + ".bvh");
