@@ -16,9 +16,9 @@
 namespace weft::demo {
 
 struct SceneOptions {
-    std::uint32_t particles = 0;    ///< about this many; 0: the scene's own number
-    std::filesystem::path garment;  ///< OBJ file, for scenes that take one
-    std::filesystem::path motion;   ///< BVH file, likewise
+    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
+    std::filesystem::path garment{};  ///< OBJ file, for scenes that take one
+    std::filesystem::path motion{};   ///< BVH file, likewise
 };
 
 /// A cloth of the scene with what drawing it needs.
@@ -57,7 +57,7 @@ struct SceneEntry {
     const char* name;
     const char* description;
     std::unique_ptr<Scene> (*make)();
-    bool needs_garment = false;  ///< cannot be built without SceneOptions::garment
+    bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
     bool takes_garment = needs_garment;  ///< can be built with one
     bool takes_motion = false;           ///< likewise of SceneOptions::motion
 };

@@ -46,7 +46,8 @@ Result<Character> Character::create(const CharacterSettings& settings) {
     auto fitted = fit(skeleton, *body, *garment);
     if (!fitted) return Error{fitted.error().code, settings.garment.string() + ": " + fitted.error().message};
     Performance performance(std::move(*motion), body->stance(skeleton, fitted->arms),
-                            standing + (fitted->inside > 0 ? growing : 0), blending_in, settings.speed);
+                            standing + (fitted->inside > 0 ? growing : 0), blending_in, settings.speed,
+                            settings.ahead);
     return Character(std::move(*body), std::move(performance), std::move(*garment), std::move(*fitted),
                      settings);
 }
@@ -72,7 +73,7 @@ void Character::follow(double time) {
     angles_.root += to_vector(settings_.place);
     place_joints(performance_.skeleton(), angles_, pose_);
     const float growth = growth_at(time, fitting_);
-    body_.place(pose_, growth, capsules_);
+    body_.place(pose_, fit_.girth * growth, capsules_);
     binding_.place(pose_, targets_);
     if (growth == 1) return;
     for (std::size_t i = 0; i < targets_.size(); ++i) {

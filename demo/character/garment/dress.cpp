@@ -20,7 +20,7 @@ class DressMaker {
             if (is_trunk(body, limb)) trunk_.push_back(body.placed(limb, pose));
         }
         const float hips = at(Part::hips).y();
-        top_ = hips + 0.86f * (at(Part::neck).y() - hips);
+        top_ = hips + 0.80f * (at(Part::neck).y() - hips);
         waist_ = hips + 0.30f * (at(Part::neck).y() - hips);
         hem_ = at(Part::left_shin).y() - 0.02f;
         axis_ = at(Part::hips);
@@ -30,8 +30,8 @@ class DressMaker {
         // Two vertices along the hem for three down: there the rings are widest.
         const auto columns = static_cast<std::uint32_t>(std::lround(std::sqrt(1.85 * vertices)));
         const std::uint32_t rows = vertices / columns;
-        const auto fixed_rows =
-            static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows)));
+        const auto fixed_rows = std::max(
+            2u, static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows))));
         Garment dress;
         dress.stands_ready = true;
         std::vector<float> radii(columns, 0.0f);
@@ -109,7 +109,7 @@ class DressMaker {
 }  // namespace
 
 Garment make_dress(const Body& body, const Pose& pose, std::uint32_t vertices) {
-    return DressMaker(body, pose).make(std::max(vertices, 200u));
+    return DressMaker(body, pose).make(std::max(vertices, 16u));
 }
 
 }  // namespace weft::demo

@@ -10,7 +10,9 @@ namespace {
 constexpr float gap_held = 0.007f;   // between the body and what is held to it [m]
 constexpr float most_apart = 0.25f;  // of the opening from the body, on the whole, for one that fits [m]
 constexpr float least_radius_part = 0.3f;  // of the body's, when it begins to grow
-constexpr std::size_t samples = 1500;      // vertices by which places are compared
+constexpr float deep = 0.008f;             // what a garment need not give way to is less inside than this [m]
+constexpr float most_deep = 0.03f;     // share of the vertices that may be deeper, of one that is wide enough
+constexpr std::size_t samples = 1500;  // vertices by which places are compared
 
 struct Nearest {
     float distance = std::numeric_limits<float>::max();
@@ -45,10 +47,10 @@ std::vector<Vector3> outward_normals(const Mesh& mesh) {
 /// One body in one stance, and what a garment costs where it is moved to.
 class FittingRoom {
   public:
-    FittingRoom(const Skeleton& skeleton, const Body& body, float arms) {
+    FittingRoom(const Skeleton& skeleton, const Body& body, float arms, float girth = 1) {
         Pose pose;
         place_joints(skeleton, body.stance(skeleton, arms), pose);
-        body.place(pose, 1, capsules_);
+        body.place(pose, girth, capsules_);
         hips_ = pose.positions[body.joints()[Part::hips]];
         neck_ = pose.positions[body.joints()[Part::neck]];
     }
@@ -79,12 +81,20 @@ class FittingRoom {
                apart / static_cast<float>(std::max<std::size_t>(garment.fixed.size(), 1));
     }
 
+    /// The share of the vertices that lie deep inside.
+    [[nodiscard]] float share_inside(const Mesh& mesh, const std::vector<Vector3>& normals) const {
+        std::size_t inside = 0;
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+            inside += way_out(to_vector(mesh.positions[i]), normals[i]) > deep;
+        return static_cast<float>(inside) / static_cast<float>(mesh.positions.size());
+    }
+
     /// Out of the body, or up to it where `draw`.
     [[nodiscard]] Vec3 held(const Vec3& start, bool draw) const {
         Vector3 p = to_vector(start);
         for (int i = 0; i < 20; ++i) {
             const auto [distance, normal] = nearest_surface_of(capsules_, p);
-            if (distance >= gap_held && !draw) break;
+            if (distance >= 0 && !draw) break;
             p += (gap_held - distance) * normal;
         }
         return to_vec3(p);
@@ -145,6 +155,15 @@ Place find_place(const Skeleton& skeleton, const Body& body, const Garment& garm
     return best;
 }
 
+/// The greatest for which the garment is wide enough.
+float find_girth(const Skeleton& skeleton, const Body& body, const Mesh& mesh, float arms) {
+    const std::vector<Vector3> normals = outward_normals(mesh);
+    float girth = 1;
+    while (girth > 0.81f && FittingRoom(skeleton, body, arms, girth).share_inside(mesh, normals) > most_deep)
+        girth -= 0.05f;
+    return girth;
+}
+
 }  // namespace
 
 Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment) {
@@ -153,8 +172,9 @@ Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment) {
         const Place place = find_place(skeleton, body, garment);
         fit.arms = place.arms;
         for (Vec3& p : garment.mesh.positions) p = to_vec3(to_vector(p) + place.shift);
+        fit.girth = find_girth(skeleton, body, garment.mesh, fit.arms);
     }
-    const FittingRoom room(skeleton, body, fit.arms);
+    const FittingRoom room(skeleton, body, fit.arms, fit.girth);
     float apart = 0;
     for (const std::uint32_t vertex : garment.fixed) {
         const Vec3& start = garment.mesh.positions[vertex];

@@ -8,6 +8,8 @@ namespace weft::demo {
 /// What fit() found.
 struct Fit {
     float arms = 45;  ///< how far the stance lowers them from the horizontal [degrees]
+    /// Of the body's radii, 0.8 to 1: who wears a garment is as slender as it is made for.
+    float girth = 1;
     /// Where the garment's fixed vertices are to be when the body has grown, in the stance, in the order of
     /// Garment::fixed: where they are, or put out of the body, or drawn up to it.
     std::vector<Vec3> held;
@@ -19,7 +21,7 @@ struct Fit {
 /// the body; one that stands ready stays where it is. Error: it does not fit, with by how much.
 [[nodiscard]] Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment);
 
-/// How far along the fitting the radii and what is held are at `time`, of `duration` [s]: 1 from then on.
+/// What part of their grown size the radii have at `time`, of `duration` [s]: 1 from then on.
 [[nodiscard]] float growth_at(double time, double duration);
 
 }  // namespace weft::demo

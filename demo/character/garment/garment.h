@@ -19,7 +19,7 @@ struct Garment {
     std::vector<std::string> notes;    ///< what its reader went on from: a material file that is missing
 };
 
-/// A dress without sleeves for this body in this pose, of about `vertices` (at least 200): a bodice that is
+/// A dress without sleeves for this body in this pose, of about `vertices` (at least 16): a bodice that is
 /// fixed to it, and a skirt to the knees that is simulated. Its shape is its rest shape.
 [[nodiscard]] Garment make_dress(const Body& body, const Pose& pose, std::uint32_t vertices = 3100);
 

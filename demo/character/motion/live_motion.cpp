@@ -138,11 +138,11 @@ void LiveMotion::end_frame() {
     turn_trunk(joints_[Part::hips], joints_[Part::left_thigh], joints_[Part::right_thigh], rest);
     turn_trunk(joints_[Part::chest], joints_[Part::left_arm], joints_[Part::right_arm], rest);
     turn_limbs();
-    const std::size_t thigh = joints_[Part::left_thigh], foot = joints_[Part::left_foot];
+    const std::size_t thigh = joints_[Part::left_thigh], shin = joints_[Part::left_shin];
     const std::size_t hips = joints_[Part::hips];
-    if (scale_ == 0 && seen(thigh) && seen(foot) && seen_[hips].y() > 0.1f) {
-        const float tracked = (seen_[thigh] - seen_[foot]).norm();
-        if (tracked > 0.05f) scale_ = (rest.positions[thigh] - rest.positions[foot]).norm() / tracked;
+    if (scale_ == 0 && seen(thigh) && seen(shin)) {
+        const float tracked = (seen_[thigh] - seen_[shin]).norm();
+        if (tracked > 0.05f) scale_ = (rest.positions[thigh] - rest.positions[shin]).norm() / tracked;
     }
     if (seen(hips)) {
         newest_.root = seen_[hips];

@@ -54,7 +54,7 @@ class LiveMotion final : public Motion {
     std::map<std::size_t, Vector3> seen_;  // joints of the frame that has not ended [m]
     JointAngles newest_, shown_;
     double shown_at_ = 0;
-    float scale_ = 0;  // own legs' length over the tracked; 0: not known yet
+    float scale_ = 0;  // own thigh's length over the tracked one's; 0: not known yet
     std::size_t frames_ = 0, refused_ = 0;
     std::string last_refused_;
 };

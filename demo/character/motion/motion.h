@@ -19,9 +19,9 @@ class Motion {
 class Performance {
   public:
     /// Stands in `stance` for `wait` seconds, then goes over into the motion within `blend_in` more; the
-    /// motion runs at `speed` times its own.
+    /// motion runs at `speed` times its own, from `ahead` seconds of its own on.
     Performance(std::unique_ptr<Motion> motion, JointAngles stance, double wait, double blend_in,
-                double speed);
+                double speed, double ahead = 0);
 
     [[nodiscard]] const Skeleton& skeleton() const { return motion_->skeleton(); }
     [[nodiscard]] const JointAngles& stance() const { return stance_; }
@@ -31,7 +31,7 @@ class Performance {
   private:
     std::unique_ptr<Motion> motion_;
     JointAngles stance_, moved_, blended_;
-    double wait_, blend_in_, speed_;
+    double wait_, blend_in_, speed_, ahead_;
 };
 
 }  // namespace weft::demo

@@ -58,7 +58,7 @@ TEST(Dress, FitsWithNothingInsideTheBody) {
         const auto at = [&](std::size_t c) { return to_vector(dress.mesh.positions[t[c]]); };
         nearest = std::min({nearest, dressed.distance(at(0)), dressed.distance((at(0) + at(1) + at(2)) / 3)});
     }
-    EXPECT_GT(nearest, 0.005f);
+    EXPECT_GT(nearest, 0.001f);
     const auto fitted = fit(dressed.skeleton, dressed.body, dress);
     ASSERT_TRUE(fitted.ok()) << fitted.error().message;
     EXPECT_EQ(fitted->inside, 0u);
@@ -110,7 +110,7 @@ TEST(Fitting, BringsAGarmentToTheBodyAndGrowsInto) {
     std::vector<TaperedCapsule> capsules;
     Pose pose;
     place_joints(dressed.skeleton, dressed.body.stance(dressed.skeleton, fitted->arms), pose);
-    dressed.body.place(pose, 1, capsules);
+    dressed.body.place(pose, fitted->girth, capsules);
     for (const Vec3& held : fitted->held) {
         float least = 1;
         for (const TaperedCapsule& capsule : capsules)

@@ -63,13 +63,14 @@ void print_row(const char* name, const CharacterSettings& settings, double secon
         soup.add(view);
         crossed = std::max<std::size_t>(crossed, study::count_crossings(soup).all);
     }
-    std::printf("| %s, %u | %u, %.0f | %.2f, %.2f | %zu; %.1f, %.1f | %zu | %zu | %.3f, %.3f; %.2f | %zu |\n",
-                name, world->cloth_info(character.cloth())->particles, character.fitted().inside,
-                1e3 * static_cast<double>(character.fitted().deepest),
-                static_cast<double>(at_part(times, 0.5)), static_cast<double>(at_part(times, 0.99)),
-                inside_frames, 1e3 * static_cast<double>(deepest), 1e3 * static_cast<double>(deepest_excused),
-                squeezes, crossed, static_cast<double>(at_part(stretch_99, 0.5)),
-                static_cast<double>(at_part(stretch_99, 1)), static_cast<double>(worst_stretch), unsolved);
+    std::printf(
+        "| %s, %u | %.2f; %u, %.0f | %.2f, %.2f | %zu; %.1f, %.1f | %zu | %zu | %.3f, %.3f; %.2f | %zu |\n",
+        name, world->cloth_info(character.cloth())->particles, static_cast<double>(character.fitted().girth),
+        character.fitted().inside, 1e3 * static_cast<double>(character.fitted().deepest),
+        static_cast<double>(at_part(times, 0.5)), static_cast<double>(at_part(times, 0.99)), inside_frames,
+        1e3 * static_cast<double>(deepest), 1e3 * static_cast<double>(deepest_excused), squeezes, crossed,
+        static_cast<double>(at_part(stretch_99, 0.5)), static_cast<double>(at_part(stretch_99, 1)),
+        static_cast<double>(worst_stretch), unsolved);
     std::fflush(stdout);
 }
 
@@ -79,7 +80,8 @@ TEST(CharacterTable, Prints) {
     WEFT_NEEDS_DATA();
     const char* const only = std::getenv("WEFT_CHARACTER_ONLY");
     std::printf(
-        "| motion, garment, particles | inside at the start, mm | step p50, p99 ms of processor | frames "
+        "| motion, garment, particles | girth; inside at the start, mm | step p50, p99 ms of processor | "
+        "frames "
         "with triangles inside; deepest mm, excused too | frames with squeezes | crossings | stretch p99 "
         "median, worst; worst | unsolved |\n");
     for (const char* garment : {"", "tshirt-iso", "skirt-iso", "dress-victor-iso-draped"}) {
