@@ -7,6 +7,7 @@
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
 #include "demo/character/motion/recorded_motion.h"
+#include "demo/export/write_back.h"
 
 namespace weft::demo {
 namespace {
@@ -100,6 +101,13 @@ void Character::before_step(World& world, double time, float dt) {
     for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
         (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
+}
+
+void Character::write_back(const World& world, std::span<Vec3> vertices) const {
+    const auto view = world.cloth(cloth_);
+    if (!view) return;
+    for (std::size_t i = 0; i < garment_.fixed.size(); ++i) vertices[garment_.fixed[i]] = targets_[i];
+    demo::write_back(*view, vertices);
 }
 
 }  // namespace weft::demo

@@ -32,6 +32,10 @@ class Character {
     /// Moves colliders and pins to where they are at the end of the step from `time` to `time + dt` [s].
     void before_step(World& world, double time, float dt);
 
+    /// The garment's vertices as they are drawn and written: those that are simulated from the World, fixed
+    /// ones where the body has them. Precondition: one for each of the garment's mesh.
+    void write_back(const World& world, std::span<Vec3> vertices) const;
+
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] const Garment& garment() const { return garment_; }
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
