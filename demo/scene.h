@@ -26,6 +26,8 @@ struct SceneCloth {
     ClothId id;
     Mesh mesh;
     render::FabricLook look;
+    Mesh fine{};                               ///< what is drawn in place of the mesh, where `drawn` is set
+    std::shared_ptr<const DrawnMesh> drawn{};  ///< how it follows the cloth
 };
 
 /// What build() leaves behind for the program that shows the scene.

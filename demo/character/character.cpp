@@ -31,7 +31,9 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     if (!settings.garment.empty()) return read_garment(settings.garment);
     Pose pose;
     place_joints(skeleton, body.stance(skeleton, Fit().arms), pose);
-    return make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
+    Garment dress = make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
+    if (settings.drawn > 0) dress.fine = make_dress(body, pose, settings.drawn).mesh;
+    return dress;
 }
 
 }  // namespace
@@ -65,7 +67,9 @@ Character::Character(Body body, Performance performance, Garment garment, Fit fi
     Pose stance;
     place_joints(performance_.skeleton(), performance_.stance(), stance);
     binding_ = Binding::to_nearest(body_, stance, fit_.held);
-    for (Vec3& p : garment_.mesh.positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
+    for (std::vector<Vec3>* positions : {&garment_.mesh.positions, &garment_.fine.positions}) {
+        for (Vec3& p : *positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
+    }
     follow(0);
 }
 

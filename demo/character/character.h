@@ -16,6 +16,7 @@ struct CharacterSettings {
     std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
     std::filesystem::path garment;  ///< an OBJ file; empty: the dress that ships
     std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
+    std::uint32_t drawn = 0;        ///< vertices of a finer dress to draw over it, about; 0: none
     double speed = 1;               ///< of the motion, times its own
     Vec3 place{};                   ///< on the ground [m]
     double ahead = 0;               ///< how far into the motion it starts [s]

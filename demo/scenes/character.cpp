@@ -15,8 +15,23 @@ namespace {
 constexpr std::uint32_t crowd_rows = 4, crowd_columns = 5;
 constexpr float crowd_spacing = 1.3f;             // [m]
 constexpr std::uint32_t particles_of_many = 800;  // of each, in a crowd
+constexpr std::uint32_t drawn_vertices = 30000;   // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
+
+/// Has the garment's finer mesh, if there is one, drawn in place of its cloth.
+Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
+    if (garment.fine.positions.empty()) return {};
+    const auto view = world.cloth(cloth.id);
+    if (!view) return view.error();
+    auto drawn = DrawnMesh::bind(*view, {.vertices = garment.fine.positions,
+                                         .triangles = garment.fine.triangles,
+                                         .texcoords = garment.fine.texcoords});
+    if (!drawn) return drawn.error();
+    cloth.fine = garment.fine;
+    cloth.drawn = std::make_shared<const DrawnMesh>(std::move(*drawn));
+    return {};
+}
 
 class Walkers final : public Scene {
   public:
@@ -38,7 +53,9 @@ class Walkers final : public Scene {
             Character& character = walkers_.emplace_back(std::move(*made));
             if (auto entered = character.enter(world); !entered) return entered.error();
             const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
-            content.cloths.push_back({character.cloth(), character.garment().mesh, {.front = colour}});
+            SceneCloth& cloth = content.cloths.emplace_back(
+                SceneCloth{character.cloth(), character.garment().mesh, {.front = colour}});
+            if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
             content.drawn_colliders.insert(content.drawn_colliders.end(), character.colliders().begin(),
                                            character.colliders().end());
         }
@@ -87,6 +104,7 @@ class Walkers final : public Scene {
         };
         settings.place = {from_middle(number % columns_, columns_), 0, from_middle(number / columns_, rows_)};
         settings.ahead = 0.137 * number;
+        if (!is_crowd() && options.particles == 0) settings.drawn = drawn_vertices;
         settings.cloth.fabric.areal_density = 0.16f;
         settings.cloth.self_collision.enabled = true;
         settings.cloth.self_collision.method = SelfCollisionMethod::contact;
