@@ -36,6 +36,8 @@ void print_row(const char* name, const CharacterSettings& settings, double secon
     Character character = std::move(*made);
     WorldSettings of_world;
     of_world.threads = 1;
+    if (const char* const substeps = std::getenv("WEFT_CHARACTER_SUBSTEPS"))
+        of_world.substeps = std::atoi(substeps);
     of_world.wind.velocity = {0, 0, -1.2f};
     auto world = World::create(of_world);
     ASSERT_TRUE(character.enter(*world).ok());
