@@ -17,13 +17,6 @@
 
 namespace weft {
 
-/// K of a pair whose normal is n.
-inline Symmetric3 stiffness_along(const Vector3& n, float spring, float damper) {
-    const Vector3 across = (spring - damper) * n;
-    return {damper + across.x() * n.x(), damper + across.y() * n.y(), damper + across.z() * n.z(),
-            across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
-}
-
 /// Each pair's features push each other apart along the normal that they have at the start of the step, by a
 /// stiff spring that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987),
 /// and hold each other across it by a damper that has Coulomb's limit as it is known so far. Over the first
@@ -80,13 +73,14 @@ class PairRows {
         const FeaturePair& pair;
         const PairShape& shape;
         float spring, damper;  ///< [kg]
-        std::uint32_t number;  ///< in list()
 
+        /// K.
         [[nodiscard]] Symmetric3 stiffness() const {
-            return stiffness_along(xyz(shape.normal), spring, damper);
+            const Vector3 n = xyz(shape.normal), across = (spring - damper) * n;
+            return {damper + across.x() * n.x(), damper + across.y() * n.y(), damper + across.z() * n.z(),
+                    across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
         }
     };
-    [[nodiscard]] const PairList& list() const noexcept { return *list_; }
     /// visit(ActivePair) for all that push, in their order.
     template <class Visit>
     void for_each_active(const Visit& visit) const {
@@ -95,7 +89,7 @@ class PairRows {
             const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
             if (group.spring[lane] > 0)
                 visit(ActivePair{list_->pairs[number], list_->shapes[number], group.spring[lane],
-                                 group.damper[lane], number});
+                                 group.damper[lane]});
         }
     }
     /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are

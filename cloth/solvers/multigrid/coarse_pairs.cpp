@@ -151,17 +151,14 @@ void CoarsePairs::gather(const PairRows& pairs, std::uint32_t first, std::uint32
         }
         keys_.push_back(
             key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first));
-        const Vec4& n = active.shape.normal;
-        active_.push_back({{n.x, n.y, n.z}, active.spring, active.damper, active.number});
+        active_.push_back(active);
     });
     merge([&](std::uint32_t k, Sum* sum) {
-        const auto& [n, spring, damper, number] = active_[k];
-        const PairList& list = pairs.list();
+        const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
-                sum->add(p, weights, list.pairs[number].corners[c] - first,
-                         keys_[k].sign * list.shapes[number].weight(c));
-        return stiffness_along({n[0], n[1], n[2]}, spring, damper);
+                sum->add(p, weights, active.pair.corners[c] - first, keys_[k].sign * active.shape.weight(c));
+        return active.stiffness();
     });
 }
 
@@ -198,7 +195,7 @@ void CoarsePairs::correct(std::span<const Vec4> b, std::span<const Vec4> x, std:
 
 std::size_t CoarsePairs::bytes() const noexcept {
     return keys_.capacity() * sizeof(Key) + order_.size() * sizeof(Placed) +
-           starts_.size() * sizeof(std::uint32_t) + active_.capacity() * sizeof(ActivePair) +
+           starts_.size() * sizeof(std::uint32_t) + active_.capacity() * sizeof(PairRows::ActivePair) +
            rows_.size() * sizeof(Row);
 }
 

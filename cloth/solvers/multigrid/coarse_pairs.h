@@ -75,12 +75,6 @@ class CoarsePairs {
         std::uint32_t high, row;
         auto operator<=>(const Placed&) const = default;
     };
-    /// A pair that pushes, with what merging asks of each, or it would look all over the list of pairs.
-    struct ActivePair {
-        float normal[3];
-        float spring, damper;  // [kg]
-        std::uint32_t number;
-    };
     /// A row being gathered.
     class Sum;
 
@@ -92,7 +86,7 @@ class CoarsePairs {
     std::vector<Key> keys_;              // of the finer level's rows
     std::vector<Placed> order_;          // these, by key
     std::vector<std::uint32_t> starts_;  // by low node
-    std::vector<ActivePair> active_;
+    std::vector<PairRows::ActivePair> active_;
     std::vector<Row> rows_;
     std::uint32_t size_ = 0;
     bool has_outer_ = false;
