@@ -13,11 +13,6 @@ namespace weft {
 
 namespace {
 
-bool may_meet(const Cloth& a, const Cloth& b) {
-    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
-    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
-}
-
 /// Boxes around points, of which one that is not finite has no part in.
 class GrowingBox {
   public:

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -40,6 +41,12 @@ struct StepRecord {
     }
 };
 
+/// How still a cloth is.
+struct Rest {
+    float still_for = 0;  ///< no particle has been fast [s]
+    std::uint32_t asleep = 0;
+};
+
 /// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
@@ -52,6 +59,7 @@ struct ClothState {
     AlignedBuffer<TangleMemory> tangles;     ///< only with contact
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
+    std::optional<Rest> rest;  ///< only where it may fall asleep
     std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
@@ -106,6 +114,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
+    if (state.rest) visit(std::span(&*state.rest, 1));
     if (state.tangles.size() == 0) return;
     visit(state.tangles.span());
     visit(std::span(&state.may_cross, 1));
