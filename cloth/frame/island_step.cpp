@@ -120,11 +120,9 @@ void Simulation::meet(const Substep& substep) {
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
 
-// Where one layer lies on another, only one of them is going to fall: so gravity counts from the start.
 ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
     return {.velocities = cloth.state.velocities.span(),
             .h = h,
-            .fall = h * h * to_vector(settings.gravity),
             .held = cloth.state.held.normals.span()};
 }
 
