@@ -25,8 +25,9 @@ void if_near(const ColliderMotion& motion, float h, const Reach& reach, const Bl
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, float thickness, float friction,
                             float h, std::span<const Vec4> held, std::span<const Vec4> starts,
-                            std::span<Vec4> positions, std::span<Vec4> velocities) {
-    CollidingBlock block{positions, velocities, held, starts, paths_of(starts, positions)};
+                            std::span<Vec4> positions, std::span<Vec4> velocities,
+                            const ParticleFactors& factors) {
+    CollidingBlock block{positions, velocities, held, starts, factors, paths_of(starts, positions)};
     for (const ColliderMotion& motion : colliders)
         if_near(motion, h, {thickness, 0}, block.paths, [&](const auto& shape, const Meeting& meeting) {
             collide(shape,
@@ -47,15 +48,16 @@ void clear(NearSurfaces& near, float reach) {
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
                       float friction, float h, std::span<const Vec4> held, std::span<const Vec4> starts,
                       std::span<Vec4> positions, std::span<Vec4> velocities,
-                      std::span<std::uint32_t> block_partials) {
+                      std::span<std::uint32_t> block_partials, const ParticleFactors& factors) {
     if (colliders.empty()) return 0;
     const auto block = [&](const BlockRange& range) {
         const std::uint32_t size = range.end - range.begin;
-        const auto of_block = [&](std::span<const Vec4> all) {
+        const auto of_block = [&](auto all) {
             return all.empty() ? all : all.subspan(range.begin, size);
         };
         return collide_block(colliders, thickness, friction, h, of_block(held), of_block(starts),
-                             positions.subspan(range.begin, size), velocities.subspan(range.begin, size));
+                             positions.subspan(range.begin, size), velocities.subspan(range.begin, size),
+                             {of_block(factors.thickness), of_block(factors.friction)});
     };
     return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 0u, block,
                            std::plus<>{});

@@ -33,6 +33,12 @@ struct ColliderMotion {
 /// blended and normalised. Precondition: the same alternative in both.
 [[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
 
+/// What differs from particle to particle, each empty where nothing does: factors of the thickness, from 0 to
+/// 1, and of friction.
+struct ParticleFactors {
+    std::span<const float> thickness{}, friction{};
+};
+
 /// Moves every free particle (positions.w = inverse mass > 0) that is nearer than `thickness` to a collider's
 /// surface, or inside it, out to `thickness`; takes from its velocity relative to the surface what approaches
 /// it, and by Coulomb's law what slides along it. Friction moves the position too, so that cloth at rest on a
@@ -46,7 +52,7 @@ struct ColliderMotion {
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
                       float friction, float h, std::span<const Vec4> held, std::span<const Vec4> starts,
                       std::span<Vec4> positions, std::span<Vec4> velocities,
-                      std::span<std::uint32_t> block_partials);
+                      std::span<std::uint32_t> block_partials, const ParticleFactors& factors = {});
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {

@@ -25,6 +25,7 @@ struct ContactSettings {
 struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see collide()
+    ParticleFactors factors;
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
 };

@@ -11,7 +11,7 @@ namespace weft {
 namespace {
 
 std::size_t bytes_of(const CookedCloth& model) {
-    return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
+    return model.positions.bytes() + model.rest_area.bytes() + model.stiffness.bytes() + model.spring_offsets.bytes() +
            model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
            model.bending.bytes() + model.bending_excess.bytes() + model.corner_offsets.bytes() +
            model.corner_triangles.bytes() + model.triangles.size() * sizeof(Triangle) +
@@ -212,8 +212,8 @@ void Cloth::reserve_pairs(Solver& with) const {
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
     const bool with_pairs = has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
-    const bool with_colliders = any_colliders && meets_in_equation(of);
-    const bool needed = with.is_implicit() && (with_colliders || with_pairs);
+    const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
+    const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
     return std::optional<ContactBuffers>(std::in_place, model.particle_count, with_pairs);
 }
@@ -226,8 +226,8 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         if (!goes_on) state.held = std::move(made->held);
     }
     const bool has_pairs = features && !has_zones(settings.self_collision) && solver->joins();
-    const bool with_colliders = any_colliders && meets_in_equation(settings);
-    if (solver->is_implicit() && (with_colliders || has_pairs)) return;
+    const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
+    if (solver->is_implicit() && (with_surfaces || has_pairs)) return;
     contacts.reset();
     state.held = {};
 }
@@ -300,9 +300,19 @@ void Cloth::unpin(std::span<const std::uint32_t> particles) {
     change_pins(std::move(pins));
 }
 
+void Cloth::pin_only(std::span<const std::uint32_t> particles) {
+    std::vector<Pin> pins;
+    pins.reserve(particles.size());
+    for (const std::uint32_t i : particles) {
+        const Pin* const pinned = find_pin(i);
+        pins.push_back(pinned != nullptr ? *pinned : Pin{i, xyz(state.positions[i])});
+    }
+    change_pins(std::move(pins));
+}
+
 void Cloth::change_pins(std::vector<Pin>&& pins) {
-    if (pins.size() == state.pins.size()) return;  // pins are only added, or only taken away
     const std::vector<std::uint32_t> now = particles_of(pins), before = particles_of(state.pins);
+    if (now == before) return;
     for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, now);
     solver->reserve_pins(pins.size());
 
@@ -364,7 +374,7 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     const float finest = 2 * info.mean_edge;
     info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
-    std::size_t of_limits = 0;
+    std::size_t of_limits = worn.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     info.bytes = sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +

@@ -12,7 +12,10 @@
 #include "cloth/frame/history.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/survey.h"
+#include "cloth/frame/worn/moving_frame.h"
+#include "cloth/frame/worn/rigid_motion.h"
 #include "cloth/limits/limit.h"
+#include "cloth/limits/worn_limits.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/surface/surface.h"
@@ -91,6 +94,8 @@ struct Cloth {
     void place_pins() noexcept {
         for (const Pin& pin : state.pins) set_xyz(state.positions[pin.particle], pin.target);
     }
+    /// Of these particles, ascending, and no others.
+    void pin_only(std::span<const std::uint32_t> particles);
     /// Null if the particle is not pinned.
     [[nodiscard]] Pin* find_pin(std::uint32_t particle);
 
@@ -129,6 +134,8 @@ struct Cloth {
     void fall_asleep() noexcept;
     /// Without velocities, and drawn where it is.
     void stand_still() noexcept;
+    /// Takes a checked map over, or none; see worn/maps.cpp.
+    void set_map(Map map, AlignedBuffer<float>&& values);
 
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
@@ -155,6 +162,8 @@ struct Cloth {
     /// afterwards.
     AlignedBuffer<Vec4> next_velocities;
     std::optional<History> history;                 ///< only with BDF2
+    WornLimits worn;                                ///< leashes, backstops, and maps for contact
+    AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
     Limits limits;                                  ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
@@ -177,6 +186,10 @@ struct Cloth {
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
 
+    /// How its frame carries it before the present step; none without a frame, or at full inertia.
+    std::optional<Carried> carried;
+    std::vector<ColliderMotion> seen_colliders;  ///< as the cloth that is carried sees them
+
     // Of the present step; a step that is done leaves them for the report.
     bool solver_failed = false;           ///< in one of its substeps
     bool unsolved = false;                ///< beyond what its method tolerates, in one of them
@@ -187,6 +200,7 @@ struct Cloth {
     FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
     std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
+    LimitLag limit_lag{};                 ///< of its worn limits, at the end
 
   private:
     bool has_colliders_ = false;
@@ -201,6 +215,11 @@ struct Cloth {
     void reserve_pairs(Solver& with) const;
     void change_pins(std::vector<Pin>&& pins);
     void set_inverse_masses();
+    [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
+    void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
+    void set_masses(AlignedBuffer<float>&& values);
+    void set_stiffness(AlignedBuffer<float>&& values);
+    void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };
 

@@ -62,7 +62,9 @@ bool can_be_together(const Cloth& cloth) {
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
-    return std::ranges::any_of(cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0; });
+    return std::ranges::any_of(cloths, [](const Cloth* cloth) {
+        return cloth->collider_contacts > 0 || cloth->worn.is_holding();
+    });
 }
 
 /// BDF2's first step is one of backward Euler, with another gamma.
@@ -118,11 +120,9 @@ void Simulation::meet(const Substep& substep) {
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
 
-// Where one layer lies on another, only one of them is going to fall: so gravity counts from the start.
 ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
     return {.velocities = cloth.state.velocities.span(),
             .h = h,
-            .fall = h * h * to_vector(settings.gravity),
             .held = cloth.state.held.normals.span()};
 }
 
@@ -197,7 +197,8 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         Cloth& cloth = *island[k];
         if (!is_member(cloth)) continue;
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
-        cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
+        if (cloth.carried) see_colliders(worker, cloth, substep);
+        begin_contacts(worker, cloth, substep);
         join_features(worker, space, k, cloth, equation);
         joined_.push_back(&cloth);
         steps_.push_back({.parallel = worker.parallel,
@@ -262,7 +263,7 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
 // Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
 // section 2: cloth against rigid bodies on top of cloth against cloth).
 void Simulation::keep_out_of_colliders(Worker& worker, Cloth& cloth, float h) {
-    if (worker.motions.empty() || !meets_in_equation(cloth.settings)) return;
+    if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
     cloth.collider_contacts = std::max(cloth.collider_contacts, collide(worker, cloth, h, {}));
 }
 

@@ -52,7 +52,7 @@ void Simulation::log_contact(ContactLog& log, Cloth& cloth, const Contact& conta
 // impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
 // forces over h.
 void Simulation::add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.contacts || worker.motions.empty()) return;
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
     const float ratio = equation.h / equation.gamma;
     worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {

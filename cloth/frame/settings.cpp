@@ -204,6 +204,17 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
     checks.one_of("ClothSettings::collider_response", settings.collider_response,
                   {"ColliderResponse::contact", "ColliderResponse::velocity_filter"});
+    checks.between("FrameInertia::linear", settings.frame_inertia.linear, 0, 1);
+    checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
+    checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
+    return checks.result();
+}
+
+Result<void> validate_for_maps(const ClothSettings& settings) {
+    Checks checks;
+    checks.allow(!(settings.finite_elements.enabled && settings.finite_elements.consistent_mass),
+                 "FiniteElements::consistent_mass is true, and Map::mass and Map::stiffness know lumped masses "
+                 "only; it must be false with them");
     return checks.result();
 }
 

@@ -138,6 +138,9 @@ const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
 
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->state.frame) cloth->seen_colliders.reserve(count);
+    });
     reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
     ForCloths<AlignedBuffer<Vec4>> starts;

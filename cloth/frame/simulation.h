@@ -77,6 +77,11 @@ struct Simulation {
 
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
+    /// Sees to what the cloth needs in a frame: room for the colliders as it sees them.
+    void set_frame(Cloth& cloth, const Transform& pose);
+    /// Teleports a cloth; or all, with all else. What is moved is checked beforehand.
+    void move(Cloth& cloth, const RigidMotion& by);
+    void shift_origin(const Vec3& to);
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
 
@@ -110,7 +115,16 @@ struct Simulation {
     void for_each_cloth(const Work& work);
 
     void move_pins(Cloth& cloth, float dt) const;
-    void predict(Worker& worker, Cloth& cloth, const Substep& substep);
+    void plan_carries(float dt);
+    void see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const;
+    void fill_motions(std::vector<ColliderMotion>& motions, const Substep& substep,
+                      const Carried* carried) const;
+    [[nodiscard]] static std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
+        return cloth.carried ? cloth.seen_colliders : worker.motions;
+    }
+    void hold_worn(Worker& worker, Cloth& cloth);
+    void end_worn(Worker& worker, Cloth& cloth);
+    void predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void settle(Worker& worker, Cloth& cloth, const Substep& part);
     [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
@@ -155,7 +169,9 @@ struct Simulation {
     [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
     void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
-                                                                               const Cloth& cloth);
+                                                                               Cloth& cloth);
+    /// Begins the cloth's contacts in an equation, if it has any.
+    static void begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part);
     void reserve_collider_ids(bool reported);
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);

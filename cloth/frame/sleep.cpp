@@ -33,6 +33,21 @@ Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
     return grown(cloth.extent, cloth.as_body().radius + way);
 }
 
+bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+/// By its pins, its skin or its frame.
+bool is_moved_by_host(const Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
+    if (std::ranges::any_of(state.pins, moves)) return true;
+    if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
+        return true;
+    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
+           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
+}
+
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     return with_shapes(motion, [&](const auto& start, const auto& end) {
         return may_meet(start, end, Pace{dt, max_speed}, Reach{cloth.settings.thickness, wakes_within},
@@ -78,12 +93,7 @@ void Simulation::disturb(float dt) {
             if (cloth->state.rest && disturbed(*cloth)) cloth->wake();
     };
     if (gusts) return for_all([](const Cloth&) { return true; });
-    const auto add_pins = [](const Cloth& cloth) {
-        return std::ranges::any_of(cloth.state.pins, [&](const Pin& pin) {
-            return pin.target != xyz(cloth.state.positions[pin.particle]);
-        });
-    };
-    for_all(add_pins);
+    for_all(is_moved_by_host);
     Worker worker{serial_, motions_[0], contact_reports_.of_thread(0)};
     move_colliders(worker, Substep{0, 1, dt});
     for (const ColliderMotion& motion : worker.motions) {
@@ -163,8 +173,11 @@ void Cloth::set_enabled(bool on) noexcept {
     settings.enabled = on;
     wake();
     if (!on) stand_still();
-    // What it meets may have gone through it meanwhile.
+    // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
     if (features) state.may_cross = 1;
+    if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
+    std::ranges::copy(std::as_const(state.skin.target_places).span(), state.skin.places.data());
+    std::ranges::copy(std::as_const(state.skin.target_normals).span(), state.skin.normals.data());
 }
 
 // It stays where it is drawn, and when it wakes it begins from rest.

@@ -10,12 +10,14 @@
 #include <variant>
 #include <vector>
 
+#include "cloth/limits/skin_state.h"
 #include "cloth/system/contacts.h"
 #include "collision/contact/tangles.h"
 #include "engine/aligned_buffer.h"
 #include "engine/slot_map.h"
 #include "engine/vector.h"
 #include "weft/collider.h"
+#include "weft/transform.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -47,6 +49,12 @@ struct Rest {
     std::uint32_t asleep = 0;
 };
 
+/// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
+struct FrameState {
+    Transform pose, target;
+    Vec3 velocity{}, velocity_change{};  ///< [m/s]
+};
+
 /// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
@@ -54,6 +62,8 @@ struct ClothState {
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
     AlignedBuffer<Vec4> normals;             ///< x y z of unit length, w 0
     std::vector<Pin> pins;                   ///< in ascending order of particles
+    std::optional<FrameState> frame;         ///< only if it lives in one
+    SkinState skin;
     StepRecord record;                       ///< only with BDF2
     HeldContacts held;                       ///< only with colliders, and if the solver is implicit
     AlignedBuffer<TangleMemory> tangles;     ///< only with contact
@@ -69,7 +79,7 @@ struct ClothState {
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
-               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + tangles.bytes();
+               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + skin.bytes() + tangles.bytes();
     }
 };
 
@@ -107,6 +117,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.velocities.span());
     visit(state.normals.span());
     visit_pins(state.pins, visit);
+    if (state.frame) visit(std::span(&*state.frame, 1));
     visit(std::span(&state.record.h, 1));
     visit(state.record.displacements.span());
     visit(state.record.velocity_changes.span());
@@ -115,6 +126,12 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
     if (state.rest) visit(std::span(&*state.rest, 1));
+    if (state.skin.places.size() > 0) {
+        visit(std::span(&state.skin.known, 1));
+        for (auto* buffer : {&state.skin.places, &state.skin.target_places, &state.skin.normals,
+                             &state.skin.target_normals})
+            visit(buffer->span());
+    }
     if (state.tangles.size() == 0) return;
     visit(state.tangles.span());
     visit(std::span(&state.may_cross, 1));

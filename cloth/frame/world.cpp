@@ -11,27 +11,14 @@
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
+#include "cloth/frame/world_calls.h"
 #include "engine/error_text.h"
 #include "engine/state_hash.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
 
-struct World::Impl {
-    explicit Impl(const WorldSettings& settings) : simulation(settings) {}
-    Simulation simulation;
-};
-
 namespace {
-
-template <class Id>
-Error stale_id(const char* type, Id id) {
-    if (id == Id{})
-        return {ErrorCode::stale_id, std::string(type) + " is null; use the one that the World returned"};
-    return {ErrorCode::stale_id, std::string(type) + " {" + std::to_string(id.index) + ", " +
-                                     std::to_string(id.generation) +
-                                     "} is of an object that was removed, or of another World"};
-}
 
 Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
@@ -43,17 +30,6 @@ Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings&
 Error no_cloth() {
     return {ErrorCode::invalid_argument,
             "the PreparedCloth has no cloth: a World has taken it over; create another"};
-}
-
-/// The particle of a mesh vertex.
-Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
-    const auto& map = cloth.model.vertex_to_particle;
-    if (vertex >= map.size()) {
-        return Error{ErrorCode::invalid_argument, "vertex " + std::to_string(vertex) +
-                                                      " does not exist; the mesh has " +
-                                                      std::to_string(map.size())};
-    }
-    return map[vertex];
 }
 
 /// The particles of mesh vertices.
@@ -77,17 +53,6 @@ Result<Pin*> pin_of(Cloth& cloth, std::uint32_t vertex) {
         return Error{ErrorCode::invalid_argument,
                      "vertex " + std::to_string(vertex) + " is not pinned; call pin first"};
     return pin;
-}
-
-/// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
-template <class Simulation, class Use>
-auto with_cloth(Simulation& simulation, ClothId id, const Use& use)
-    -> decltype(use(**simulation.cloths.find(id))) {
-    return without_exceptions([&]() -> decltype(use(**simulation.cloths.find(id))) {
-        auto* slot = simulation.cloths.find(id);
-        if (slot == nullptr) return stale_id("ClothId", id);
-        return use(**slot);
-    });
 }
 
 /// Calls `use` with the particles of mesh vertices of a cloth.
@@ -247,6 +212,8 @@ Result<ClothSettings> World::cloth_settings(ClothId id) const {
 Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
         if (auto valid = validate(settings); !valid) return valid;
+        if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
+            if (auto valid = validate_for_maps(settings); !valid) return valid;
         impl_->simulation.apply(cloth, settings);
         return {};
     });

@@ -161,10 +161,11 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::uint32_t size = range.end - range.begin;
     const std::span<const Vec4> v = velocities.subspan(range.begin, size);
     NearSurfaces surfaces;
-    const bool near =
+    bool near =
         find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
                            equation.positions.subspan(range.begin, size),
                            equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
+    if (own_ != nullptr) near = own_->adjust(range, reach, near, surfaces);
     const ContactBlock block{.near = surfaces,
                              .velocities = v.data(),
                              .gamma = gamma,

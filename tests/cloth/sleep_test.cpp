@@ -194,6 +194,39 @@ TEST(Sleep, APinThatMovesWakesItAndKeepsItAwake) {
     EXPECT_NEAR(world.cloth(cloth)->positions[0].y, pin.y + 0.012f, 1e-5f);
 }
 
+TEST(Sleep, WakesWhenWhatItIsWornOnMoves) {
+    const std::vector<float> leash(side * side, 0.05f);
+    const auto places = [](const World& world, ClothId cloth, float higher) {
+        std::vector<Vec3> all;
+        const ClothView view = *world.cloth(cloth);
+        for (const std::uint32_t i : view.vertex_to_particle)
+            all.push_back({view.positions[i].x, view.positions[i].y + higher, view.positions[i].z});
+        return all;
+    };
+    EXPECT_TRUE(
+        wakes_by([&](Room& room) { ASSERT_TRUE(room.world.set_map(room.cloth, Map::leash, leash)); }));
+    const auto in_frame = [](Room& room) { ASSERT_TRUE(room.world.set_frame(room.cloth, {})); };
+    EXPECT_FALSE(wakes_by(in_frame));
+    EXPECT_TRUE(wakes_by([&](Room& room) {
+        in_frame(room);
+        ASSERT_TRUE(room.world.set_frame(room.cloth, {.translation = {0.01f, 0, 0}}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_cloth(room.cloth, {.translation = {0, 1, 0}}));
+    }));
+    Room room;
+    ASSERT_TRUE(room.world.set_map(room.cloth, Map::leash, leash));
+    const auto skin = places(room.world, room.cloth, 0);
+    ASSERT_TRUE(room.world.set_skin(room.cloth, skin, {}));
+    ASSERT_TRUE(sleeps_within(room.world, room.cloth, 600));
+    ASSERT_TRUE(room.world.set_skin(room.cloth, skin, {}));
+    room.world.step(h);
+    EXPECT_TRUE(room.world.is_asleep(room.cloth).value());
+    ASSERT_TRUE(room.world.set_skin(room.cloth, places(room.world, room.cloth, 0.1f), {}));
+    room.world.step(h);
+    EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
+}
+
 TEST(Sleep, GustsLetNoneAndSteadyAirDoes) {
     WorldSettings settings;
     settings.wind = {.velocity = {0.5f, 0, 0}, .gust = 0.3f};
@@ -301,6 +334,25 @@ TEST(Enabled, SwitchedOnItFallsFromRestAndComesClearOfWhatWentIntoIt) {
     EXPECT_EQ(world.report().crossings, 0u);
     EXPECT_EQ(world.report().restored_cloths, 0u);
     EXPECT_LT(world.cloth(falls)->positions[middle].y, held.y + 0.005f);
+}
+
+TEST(Enabled, FeelsNothingOfWhereItsFrameWentMeanwhile) {
+    World world = make_world();
+    const ClothId cloth = add_sheet(world, 0.5f, that_sleeps());
+    ASSERT_TRUE(world.set_frame(cloth, {}));
+    world.step(h);
+    ASSERT_TRUE(world.set_enabled(cloth, false));
+    for (int i = 1; i < 10; ++i) {
+        ASSERT_TRUE(world.set_frame(cloth, {.translation = {static_cast<float>(i), 0, 0}}));
+        world.step(h);
+    }
+    ClothSettings settings = world.cloth_settings(cloth).value();
+    settings.enabled = true;
+    settings.frame_inertia = {0, 0, 0};
+    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
+    const float x = world.cloth(cloth)->positions[middle].x;
+    run(world, 5);
+    EXPECT_NEAR(world.cloth(cloth)->positions[middle].x, x, 1e-3f);
 }
 
 TEST(Enabled, ByItsSettingAlike) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "cloth/frame/worn/rigid_motion.h"
 #include "tests/fuzz/snapshot.h"
 #include "tests/fuzz/text.h"
 
@@ -72,6 +73,12 @@ class Player {
     Answered make(const Operation&, const PlaceCollider& call);
     Answered make(const Operation&, const RemoveCollider& call);
     Answered make(const Operation&, const SetWorldSettings& call);
+    Answered make(const Operation& operation, const MoveCloth& call);
+    Answered make(const Operation& operation, const SetFrame& call);
+    Answered make(const Operation& operation, const LeaveFrame&);
+    Answered make(const Operation& operation, const SetMap& call);
+    Answered make(const Operation& operation, const SetSkin& call);
+    Answered make(const Operation&, const ShiftOrigin& call);
     Answered make(const Operation&, const Step& call);
     Answered make(const Operation&, const StartTrace& call);
     Answered make(const Operation&, const MoveWorld&);
@@ -263,6 +270,50 @@ Player::Answered Player::make(const Operation&, const SetWorldSettings& call) {
     const WorldSettings settings = with_threads(call.settings);
     const auto answer = world_.set_settings(settings);
     if (answer) check(text_of(world_.settings()) == text_of(settings), "settings are not those given");
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const MoveCloth& call) {
+    const auto answer = world_.move_cloth(*cloths_[operation.cloth], call.by);
+    if (answer)
+        for (auto& [i, target] : pins_[operation.cloth]) target = rigid_motion(call.by).point(target);
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const SetFrame& call) {
+    return world_.set_frame(*cloths_[operation.cloth], call.pose);
+}
+
+Player::Answered Player::make(const Operation& operation, const LeaveFrame&) {
+    return world_.leave_frame(*cloths_[operation.cloth]);
+}
+
+Player::Answered Player::make(const Operation& operation, const SetMap& call) {
+    const auto answer = world_.set_map(*cloths_[operation.cloth], call.map, call.values);
+    if (!answer || call.map != Map::pin) return answer;
+    auto& pins = pins_[operation.cloth];
+    const ClothView view = world_.cloth(*cloths_[operation.cloth]).value();
+    std::map<std::uint32_t, Vec3> now;
+    for (std::uint32_t v = 0; v < call.values.size(); ++v) {
+        if (call.values[v] < 0.5f) continue;
+        const std::uint32_t i = view.vertex_to_particle[v];
+        const Vec4& p = view.positions[i];
+        const auto before = pins.find(i);
+        now.try_emplace(i, before != pins.end() ? before->second : Vec3{p.x, p.y, p.z});
+    }
+    pins = std::move(now);
+    return answer;
+}
+
+Player::Answered Player::make(const Operation& operation, const SetSkin& call) {
+    return world_.set_skin(*cloths_[operation.cloth], call.places, call.normals);
+}
+
+Player::Answered Player::make(const Operation&, const ShiftOrigin& call) {
+    const auto answer = world_.shift_origin(call.to);
+    if (answer)
+        for (auto& pins : pins_)
+            for (auto& [i, p] : pins) p = {p.x - call.to.x, p.y - call.to.y, p.z - call.to.z};
     return answer;
 }
 

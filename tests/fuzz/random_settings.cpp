@@ -100,7 +100,10 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.self_collision.friction,
                              &s.air_damping,
                              &s.thickness,
-                             &s.friction};
+                             &s.friction,
+                             &s.frame_inertia.linear,
+                             &s.frame_inertia.angular,
+                             &s.frame_inertia.centrifugal};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -193,6 +196,42 @@ Vec3 moved(Random& random, const Vec3& from) {
 
 }  // namespace
 
+Drawn<Transform> random_transform(Random& random) {
+    Transform drawn{.translation = random.point(random.chance(0.1) ? random.of_any_size(1, 1e4f) : 0.3f)};
+    if (random.chance(0.7)) drawn.rotation = turned(random);
+    if (!random.chance(0.05)) return {drawn, Answer::either};
+    (random.chance(0.5) ? drawn.translation.y : drawn.rotation.z) = random.one_of({infinity, not_a_number});
+    return {drawn, Answer::refused};
+}
+
+Drawn<Map> random_map(Random& random) {
+    const auto map = static_cast<Map>(random.below(8));
+    const bool may_refuse = map == Map::mass || map == Map::stiffness || map == Map::leash || map == Map::backstop;
+    return {map, may_refuse ? Answer::either : Answer::accepted};
+}
+
+float map_value(Random& random, Map map) {
+    switch (map) {
+        case Map::mass:
+            return random.of_any_size(0.1f, 10);
+        case Map::pin:
+            return random.chance(0.9) ? 0.0f : 1.0f;
+        case Map::leash:
+            return random.chance(0.3) ? infinity : random.chance(0.1) ? 0 : random.of_any_size(1e-4f, 1);
+        case Map::backstop:
+            return random.chance(0.3) ? infinity : random.between(-0.001f, 0.1f);
+        case Map::backstop_radius:
+            return random.chance(0.3) ? infinity : random.of_any_size(1e-3f, 1e5f);
+        case Map::friction:
+            return random.between(0, 2);
+        case Map::thickness:
+            return random.unit() < 0.5 ? 1.0f : random.between(0, 1);
+        case Map::stiffness:
+            return random.of_any_size(0.1f, 10);
+    }
+    return 1;
+}
+
 std::uint64_t passes_of(const ClothSettings& settings) {
     const auto passes = std::visit(
         [](const auto& method) -> std::int64_t {
@@ -243,6 +282,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.self_collision.mask = random.chance(0.8) ? ~0u : 1u;
     s.self_collision.distance = fields.zero_or_more(1e-3f, 0.1f);
     s.self_collision.friction = fields.zero_or_more(1e-2f, 2);
+    if (random.chance(0.5))
+        s.frame_inertia = {random.between(0, 1), random.chance(0.3) ? 1.0f : random.between(0, 1),
+                           random.between(0, 1)};
     s.self_collision.search = random.chance(0.2)   ? SelfCollisionSearch::shifted_grids
                               : random.chance(0.2) ? SelfCollisionSearch::sorted_sweep
                                                    : SelfCollisionSearch::exact;

@@ -21,6 +21,7 @@ struct PlannedCloth {
     ClothSettings settings;
     bool removed = false;
     std::vector<std::uint32_t> pinned;
+    bool may_have_maps = false;  ///< of mass or stiffness
 
     [[nodiscard]] std::uint64_t work() const {
         return removed ? 0 : mesh.positions.size() * passes_of(settings);
@@ -65,6 +66,11 @@ class Author {
     void set_world_settings();
     void step();
     void start_trace();
+    void move_cloth();
+    void set_frame();
+    void set_map();
+    void set_skin();
+    void shift_origin();
 
     void add(decltype(Operation::call) call, Answer answer = Answer::accepted,
              std::size_t cloth = Operation::no_cloth) {
@@ -116,6 +122,11 @@ void Author::add_operation() {
         {8, &Author::set_cloth_settings},
         {6, &Author::set_world_settings},
         {1, &Author::start_trace},
+        {2, &Author::move_cloth},
+        {6, &Author::set_frame},
+        {6, &Author::set_map},
+        {8, &Author::set_skin},
+        {1, &Author::shift_origin},
     };
     std::uint32_t all = 0;
     for (const Choice& choice : choices) all += choice.weight;
@@ -124,6 +135,51 @@ void Author::add_operation() {
         if (drawn < choice.weight) return (this->*choice.add)();
         drawn -= choice.weight;
     }
+}
+
+void Author::move_cloth() {
+    const Drawn<Transform> by = random_transform(random_);
+    add(MoveCloth{by.value}, by.answer, any_of(cloths_));
+}
+
+void Author::set_frame() {
+    const std::size_t cloth = any_of(cloths_);
+    if (random_.chance(0.1)) return add(LeaveFrame{}, Answer::accepted, cloth);
+    const Drawn<Transform> pose = random_transform(random_);
+    add(SetFrame{pose.value}, pose.answer, cloth);
+}
+
+void Author::set_map() {
+    const std::size_t cloth = any_of(cloths_);
+    const Drawn<Map> map = random_map(random_);
+    std::vector<float> values;
+    if (!random_.chance(0.15))
+        for (std::size_t v = 0; v < cloths_[cloth].mesh.positions.size(); ++v)
+            values.push_back(map_value(random_, map.value));
+    Answer answer = map.answer;
+    if (!values.empty() && random_.chance(0.05)) {
+        values[random_.below(values.size())] = -20;
+        answer = Answer::refused;
+    }
+    cloths_[cloth].may_have_maps |= map.value == Map::mass || map.value == Map::stiffness;
+    add(SetMap{map.value, std::move(values)}, answer, cloth);
+}
+
+void Author::set_skin() {
+    const std::size_t cloth = any_of(cloths_);
+    SetSkin call;
+    const Vec3 by = random_.point(random_.chance(0.1) ? random_.of_any_size(1, 1e4f) : 0.1f);
+    const Vec3 normal{by.z, 1, by.x};
+    for (const Vec3& p : cloths_[cloth].mesh.positions) {
+        call.places.push_back({p.x + by.x, p.y + by.y, p.z + by.z});
+        call.normals.push_back(normal);
+    }
+    add(std::move(call), Answer::either, cloth);
+}
+
+void Author::shift_origin() {
+    const Vec3 to = random_.point(random_.chance(0.5) ? 10 : 500);
+    add(ShiftOrigin{to}, Answer::either);
 }
 
 void Author::add_cloth() {
@@ -160,8 +216,10 @@ void Author::set_cloth_settings() {
     PlannedCloth& cloth = cloths_[chosen];
     const Drawn<ClothSettings> settings =
         random_cloth_settings(random_, passes_left(cloth.mesh.positions.size(), work() - cloth.work()));
-    if (settings.answer != Answer::refused) cloth.settings = settings.value;
-    add(SetClothSettings{settings.value}, settings.answer, chosen);
+    const bool may_refuse = cloth.may_have_maps && settings.value.finite_elements.consistent_mass;
+    if (settings.answer != Answer::refused && !may_refuse) cloth.settings = settings.value;
+    add(SetClothSettings{settings.value},
+        settings.answer == Answer::accepted && may_refuse ? Answer::either : settings.answer, chosen);
 }
 
 /// One, the corners, a row, two rows, a column, the border, a part at random, all.

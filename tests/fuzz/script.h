@@ -57,12 +57,31 @@ struct StartTrace {
     std::size_t max_events;
 };
 struct MoveWorld {};
+struct MoveCloth {
+    Transform by;
+};
+struct SetFrame {
+    Transform pose;
+};
+struct LeaveFrame {};
+struct SetMap {
+    Map map;
+    std::vector<float> values;
+};
+/// The mesh as it was given, moved.
+struct SetSkin {
+    std::vector<Vec3> places, normals;
+};
+struct ShiftOrigin {
+    Vec3 to;
+};
 
 struct Operation {
     static constexpr std::size_t no_cloth = ~std::size_t{0};
 
     std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
-                 MoveCollider, PlaceCollider, RemoveCollider, SetWorldSettings, Step, StartTrace, MoveWorld>
+                 MoveCollider, PlaceCollider, RemoveCollider, SetWorldSettings, Step, StartTrace, MoveWorld,
+                 MoveCloth, SetFrame, LeaveFrame, SetMap, SetSkin, ShiftOrigin>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

@@ -113,7 +113,9 @@ std::string text_of(const ClothSettings& s) {
                                     std::visit([](const auto& method) { return text_of(method); }, s.method),
                                     text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers),
                                     text_of(s.self_collision), text_of(s.air_damping), text_of(s.thickness),
-                                    text_of(s.friction), text_of(s.collider_response)});
+                                    text_of(s.friction), text_of(s.collider_response),
+                                    text_of(s.frame_inertia.linear), text_of(s.frame_inertia.angular),
+                                    text_of(s.frame_inertia.centrifugal)});
 }
 
 static std::string text_of(const Wind& w) {
@@ -195,6 +197,28 @@ static std::string text_of(const StartTrace& call) {
 }
 static std::string text_of(const MoveWorld&) {
     return "the World is moved from and back";
+}
+
+static std::string text_of(const Transform& t) {
+    return braced("Transform", {text_of(t.translation), text_of(t.rotation)});
+}
+static std::string text_of(const MoveCloth& call) {
+    return "move_cloth(" + text_of(call.by) + ")";
+}
+static std::string text_of(const SetFrame& call) {
+    return "set_frame(" + text_of(call.pose) + ")";
+}
+static std::string text_of(const LeaveFrame&) {
+    return "leave_frame()";
+}
+static std::string text_of(const SetMap& call) {
+    return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";
+}
+static std::string text_of(const SetSkin& call) {
+    return "set_skin(" + text_of(call.places.front()) + " ...)";
+}
+static std::string text_of(const ShiftOrigin& call) {
+    return "shift_origin(" + text_of(call.to) + ")";
 }
 
 std::string text_of(const Operation& operation) {

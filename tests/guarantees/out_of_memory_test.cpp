@@ -269,6 +269,25 @@ std::vector<Call> other_calls() {
     add("place_shape", [](Scene& s) {
         return without_value(s.world.add_collider({.shape = PlacedShape{s.shape, {0, 0.2f, 0}}}));
     });
+    const auto set_map = [](Map map, float value) {
+        return [=](Scene& s) {
+            return s.world.set_map(s.cloth, map, std::vector<float>(std::size_t{side} * side, value));
+        };
+    };
+    ClothSettings contact;
+    contact.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    add("set_map_mass", set_map(Map::mass, 2));
+    add("set_map_mass_contact", set_map(Map::mass, 2), contact);
+    add("set_map_stiffness", set_map(Map::stiffness, 0.5f));
+    add("set_map_pin", set_map(Map::pin, 0), tethered);
+    add("set_map_friction", set_map(Map::friction, 0.5f));
+    add("set_map_leash", set_map(Map::leash, 0.1f));
+    calls.push_back({.name = "first_leash", .make = set_map(Map::leash, 0.1f), .bare = true});
+    add("set_map_backstop", set_map(Map::backstop, 0.01f));
+    add("move_cloth", [](Scene& s) { return s.world.move_cloth(s.cloth, {.translation = {0, 1, 0}}); });
+    add("set_frame", [](Scene& s) { return s.world.set_frame(s.cloth, {.translation = {0, 1, 0}}); });
+    add("leave_frame", [](Scene& s) { return s.world.leave_frame(s.cloth); });
+    add("shift_origin", [](Scene& s) { return s.world.shift_origin({1, 0, 0}); });
     calls.push_back({.name = "first_collider",
                      .make = [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); },
                      .bare = true});
@@ -392,6 +411,11 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
         [&] {
             return scene.world.move_pin(scene.cloth, 0, {1e9f, 0, 0}).ok();
         },
+        [&] { return scene.world.move_cloth(scene.cloth, {.translation = {1e9f, 0, 0}}).ok(); },
+        [&] { return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok(); },
+        [&] { return scene.world.set_map(scene.cloth, Map::leash, std::vector<float>(3)).ok(); },
+        [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
+        [&] { return scene.world.shift_origin({1e9f, 0, 0}).ok(); },
         [&] {
             return scene.world.add_collider({.shape = Sphere{{}, -1}}).ok();
         },

@@ -93,15 +93,19 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
                        "; set the self-collision that it had");
     if (saved.rest != here.rest)
         return differs("times of rest", saved.rest, here.rest, "; set ClothSettings::sleep_speed as it was");
+    if (saved.skin != here.skin)
+        return differs("places and normals of its skin", saved.skin, here.skin,
+                       "; set the maps of leashes and backstops that it had");
     return {};
 }
 
-/// How many bytes a cloth's part has once it has other pins.
-std::size_t part_bytes(const ClothState& state, std::size_t pins) {
+/// How many bytes a cloth's part has once it has other pins and a frame, or none.
+std::size_t part_bytes(const ClothState& state, const ClothHead& head) {
     SaveSize size;
     for_each_part(state, size);
     const std::size_t a_pin = sizeof(Pin::particle) + 3 * sizeof(float);
-    return size.bytes() + a_pin * pins - a_pin * state.pins.size();
+    const std::size_t has = a_pin * state.pins.size() + (state.frame ? sizeof(FrameState) : 0);
+    return size.bytes() + a_pin * head.pins + head.frame * sizeof(FrameState) - has;
 }
 
 std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
@@ -110,22 +114,29 @@ std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
     return pins;
 }
 
+/// What of a saved cloth may be other than it is here.
+struct Saved {
+    std::vector<Pin> pins;
+    bool in_frame;
+};
+
 /// Before anything is changed: whether each cloth can take its part, and what its pins will need.
-Result<std::vector<std::vector<Pin>>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
-    std::vector<std::vector<Pin>> pins;
+Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
+    std::vector<Saved> cloths;
     Result<void> checked;
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (!checked) return;
         ClothHead head;
         reader(std::span(&head, 1));
-        checked = check_cloth(pins.size(), head, ClothHead(cloth->state));
+        checked = check_cloth(cloths.size(), head, ClothHead(cloth->state));
         if (!checked) return;
-        pins.push_back(read_pins(reader.after(head.bytes_before_pins()), head.pins));
-        cloth->prepare_restore(pins.back());
-        reader.skip(part_bytes(cloth->state, head.pins));
+        cloths.push_back({read_pins(reader.after(head.bytes_before_pins()), head.pins), head.frame != 0});
+        cloth->prepare_restore(cloths.back().pins);
+        if (cloths.back().in_frame) cloth->seen_colliders.reserve(simulation.state.colliders.size());
+        reader.skip(part_bytes(cloth->state, head));
     });
     if (!checked) return checked.error();
-    return pins;
+    return cloths;
 }
 
 }  // namespace
@@ -158,15 +169,17 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
     SaveSize of_world;
     for_each_part(std::as_const(simulation.state), of_world);
     const SaveReader reader(saved.data() + sizeof head);
-    auto pins = prepare_cloths(simulation, reader.after(of_world.bytes()));
-    if (!pins) return pins.error();
+    auto cloths = prepare_cloths(simulation, reader.after(of_world.bytes()));
+    if (!cloths) return cloths.error();
 
     // From here on nothing can fail.
     for_each_part(simulation.state, reader);
-    auto of_cloth = pins->begin();
+    auto of_cloth = cloths->begin();
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         reader.skip(sizeof(ClothHead));
-        cloth->state.pins = std::move(*of_cloth++);
+        cloth->state.pins = std::move(of_cloth->pins);
+        cloth->state.frame.reset();
+        if (of_cloth++->in_frame) cloth->state.frame.emplace();
         for_each_part(cloth->state, reader);
         simulation.state_has_changed(*cloth);
     });

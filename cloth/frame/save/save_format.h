@@ -17,7 +17,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 2;
+inline constexpr std::uint32_t save_version = 3;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -39,6 +39,8 @@ struct ClothHead {
     std::uint32_t held = 0;     ///< by colliders
     std::uint32_t tangles = 0;  ///< remembered by contact
     std::uint32_t rest = 0;     ///< 1: it may fall asleep
+    std::uint32_t skin = 0;     ///< places and normals of it
+    std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
 
     ClothHead() = default;
     explicit ClothHead(const ClothState& state)
@@ -47,7 +49,9 @@ struct ClothHead {
           record(static_cast<std::uint32_t>(state.record.displacements.size())),
           held(static_cast<std::uint32_t>(state.held.normals.size())),
           tangles(static_cast<std::uint32_t>(state.tangles.size())),
-          rest(state.rest ? 1 : 0) {}
+          rest(state.rest ? 1 : 0),
+          skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
+          frame(state.frame ? 1 : 0) {}
 
     /// Where for_each_part() visits the pins: behind positions, previous positions, velocities and normals.
     [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }

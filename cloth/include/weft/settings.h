@@ -67,6 +67,15 @@ struct Tethers {
     float slack = 1.0f;  ///< times the length along the cloth, 1 to 1000
 };
 
+/// How much of its frame's motion a cloth feels, see World::set_frame: each from 0, nothing, to 1, all. At 1
+/// each a frame has no effect, and takes no time.
+struct FrameInertia {
+    float linear = 1;  ///< of the acceleration of the frame's origin
+    /// Of the acceleration of its turning (Euler's), and of what it does to what moves in it (Coriolis').
+    float angular = 1;
+    float centrifugal = 1;  ///< of what turning drives outwards
+};
+
 /// One cloth. All of it can be changed between steps.
 struct ClothSettings {
     Fabric fabric{};
@@ -91,6 +100,7 @@ struct ClothSettings {
     /// wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together. Gusts let
     /// none. A hundredth is little to see; 0: it never sleeps.
     float sleep_speed = 0;
+    FrameInertia frame_inertia{};
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.

@@ -12,11 +12,13 @@
 #include "weft/contact.h"
 #include "weft/debug_draw.h"
 #include "weft/error.h"
+#include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
 #include "weft/report.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"
+#include "weft/transform.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -136,6 +138,53 @@ class World {
     /// All of them or, with an error, none. A vertex that is not pinned stays free.
     Result<void> unpin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> unpin(ClothId id, std::uint32_t vertex) { return unpin(id, {&vertex, 1}); }
+
+    /// Teleports the cloth, with its pins, their targets, its skin and its frame: it keeps its shape, and how
+    /// it moves within it, and gets no velocity. Its last positions go along, so that a blend of the two
+    /// shows no way. Colliders and other cloths stay; what it then crosses is let apart, what it is then
+    /// inside of puts it out. The rotation is about the World's origin. Errors: the rotation is none, or a
+    /// vertex would be out of the 100 km around the origin.
+    Result<void> move_cloth(ClothId id, const Transform& by);
+
+    /// For cloth on what moves: a character, a vehicle. The first call says where the cloth's frame is and
+    /// moves nothing; by each later one it goes there over the next step. A step in which it is not told where
+    /// to go it stands still. By ClothSettings::frame_inertia the cloth then feels the frame's acceleration:
+    /// all of it where each is 1, as cloth does that knows of no frame; none where each is 0, as though the
+    /// frame stood still, with gravity and wind as they are in the World.
+    ///
+    /// Before a step the cloth is carried by what of the frame's way it is not to feel (1 - linear of the way
+    /// of its origin, 1 - angular of its turn), its velocities turned with it: they, too, are without that
+    /// part. Pins are where they are told to be. Colliders go relative to the cloth as they do to the frame,
+    /// so that a body that moves with it rubs and pushes nothing. Cloths that touch want the same frame and
+    /// inertia: what one is carried across crosses, and is let apart. A turn in one step is the shorter way
+    /// round; a jump is move_cloth's. Errors: a rotation that is none, a place beyond 100 km.
+    Result<void> set_frame(ClothId id, const Transform& pose);
+    /// As before the first set_frame().
+    Result<void> leave_frame(ClothId id);
+
+    /// A number for each vertex, or none, which takes the map away. It is not saved. Errors: values of
+    /// another count than the mesh's vertices; a value out of the map's range, by its vertex; a backstop that
+    /// begins beyond the leash.
+    Result<void> set_map(ClothId id, Map map, std::span<const float> values);
+    /// Where each vertex would be if it were part of what the cloth is worn on, and the normal there, out of
+    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is; by
+    /// each later one it goes there over the next step. Of vertices that were welded the last counts. Normals
+    /// are needed by backstops only, else may be none. It takes no memory.
+    ///
+    /// A step ends with every free particle within its leash and out of its backstop, but for rounding; both
+    /// are smooth. They are in the equation of implicit methods, as colliders are, and come after colliders.
+    /// Pins come before them; so does by SelfCollisionMethod::contact, and by impact zones, that cloth does
+    /// not cross: StepReport::limits_exceeded says where that kept one. Errors name the vertex; or no map of
+    /// leashes or backstops is set.
+    Result<void> set_skin(ClothId id, std::span<const Vec3> places, std::span<const Vec3> normals);
+
+    /// Makes `to` the World's new origin: all that is in it, gusts too, gets coordinates less by that, and
+    /// nothing else changes. Single precision has steps of 8 mm at 100 km, and of 0.06 mm at 1 km. So keep
+    /// the World's origin near the camera, by whole metres whenever that is some 500 m away, and add the sum
+    /// of all `to`, in double precision, to what the World gives out. Poses and targets are then given less
+    /// that sum. Saves have coordinates by the origin that there was. Error: something would be out of the
+    /// 100 km around the new origin.
+    Result<void> shift_origin(const Vec3& to);
 
     /// Takes a copy of a shape, of which colliders are then placed (PlacedShape). Errors name the vertex, the
     /// triangle, or what is not closed.
