@@ -4,6 +4,7 @@
 
 #include "demo/character/garment/fitting.h"
 #include "demo/character/garment/garment_file.h"
+#include "demo/character/garment/gltf_file.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
 #include "demo/character/motion/recorded_motion.h"
@@ -36,9 +37,46 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     return dress;
 }
 
+bool is_gltf(const std::filesystem::path& file) {
+    return file.extension() == ".gltf" || file.extension() == ".glb";
+}
+
 }  // namespace
 
+/// Who comes with a skeleton, a motion and weights of their own, and stands as the file has them.
+Result<Character> Character::create_skinned(const CharacterSettings& settings) {
+    if (!settings.motion.empty())
+        return Error{
+            ErrorCode::invalid_argument,
+            settings.garment.string() + " has a motion of its own; leave out " + settings.motion.string()};
+    auto read = read_gltf(settings.garment);
+    if (!read) return read.error();
+    auto body = Body::create(read->recording.skeleton);
+    if (!body) return Error{body.error().code, settings.garment.string() + ": " + body.error().message};
+    Fit fit;
+    std::vector<std::uint32_t> joints;
+    std::vector<float> weights;
+    for (const std::uint32_t vertex : read->garment.fixed) {
+        fit.held.push_back(read->garment.mesh.positions[vertex]);
+        joints.insert(joints.end(), &read->joints[4 * vertex], &read->joints[4 * vertex] + 4);
+        weights.insert(weights.end(), &read->weights[4 * vertex], &read->weights[4 * vertex] + 4);
+    }
+    Pose pose;
+    place_joints(read->recording.skeleton, read->rest, pose);
+    auto binding = Binding::by_weights(pose, fit.held, joints, weights);
+    if (!binding)
+        return Error{binding.error().code, settings.garment.string() + ": fixed " + binding.error().message};
+    Performance performance(std::make_unique<RecordedMotion>(std::move(read->recording)), read->rest,
+                            standing, blending_in, settings.speed, settings.ahead);
+    Character character(std::move(*body), std::move(performance), std::move(read->garment), std::move(fit),
+                        settings);
+    character.binding_ = std::move(*binding);
+    character.follow(0);
+    return character;
+}
+
 Result<Character> Character::create(const CharacterSettings& settings) {
+    if (is_gltf(settings.garment)) return create_skinned(settings);
     auto motion = make_motion(settings.motion);
     if (!motion) return motion.error();
     const Skeleton& skeleton = (*motion)->skeleton();

@@ -348,6 +348,16 @@ TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {
     EXPECT_TRUE(load_obj(file)) << "the last one was written whole";
 }
 
+TEST(OutOfMemoryWithoutAWorld, DrawnMeshesAreAnswered) {
+    const Scene scene;
+    const ClothView& cloth = *scene.world.cloth(scene.cloth);
+    std::vector<Vec3> vertices;
+    for (const Vec4& p : cloth.positions) vertices.push_back({p.x, p.y, p.z});
+    expect_an_answer([&] {
+        return without_value(DrawnMesh::bind(cloth, {.vertices = vertices, .triangles = cloth.triangles}));
+    });
+}
+
 TEST(OutOfMemoryWithoutAWorld, ObjErrorsAreAnswered) {
     const std::filesystem::path file =
         std::filesystem::path(testing::TempDir()) / "weft_out_of_memory_bad.obj";

@@ -61,8 +61,9 @@ class LimbMaker {
         const Vector3 top = farthest(joints_[Part::head]);
         add(end(joints_[Part::neck], at(Part::neck), 1.1f * neck_radius * leg_),
             end(joints_[Part::head], at(Part::head), neck_radius * leg_));
-        const Vector3 up = top - at(Part::head);
-        const Vector3 crown = top - std::min(1.0f, head_radius * leg_ / up.norm()) * up;
+        Vector3 up = top - at(Part::head);
+        if (up.norm() < 0.5f * head_radius * leg_) up = {0, 2 * head_radius * leg_, 0};  // no joint above
+        const Vector3 crown = at(Part::head) + std::max(0.0f, 1 - head_radius * leg_ / up.norm()) * up;
         add(end(joints_[Part::head], at(Part::head) + 0.25f * up, 0.8f * head_radius * leg_),
             end(joints_[Part::head], crown, head_radius * leg_));
     }
