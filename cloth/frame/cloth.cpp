@@ -139,7 +139,14 @@ void Cloth::apply(const ClothSettings& changed) {
 
     // From here on nothing can fail.
     const bool is_other_density = changed.fabric.areal_density != settings.fabric.areal_density;
+    const bool was_enabled = settings.enabled;
     settings = changed;
+    settings.enabled = was_enabled;
+    set_enabled(changed.enabled);
+    if (changed.sleep_speed > 0)
+        state.rest.emplace();
+    else
+        state.rest.reset();
     if (is_other_density) set_inverse_masses();
     if (other_solver) solver = std::move(other_solver);
     solver->prepare(settings);
@@ -327,6 +334,7 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
         any_released = true;
     }
     state.pins = std::move(pins);
+    wake();
     // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
     if (any_released) state.record.h = 0;
 }

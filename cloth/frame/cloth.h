@@ -127,8 +127,16 @@ struct Cloth {
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
 
+    void set_enabled(bool on) noexcept;
+    [[nodiscard]] bool is_asleep() const noexcept;
+    [[nodiscard]] float still_for() const noexcept;  ///< [s]
+    void wake() noexcept;                            ///< or, if it is awake, keeps it so for a while
+    void fall_asleep() noexcept;
+    /// Without velocities, and drawn where it is.
+    void stand_still() noexcept;
     /// Takes a checked map over, or none; see worn/maps.cpp.
     void set_map(Map map, AlignedBuffer<float>&& values);
+
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
         return settings.fabric.areal_density * model.rest_area[particle];
@@ -214,5 +222,11 @@ struct Cloth {
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };
+
+/// Whether their layers let them.
+[[nodiscard]] inline bool may_meet(const Cloth& a, const Cloth& b) {
+    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
+    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
+}
 
 }  // namespace weft

@@ -13,11 +13,6 @@ namespace weft {
 
 namespace {
 
-bool may_meet(const Cloth& a, const Cloth& b) {
-    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
-    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
-}
-
 /// Boxes around points, of which one that is not finite has no part in.
 class GrowingBox {
   public:
@@ -125,11 +120,9 @@ void Simulation::meet(const Substep& substep) {
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
 
-// Where one layer lies on another, only one of them is going to fall: so gravity counts from the start.
 ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
     return {.velocities = cloth.state.velocities.span(),
             .h = h,
-            .fall = h * h * to_vector(settings.gravity),
             .held = cloth.state.held.normals.span()};
 }
 

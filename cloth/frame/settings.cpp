@@ -195,6 +195,7 @@ Result<void> validate(const ClothSettings& settings) {
     check_together(checks, settings);
     checks.one_of("ClothSettings::time_scheme", settings.time_scheme,
                   {"TimeScheme::of_method", "TimeScheme::backward_euler", "TimeScheme::bdf2"});
+    checks.between("ClothSettings::sleep_speed", settings.sleep_speed, 0, 1e3f);
     checks.within("ClothSettings::substeps", settings.substeps, 1, 1024);
     checks.between("Tethers::slack", settings.tethers.slack, 1, 1e3f);
     check(checks, settings.self_collision);

@@ -85,6 +85,11 @@ struct Simulation {
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
 
+    /// Sleeping cloths: all, those that the collider is near, those that lay on a cloth.
+    void wake_all() noexcept;
+    void wake_near(const Collider& collider) noexcept;
+    void wake_near(const Cloth& gone) noexcept;
+
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
@@ -97,6 +102,10 @@ struct Simulation {
     [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed, const SelfCollision& of,
                                                                 const ContactMesh* mesh);
     void begin(float dt);
+    void choose_present(float dt);
+    void disturb(float dt);
+    void sleep_and_wake(float dt);
+    static void count_still_time(Cloth& cloth, float dt);
     void step_together(float dt);
     void step_each(float dt);
     void meet(const Substep& substep);
@@ -185,8 +194,9 @@ struct Simulation {
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
 
     Parallel serial_{1};
-    std::vector<Cloth*> present_;  // the cloths of a step, in the order of their ids
-    Schedule each_, islands_;      // each cloth for itself; those that may touch together
+    std::vector<Cloth*> present_;   // the cloths that a step takes, in the order of their ids
+    std::vector<float> still_for_;  // of each of these, of its island
+    Schedule each_, islands_;       // each cloth for itself; those that may touch together
     std::vector<Bounds> boxes_;
     Islands finder_;
     Motions motions_;  // one list for each thread

@@ -43,6 +43,12 @@ struct StepRecord {
     }
 };
 
+/// How still a cloth is.
+struct Rest {
+    float still_for = 0;  ///< no particle has been fast [s]
+    std::uint32_t asleep = 0;
+};
+
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
 struct FrameState {
     Transform pose, target;
@@ -63,6 +69,7 @@ struct ClothState {
     AlignedBuffer<TangleMemory> tangles;     ///< only with contact
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
+    std::optional<Rest> rest;  ///< only where it may fall asleep
     std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
@@ -118,6 +125,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
+    if (state.rest) visit(std::span(&*state.rest, 1));
     if (state.skin.places.size() > 0) {
         visit(std::span(&state.skin.known, 1));
         for (auto* buffer : {&state.skin.places, &state.skin.target_places, &state.skin.normals,

@@ -94,13 +94,11 @@ void Simulation::begin(float dt) {
     profiler.begin_step();
     report = {.step = ++state.steps, .substeps = settings.substeps};
     contact_reports_.clear();
-    present_.clear();
-    cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
-        present_.push_back(cloth.get());
-        cloth->id = id;
+    choose_present(dt);
+    for (Cloth* cloth : present_) {
         cloth->unsolved = false;
         cloth->contact_count = 0;
-    });
+    }
     plan_carries(dt);
     each_.plan(present_, parallel.width());
 }
@@ -366,9 +364,11 @@ void Simulation::add_to_report(const Cloth& cloth) {
 
 void Simulation::end(float dt) {
     for (Cloth* cloth : present_) {
+        count_still_time(*cloth, dt);
         add_to_report(*cloth);
         if (cloth->state.frame) arrive(*cloth->state.frame, dt, settings.max_speed);
     }
+    report.cloths += report.sleeping_cloths;
     if (reports_contacts()) report_contacts();
     const Vec3& wind = settings.wind.velocity;
     const double seconds = static_cast<double>(dt);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/debug_draw/debug_draw.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
@@ -19,15 +20,16 @@ namespace weft {
 
 namespace {
 
-/// With all the memory that its steps will need.
-Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
-                                          const ClothSettings& settings) {
+Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
     auto cooked = cook(mesh);
     if (!cooked) return cooked.error();
-    auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
-    simulation.prepare(*cloth);
-    return cloth;
+    return std::make_unique<Cloth>(std::move(cooked).value(), settings);
+}
+
+Error no_cloth() {
+    return {ErrorCode::invalid_argument,
+            "the PreparedCloth has no cloth: a World has taken it over; create another"};
 }
 
 /// The particles of mesh vertices.
@@ -97,6 +99,27 @@ Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider
 
 }  // namespace
 
+struct PreparedCloth::Impl {
+    std::unique_ptr<Cloth> cloth;
+};
+PreparedCloth::PreparedCloth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PreparedCloth::PreparedCloth(PreparedCloth&&) noexcept = default;
+PreparedCloth& PreparedCloth::operator=(PreparedCloth&&) noexcept = default;
+PreparedCloth::~PreparedCloth() = default;
+
+Result<PreparedCloth> PreparedCloth::create(const Mesh& mesh, const ClothSettings& settings) {
+    return without_exceptions([&]() -> Result<PreparedCloth> {
+        auto cloth = make_cloth(mesh, settings);
+        if (!cloth) return cloth.error();
+        return PreparedCloth(std::make_unique<Impl>(std::move(cloth).value()));
+    });
+}
+
+Result<ClothInfo> PreparedCloth::info() const {
+    if (!impl_) return no_cloth();
+    return impl_->cloth->info();
+}
+
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -123,16 +146,28 @@ Result<void> World::set_settings(const WorldSettings& settings) {
 
 Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings) {
     return without_exceptions([&]() -> Result<ClothId> {
-        auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return impl_->simulation.add(std::move(cloth).value());
+    });
+}
+
+Result<ClothId> World::add_cloth(PreparedCloth&& cloth) {
+    return without_exceptions([&]() -> Result<ClothId> {
+        if (!cloth.impl_) return no_cloth();
+        impl_->simulation.prepare(*cloth.impl_->cloth);
+        const ClothId id = impl_->simulation.add(std::move(cloth.impl_->cloth));
+        cloth.impl_.reset();
+        return id;
     });
 }
 
 Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& settings) const {
     return without_exceptions([&]() -> Result<ClothInfo> {
-        const auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        const auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return (*cloth)->info();
     });
 }
@@ -140,8 +175,31 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 Result<void> World::remove_cloth(ClothId id) {
     return without_exceptions([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
-        if (!simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        const auto* const cloth = simulation.cloths.find(id);
+        if (cloth == nullptr) return stale_id("ClothId", id);
+        simulation.wake_near(**cloth);
+        simulation.cloths.erase(id);
         simulation.cloth_has_gone();
+        return {};
+    });
+}
+
+Result<void> World::set_enabled(ClothId id, bool on) {
+    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+        if (!on) impl_->simulation.wake_near(cloth);
+        cloth.set_enabled(on);
+        return {};
+    });
+}
+
+Result<bool> World::is_asleep(ClothId id) const {
+    return with_cloth(impl_->simulation, id,
+                      [](const Cloth& cloth) { return Result<bool>(cloth.is_asleep()); });
+}
+
+Result<void> World::wake(ClothId id) {
+    return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
+        cloth.wake();
         return {};
     });
 }
@@ -265,6 +323,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
             simulation.state.colliders.erase(id);
             throw;
         }
+        simulation.wake_near(collider);
         return id;
     });
 }
@@ -274,15 +333,21 @@ Result<void> World::move_collider(ColliderId id, const Collider& target) {
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {
-    return with_collider(impl_->simulation, id, place,
-                         [&](ColliderSlot& slot) { slot = {.current = place, .target = place}; });
+    return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
+        impl_->simulation.wake_near(slot.current);
+        slot = {.current = place, .target = place};
+        impl_->simulation.wake_near(place);
+    });
 }
 
 Result<void> World::remove_collider(ColliderId id) {
     return without_exceptions([&]() -> Result<void> {
-        WorldState& state = impl_->simulation.state;
-        if (!state.colliders.erase(id)) return stale_id("ColliderId", id);
-        if (state.colliders.size() == 0) impl_->simulation.expect_colliders(0);
+        Simulation& simulation = impl_->simulation;
+        const ColliderSlot* const slot = simulation.state.colliders.find(id);
+        if (slot == nullptr) return stale_id("ColliderId", id);
+        simulation.wake_near(slot->current);
+        simulation.state.colliders.erase(id);
+        if (simulation.state.colliders.size() == 0) simulation.expect_colliders(0);
         return {};
     });
 }
@@ -324,6 +389,10 @@ Result<void> World::start_trace(std::size_t max_events) {
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
     return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
+}
+
+void World::debug_draw(const DebugCanvas& canvas, DebugParts parts) const {
+    weft::debug_draw(impl_->simulation, canvas, parts);
 }
 
 std::size_t World::save_size() const noexcept {

@@ -223,8 +223,8 @@ TEST(SaveRefuses, ByName) {
     Bytes foreign = saved(world), newer = foreign, damaged = foreign;
     foreign[0] = std::byte{'X'};
     expect_refused(world, foreign, "does not begin with WEFTSAVE");
-    newer[8] = std::byte{3};
-    expect_refused(world, newer, "version 3; this library reads version 2");
+    newer[8] = std::byte{200};
+    expect_refused(world, newer, "version 200; this library reads version");
     damaged.back() ^= std::byte{1};
     expect_refused(world, damaged, "is damaged");
     Bytes short_one(world.save_size() - 1);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/fuzz/snapshot.h"
@@ -217,6 +218,18 @@ std::vector<Call> other_calls() {
     add("measure_cloth", [mesh = LoweredSheet::mesh(false, side)](Scene& s) {
         return without_value(s.world.measure_cloth(mesh));
     });
+    add("add_prepared_cloth", [mesh = LoweredSheet::mesh(true, side), tethered](Scene& s) -> Answer {
+        auto prepared = PreparedCloth::create(mesh, tethered);
+        if (!prepared) return prepared.error();
+        const auto added = s.world.add_cloth(std::move(*prepared));
+        EXPECT_NE(added.ok(), prepared->has_cloth());
+        return without_value(added);
+    });
+    add("set_enabled", [](Scene& s) { return s.world.set_enabled(s.cloth, false); });
+    ClothSettings sleepy;
+    sleepy.sleep_speed = 1e-3f;
+    add(
+        "wake", [](Scene& s) { return s.world.wake(s.cloth); }, sleepy);
     add("remove_cloth",
         [](Scene& s) { return s.world.cloth(s.cloth) ? s.world.remove_cloth(s.cloth) : Answer(); });
     add("pin_row", [=](Scene& s) { return s.world.pin(s.cloth, row); });

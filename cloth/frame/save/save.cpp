@@ -91,6 +91,8 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
     if (saved.tangles != here.tangles)
         return differs("particles with contact", saved.tangles, here.tangles,
                        "; set the self-collision that it had");
+    if (saved.rest != here.rest)
+        return differs("times of rest", saved.rest, here.rest, "; set ClothSettings::sleep_speed as it was");
     if (saved.skin != here.skin)
         return differs("places and normals of its skin", saved.skin, here.skin,
                        "; set the maps of leashes and backstops that it had");

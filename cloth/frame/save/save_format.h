@@ -17,7 +17,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 2;
+inline constexpr std::uint32_t save_version = 3;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -38,6 +38,7 @@ struct ClothHead {
     std::uint32_t record = 0;   ///< of BDF2's last step
     std::uint32_t held = 0;     ///< by colliders
     std::uint32_t tangles = 0;  ///< remembered by contact
+    std::uint32_t rest = 0;     ///< 1: it may fall asleep
     std::uint32_t skin = 0;     ///< places and normals of it
     std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
 
@@ -48,6 +49,7 @@ struct ClothHead {
           record(static_cast<std::uint32_t>(state.record.displacements.size())),
           held(static_cast<std::uint32_t>(state.held.normals.size())),
           tangles(static_cast<std::uint32_t>(state.tangles.size())),
+          rest(state.rest ? 1 : 0),
           skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
           frame(state.frame ? 1 : 0) {}
 

@@ -139,7 +139,9 @@ Result<void> World::move_cloth(ClothId id, const Transform& by) {
         if (auto valid = validate("by", by); !valid) return valid;
         const RigidMotion motion = rigid_motion(by);
         if (auto valid = validate_move(cloth, motion); !valid) return valid;
+        impl_->simulation.wake_near(cloth);
         impl_->simulation.parallel.lend([&] { impl_->simulation.move(cloth, motion); });
+        cloth.wake();
         return {};
     });
 }
@@ -181,6 +183,7 @@ Result<void> World::set_map(ClothId id, Map map, std::span<const float> values) 
             map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
         if (!valid) return valid;
         cloth.set_map(map, std::move(of_particles));
+        cloth.wake();
         return {};
     });
 }

@@ -51,8 +51,9 @@ struct StepReport {
     StepFlags flags = StepFlags::none;
     std::uint64_t step = 0;  ///< steps taken since the World was made, this one included
     int substeps = 0;
-    std::uint32_t cloths = 0;
-    std::uint32_t particles = 0;
+    std::uint32_t cloths = 0;             ///< that are enabled
+    std::uint32_t sleeping_cloths = 0;    ///< of these, which were not stepped
+    std::uint32_t particles = 0;          ///< that were stepped
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider, in the last substep
     std::uint32_t self_contacts = 0;      ///< pairs that are close, in the last substep
     /// All that there were, in the whole step, for World::contacts() to choose from; 0 where

@@ -92,6 +92,14 @@ struct ClothSettings {
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
     ColliderResponse collider_response = ColliderResponse::contact;
+    /// False: no step moves it, nothing meets it, and it costs nothing; it stays where it is, and may be
+    /// pinned and set meanwhile. See World::set_enabled.
+    bool enabled = true;
+    /// Cloth of which no particle has been faster for half a second [m/s], 0 to 1000, falls asleep: it stands
+    /// still and costs next to nothing, until a pin or a collider near it moves, awake cloth comes near, the
+    /// wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together. Gusts let
+    /// none. A hundredth is little to see; 0: it never sleeps.
+    float sleep_speed = 0;
     FrameInertia frame_inertia{};
 };
 

@@ -15,6 +15,8 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/debug_draw.h"
+#include "weft/drawn_mesh.h"
 #include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/fabrics.h"

@@ -10,6 +10,7 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/debug_draw.h"
 #include "weft/error.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
@@ -51,6 +52,28 @@ struct ClothInfo {
     friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
 };
 
+/// A cloth made ready for a World that is to take it over at once: cooking takes a frame and more, and may be
+/// done on any thread, for many cloths at a time.
+class PreparedCloth {
+  public:
+    /// Errors are those of World::add_cloth.
+    [[nodiscard]] static Result<PreparedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
+    PreparedCloth(PreparedCloth&&) noexcept;
+    PreparedCloth& operator=(PreparedCloth&&) noexcept;
+    ~PreparedCloth();
+
+    /// No longer once a World has taken it over.
+    [[nodiscard]] bool has_cloth() const noexcept { return impl_ != nullptr; }
+    /// Error: it has no cloth. In a World with colliders, wind or contact reports it takes more bytes.
+    [[nodiscard]] Result<ClothInfo> info() const;
+
+  private:
+    friend class World;
+    struct Impl;
+    explicit PreparedCloth(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
 /// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
 /// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
 /// vertices.
@@ -81,12 +104,21 @@ class World {
     /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex
     /// or triangle.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
+    /// Takes it over, which costs what its memory for this World does: .1 ms for a garment. The same cloth as
+    /// by its mesh. Error: it has no cloth; with any, it keeps the one that it has.
+    Result<ClothId> add_cloth(PreparedCloth&& cloth);
     /// What cloth_info would say of it; nothing is added. Takes as long as add_cloth, and the memory
     /// meanwhile.
     [[nodiscard]] Result<ClothInfo> measure_cloth(const Mesh& mesh, const ClothSettings& settings = {}) const;
     Result<void> remove_cloth(ClothId id);
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
+    /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, the cloth goes on from rest
+    /// where it was left, and finds its way out of what has moved into it.
+    Result<void> set_enabled(ClothId id, bool on);
+    /// See ClothSettings::sleep_speed.
+    [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
+    Result<void> wake(ClothId id);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
     /// next call for the same cloth writes it anew. Copy it to keep it.
@@ -203,6 +235,10 @@ class World {
     Result<void> start_trace(std::size_t max_events = 1u << 20);
     /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
+
+    /// Calls the canvas with what is asked for, as it is after the last step: it takes no memory, and as long
+    /// as it takes to draw. Only exceptions of the canvas leave it.
+    void debug_draw(const DebugCanvas& canvas, DebugParts parts) const;
 
     /// Of all that changes from step to step, pins and colliders included: the same for any number of
     /// threads, with the same binary.

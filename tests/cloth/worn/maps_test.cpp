@@ -6,14 +6,13 @@
 
 #include "tests/cloth/worn/worn.h"
 
-namespace weft::test {
+namespace weft::test::worn {
 namespace {
-
-constexpr float g = 9.81f;
 
 /// A sheet that hangs from two corners onto a ball, after a second.
 struct Draped {
-    Draped(const ClothSettings& settings, bool grid, bool with_ball = true) : world(World::create(vacuum(downwards)).value()) {
+    Draped(const ClothSettings& settings, bool grid, bool with_ball = true)
+        : world(World::create(vacuum(downwards)).value()) {
         Mesh mesh = hanging(9, 8);
         if (!grid) mesh.rows = mesh.columns = 0;
         cloth = world.add_cloth(mesh, settings).value();
@@ -21,9 +20,7 @@ struct Draped {
         if (!with_ball) return;
         EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, 0.3f, 0.1f}, 0.15f}, .friction = 0.4f}));
     }
-    void set(Map map, float value) {
-        EXPECT_TRUE(world.set_map(cloth, map, std::vector<float>(72, value)));
-    }
+    void set(Map map, float value) { EXPECT_TRUE(world.set_map(cloth, map, std::vector<float>(72, value))); }
     void run(int steps) {
         for (int k = 0; k < steps; ++k) world.step(h);
     }
@@ -90,16 +87,20 @@ TEST_P(MapOf, OneValueIsTheSetting) {
         expect_same(with, set, by_contact ? 1e-2f : 1e-3f, what);
     };
     for (const bool mid_run : {false, true}) {
-        compare(Map::mass, 3, "mass", [](ClothSettings& s) { s.fabric.areal_density *= 3; }, mid_run);
-        compare(Map::stiffness, 0.2f, "stiffness",
-                [](ClothSettings& s) {
-                    s.fabric.warp *= 0.2f;
-                    s.fabric.weft *= 0.2f;
-                    s.fabric.shear *= 0.2f;
-                },
-                mid_run);
-        compare(Map::friction, 0.25f, "friction", [](ClothSettings& s) { s.friction = 0.25f; }, mid_run);
-        compare(Map::thickness, 0.2f, "thickness", [](ClothSettings& s) { s.thickness *= 0.2f; }, mid_run);
+        compare(
+            Map::mass, 3, "mass", [](ClothSettings& s) { s.fabric.areal_density *= 3; }, mid_run);
+        compare(
+            Map::stiffness, 0.2f, "stiffness",
+            [](ClothSettings& s) {
+                s.fabric.warp *= 0.2f;
+                s.fabric.weft *= 0.2f;
+                s.fabric.shear *= 0.2f;
+            },
+            mid_run);
+        compare(
+            Map::friction, 0.25f, "friction", [](ClothSettings& s) { s.friction = 0.25f; }, mid_run);
+        compare(
+            Map::thickness, 0.2f, "thickness", [](ClothSettings& s) { s.thickness *= 0.2f; }, mid_run);
     }
 }
 
@@ -173,8 +174,10 @@ TEST(Maps, EachVertexHasItsStiffness) {
         for (int k = 0; k < 200; ++k) world.step(h);
         const ClothView view = *world.cloth(cloth);
         const auto strain = [&](std::uint32_t a, std::uint32_t b) {
-            return (view.positions[view.vertex_to_particle[b]].z - view.positions[view.vertex_to_particle[a]].z) /
-                       0.1f - 1;
+            return (view.positions[view.vertex_to_particle[b]].z -
+                    view.positions[view.vertex_to_particle[a]].z) /
+                       0.1f -
+                   1;
         };
         EXPECT_NEAR(strain(2, 4) / strain(12, 14), 4, 0.4f) << (grid ? "sheet" : "mesh");
     }
@@ -224,12 +227,14 @@ TEST(Maps, RefuseWhatTheyCannotBe) {
     ClothSettings consistent;
     consistent.finite_elements = {.enabled = true, .consistent_mass = true};
     ASSERT_TRUE(world.set_map(cloth, Map::mass, std::vector<float>(9, 2.0f)));
-    EXPECT_NE(message(world.set_cloth_settings(cloth, consistent)).find("consistent_mass"), std::string::npos);
+    EXPECT_NE(message(world.set_cloth_settings(cloth, consistent)).find("consistent_mass"),
+              std::string::npos);
     ASSERT_TRUE(world.set_map(cloth, Map::mass, {}));
     ASSERT_TRUE(world.set_cloth_settings(cloth, consistent));
-    EXPECT_NE(message(world.set_map(cloth, Map::stiffness, std::vector<float>(9, 2.0f))).find("consistent_mass"),
-              std::string::npos);
+    EXPECT_NE(
+        message(world.set_map(cloth, Map::stiffness, std::vector<float>(9, 2.0f))).find("consistent_mass"),
+        std::string::npos);
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::worn

@@ -8,7 +8,7 @@
 
 #include "tests/cloth/worn/worn.h"
 
-namespace weft::test {
+namespace weft::test::worn {
 namespace {
 
 struct TeleportCase {
@@ -79,9 +79,9 @@ INSTANTIATE_TEST_SUITE_P(, Teleport, testing::ValuesIn(teleport_cases()),
 // In the middle of a swing that touches the ball: what BDF2 remembers, and how hard the cloth presses, go
 // along, or the next steps would show it.
 TEST_P(Teleport, GoesOnAsItWouldHave) {
-    for (const Transform& by : {Transform{.translation = {40, 0, 0}},
-                                Transform{.rotation = turn({0, 1, 0}, std::numbers::pi)},
-                                Transform{.translation = {3, -8, 2}, .rotation = turn({1, 2, -1}, 2.2)}}) {
+    for (const Transform& by :
+         {Transform{.translation = {40, 0, 0}}, Transform{.rotation = turn({0, 1, 0}, std::numbers::pi)},
+          Transform{.translation = {3, -8, 2}, .rotation = turn({1, 2, -1}, 2.2)}}) {
         Swing still(GetParam().settings), moved(GetParam().settings);
         still.run(40);
         moved.run(40);
@@ -96,9 +96,9 @@ TEST_P(Teleport, GoesOnAsItWouldHave) {
             moved.run(1, place);
             EXPECT_EQ(moved.world.report().collider_contacts > 0, still.world.report().collider_contacts > 0);
             // Solvers hold matrices in half precision, in which a turned one is another.
-            EXPECT_LT(farthest(places_of(still.world, still.cloth), place,
-                               places_of(moved.world, moved.cloth)),
-                      3e-3f)
+            EXPECT_LT(
+                farthest(places_of(still.world, still.cloth), place, places_of(moved.world, moved.cloth)),
+                3e-3f)
                 << "after " << k + 1 << " steps";
             EXPECT_NEAR(largest_strain(*moved.world.cloth(moved.cloth), before),
                         largest_strain(*still.world.cloth(still.cloth), before), 0.02f);
@@ -132,7 +132,8 @@ TEST(MoveCloth, TakesTargetsAlong) {
     const ClothId cloth = world.add_cloth(sheet(4, 4)).value();
     ASSERT_TRUE(world.pin(cloth, 0));
     ASSERT_TRUE(world.move_pin(cloth, 0, {-0.5f, 0.01f, -0.5f}));
-    ASSERT_TRUE(world.move_cloth(cloth, {.translation = {0, 3, 0}, .rotation = turn({0, 0, 1}, std::numbers::pi)}));
+    ASSERT_TRUE(
+        world.move_cloth(cloth, {.translation = {0, 3, 0}, .rotation = turn({0, 0, 1}, std::numbers::pi)}));
     world.step(h);
     const Vec4& pin = world.cloth(cloth)->positions[0];
     EXPECT_NEAR(pin.x, 0.5f, 1e-6f);
@@ -174,4 +175,4 @@ TEST(MoveCloth, RefusesWhatIsNoMotion) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::worn

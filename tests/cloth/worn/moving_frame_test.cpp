@@ -1,4 +1,5 @@
-// Cloth in moving frames, against closed forms, against a frame at rest, and against cloth that knows of none.
+// Cloth in moving frames, against closed forms, against a frame at rest, and against cloth that knows of
+// none.
 
 #include <gtest/gtest.h>
 
@@ -6,10 +7,8 @@
 
 #include "tests/cloth/worn/worn.h"
 
-namespace weft::test {
+namespace weft::test::worn {
 namespace {
-
-constexpr float g = 9.81f;
 
 /// A sheet in a shaken frame, with a ball that goes with the frame, or without one.
 struct Shaken {
@@ -25,8 +24,9 @@ struct Shaken {
         }
     }
     [[nodiscard]] static Collider ball_at(const RigidMotion& place) {
-        return {.shape = Capsule{place.point(Vec3{-0.2f, 0.3f, 0.1f}), place.point(Vec3{0.2f, 0.3f, 0.1f}), 0.1f},
-                .friction = 0.5f};
+        return {
+            .shape = Capsule{place.point(Vec3{-0.2f, 0.3f, 0.1f}), place.point(Vec3{0.2f, 0.3f, 0.1f}), 0.1f},
+            .friction = 0.5f};
     }
     /// A run along a bend, jerks and all.
     [[nodiscard]] static Transform pose(int step) {
@@ -57,7 +57,8 @@ TEST(MovingFrame, AtFullInertiaIsNone) {
     for (int k = 1; k <= 30; ++k) {
         framed.step(Shaken::pose(k));
         free.step(Shaken::pose(k));
-        const auto a = framed.world.cloth(framed.cloth)->positions, b = free.world.cloth(free.cloth)->positions;
+        const auto a = framed.world.cloth(framed.cloth)->positions,
+                   b = free.world.cloth(free.cloth)->positions;
         ASSERT_TRUE(same_bytes({a.begin(), a.end()}, {b.begin(), b.end()})) << "step " << k;
     }
 }
@@ -285,4 +286,4 @@ TEST(MovingFrame, CanBeLeft) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::worn

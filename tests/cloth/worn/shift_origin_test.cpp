@@ -4,13 +4,14 @@
 
 #include "tests/cloth/worn/worn.h"
 
-namespace weft::test {
+namespace weft::test::worn {
 namespace {
 
 /// A taut sheet that is swayed on a train; what it is in the train does not depend on where that is. Its
 /// motion is damped: what folds shows every rounding before long, at the origin, too.
 struct Train {
-    explicit Train(float metres_a_step) : world(World::create(vacuum(downwards)).value()), pace(metres_a_step) {
+    explicit Train(float metres_a_step)
+        : world(World::create(vacuum(downwards)).value()), pace(metres_a_step) {
         const Mesh mesh = make_sheet({.rows = 11,
                                       .columns = 10,
                                       .origin = {-0.3f, 0.6f, 0},
@@ -58,7 +59,8 @@ TEST(ShiftOrigin, AHundredKilometresOffClothMovesAsAtTheOrigin) {
         still.step();
         fast.step();
         const RigidMotion place{.shift = {fast.at - fast.origin, 0, 0}};
-        ASSERT_LT(farthest(places_of(still.world, still.cloth), place, places_of(fast.world, fast.cloth)), 1e-4f)
+        ASSERT_LT(farthest(places_of(still.world, still.cloth), place, places_of(fast.world, fast.cloth)),
+                  1e-4f)
             << "after " << k + 1 << " steps";
     }
     EXPECT_NEAR(fast.at, 1e5, 1e-3);
@@ -109,4 +111,4 @@ TEST(ShiftOrigin, RefusesToLoseAnything) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::worn

@@ -9,7 +9,9 @@
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::worn {
+
+inline constexpr float g = 9.81f;  ///< [m/s^2]
 
 inline Rotation turn(const Vector3& axis, double angle) {
     return rotation_of(Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.cast<double>().normalized())));
@@ -25,8 +27,7 @@ inline std::vector<Vector3> places_of(const World& world, ClothId id) {
 inline float farthest(const std::vector<Vector3>& from, const RigidMotion& by,
                       const std::vector<Vector3>& to) {
     float most = 0;
-    for (std::size_t i = 0; i < from.size(); ++i)
-        most = std::max(most, (by.point(from[i]) - to[i]).norm());
+    for (std::size_t i = 0; i < from.size(); ++i) most = std::max(most, (by.point(from[i]) - to[i]).norm());
     return most;
 }
 
@@ -51,4 +52,4 @@ inline Mesh hanging(std::uint32_t rows, std::uint32_t columns, float size = 0.6f
         .value();
 }
 
-}  // namespace weft::test
+}  // namespace weft::test::worn

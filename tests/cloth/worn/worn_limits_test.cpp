@@ -9,7 +9,7 @@
 
 #include "tests/cloth/worn/worn.h"
 
-namespace weft::test {
+namespace weft::test::worn {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -40,7 +40,8 @@ double farthest_beyond(const ClothView& view, const Skin& skin, const Limits& li
         const Eigen::Vector3d p = to_vector(skin.places[v]).cast<double>(),
                               n = to_vector(skin.normals[v]).cast<double>().normalized(),
                               x = xyz(at).cast<double>();
-        const auto leash = static_cast<double>(limits.leash[v]), offset = static_cast<double>(limits.backstop[v]),
+        const auto leash = static_cast<double>(limits.leash[v]),
+                   offset = static_cast<double>(limits.backstop[v]),
                    radius = static_cast<double>(limits.radius[v]);
         most = std::max(most, (x - p).norm() - leash);
         if (std::isinf(offset)) continue;
@@ -143,7 +144,9 @@ TEST_P(WornBy, ClothHangsFromLeashesAtRest) {
     // Others have no limits in their equation.
     if (GetParam().name == "Xpbd" || GetParam().name == "Explicit") GTEST_SKIP();
     World world = World::create(vacuum(downwards)).value();
-    const Mesh mesh = make_sheet({.rows = 12, .columns = 8, .origin = {0, 1, 0}, .u = {0.35f, 0, 0}, .v = {0, -0.55f, 0}}).value();
+    const Mesh mesh =
+        make_sheet({.rows = 12, .columns = 8, .origin = {0, 1, 0}, .u = {0.35f, 0, 0}, .v = {0, -0.55f, 0}})
+            .value();
     ClothSettings settings = GetParam().settings;
     settings.air_damping = 3;
     settings.fabric.warp = settings.fabric.weft = 2000;
@@ -221,7 +224,10 @@ TEST(WornLimits, YieldToClothAndSaySo) {
     std::vector<std::uint32_t> all(144);
     for (std::uint32_t v = 0; v < 144; ++v) all[v] = v;
     ASSERT_TRUE(world.pin(below, all));
-    const Mesh mesh = make_sheet({.rows = 6, .columns = 6, .origin = {-0.2f, 0.1f, -0.2f}, .u = {0.4f, 0, 0}, .v = {0, 0, 0.4f}}).value();
+    const Mesh mesh =
+        make_sheet(
+            {.rows = 6, .columns = 6, .origin = {-0.2f, 0.1f, -0.2f}, .u = {0.4f, 0, 0}, .v = {0, 0, 0.4f}})
+            .value();
     const ClothId above = world.add_cloth(mesh, settings).value();
     ASSERT_TRUE(world.set_map(above, Map::leash, std::vector<float>(36, 0.01f)));
     Skin skin(mesh, Vector3(0, 1, 0));
@@ -268,11 +274,13 @@ TEST(WornLimits, ErrorsNameTheVertex) {
     std::vector<float> leash(16, 0.1f), backstop(16, 0.0f);
     EXPECT_NE(message(world.set_skin(cloth, mesh.positions, {})).find("Map::leash"), std::string::npos);
     leash[3] = -1;
-    EXPECT_NE(message(world.set_map(cloth, Map::leash, leash)).find("Map::leash[3] is -1"), std::string::npos);
+    EXPECT_NE(message(world.set_map(cloth, Map::leash, leash)).find("Map::leash[3] is -1"),
+              std::string::npos);
     leash[3] = 0.1f;
     ASSERT_TRUE(world.set_map(cloth, Map::leash, leash));
     backstop[7] = -0.2f;
-    EXPECT_NE(message(world.set_map(cloth, Map::backstop, backstop)).find("vertex 7 is -0.2"), std::string::npos);
+    EXPECT_NE(message(world.set_map(cloth, Map::backstop, backstop)).find("vertex 7 is -0.2"),
+              std::string::npos);
     backstop[7] = 0;
     ASSERT_TRUE(world.set_map(cloth, Map::backstop, backstop));
     const std::uint64_t before = world.state_hash();
@@ -291,4 +299,4 @@ TEST(WornLimits, ErrorsNameTheVertex) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::worn
