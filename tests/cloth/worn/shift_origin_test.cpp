@@ -28,8 +28,8 @@ struct Train {
         rest.assign(mesh.positions.begin(), mesh.positions.begin() + 10);
     }
     void step() {
-        // The camera follows whenever it is 64 m off.
-        if (at - origin >= 64) {
+        // The camera follows whenever it is 16 m off.
+        if (at - origin >= 16) {
             ASSERT_TRUE(world.shift_origin({static_cast<float>(at - origin), 0, 0}));
             origin = at;
         }
