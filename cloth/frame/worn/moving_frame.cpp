@@ -40,7 +40,7 @@ void kick_outwards(const Carried& carried, const BlockRange& range, ClothState& 
     const Eigen::Vector3d& w = carried.spin;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
         if (state.positions[i].w == 0) continue;
-        const Eigen::Vector3d r = carried.halfway * (xyz(state.positions[i]).cast<double>() - carried.origin);
+        const Eigen::Vector3d r = xyz(state.positions[i]).cast<double>() - carried.origin;
         const Eigen::Vector3d kick = carried.outwards * (w.squaredNorm() * r - w.dot(r) * w);
         set_xyz(state.velocities[i], xyz(state.velocities[i]) + kick.cast<float>());
     }
@@ -70,7 +70,6 @@ std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& ine
     carried.outwards = is_turned ? h * (c - e * e) : 0;
     if (!carried.moves && carried.outwards == 0) return std::nullopt;
     carried.by.turn = Eigen::AngleAxisd((1 - e) * turn.angle(), turn.axis()).toRotationMatrix();
-    carried.halfway = Eigen::AngleAxisd(e * turn.angle() / 2, turn.axis()).toRotationMatrix();
     carried.origin = from + (1 - s) * way;
     carried.by.shift = carried.origin - carried.by.turn * from;
     carried.velocity = s * wide(frame.velocity);

@@ -8,7 +8,7 @@
 //     x <- o + (1 - s) d + A (x - o),   A = Rot(n, (1 - e) a)
 //     v <- u + A (v - u),               u = s times the velocity of the origin in the last step
 // and what is left of the centrifugal acceleration is a kick: v <- v + h (c - e^2) (w^2 r - (w . r) w), c
-// being FrameInertia::centrifugal, w = n a / h, r the way from the frame's axis in the middle of the step.
+// being FrameInertia::centrifugal, w = n a / h, r the way from the frame's axis.
 
 #include <optional>
 
@@ -27,13 +27,8 @@ struct Carried {
     Eigen::Vector3d velocity, change;  ///< u, and what it had changed by [m/s]
     Eigen::Vector3d origin;            ///< of the frame, once carried [m]
     Eigen::Vector3d spin;              ///< w [1/s]
-    Eigen::Matrix3d halfway;           ///< Rot(n, e a / 2): what the cloth itself turns till mid-step
     double outwards = 0;               ///< h (c - e^2) [s]
     bool moves = false;                ///< else there is a kick alone
-
-    [[nodiscard]] Vector3 velocity_after(const Vector3& v) const {
-        return (velocity + by.turn * (v.cast<double>() - velocity)).cast<float>();
-    }
 };
 
 /// What a step of dt seconds begins with; none if nothing is to be done.
