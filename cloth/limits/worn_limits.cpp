@@ -11,7 +11,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 // A leash so short lets nothing slide [m].
 constexpr float holds_fast = 1e-3f;
-constexpr float sticks = 1e6f;  // a friction
+constexpr float sticks = 1e6f;      // a friction
 constexpr float beyond_all = 1e6f;  // [m]
 // Rounding is less [m].
 constexpr float least_lag = 1e-6f;
@@ -24,7 +24,7 @@ Vector3 across(const Vector3& n) {
 
 /// One particle's limits at the substep's end; y is from its place.
 struct WornLimits::Bounds {
-    Vector3 place, velocity;  // [m], [m/s]
+    Vector3 place, velocity;                                      // [m], [m/s]
     Vector3 normal = Vector3::Zero(), turning = Vector3::Zero();  // the normal, and how it changes [1/s]
     float leash, offset, radius;                                  // [m]
 
@@ -46,9 +46,9 @@ struct WornLimits::Bounds {
 
     /// Where leash and backstop meet, on the side of y.
     [[nodiscard]] Vector3 edge(const Vector3& y) const {
-        const float along = radius == infinity ? -offset
-                                               : -(offset * (offset + 2 * radius) + leash * leash) /
-                                                     (2 * (offset + radius));
+        const float along = radius == infinity
+                                ? -offset
+                                : -(offset * (offset + 2 * radius) + leash * leash) / (2 * (offset + radius));
         const float a = std::clamp(along, -leash, leash);
         const Vector3 aside = y - normal.dot(y) * normal;
         const float length = aside.norm();
@@ -85,7 +85,9 @@ struct WornLimits::Bounds {
         Vector3 relative = v - velocity;
         if (held.by_leash && length == 0) return velocity;
         const auto leaves = [&] { return held.by_leash ? std::max(e.dot(relative), 0.0f) : 0.0f; };
-        const auto enters = [&] { return held.by_backstop ? std::min(m.dot(relative) - surface, 0.0f) : 0.0f; };
+        const auto enters = [&] {
+            return held.by_backstop ? std::min(m.dot(relative) - surface, 0.0f) : 0.0f;
+        };
         relative -= leaves() * e;
         relative -= enters() * m;
         if (leaves() > 0) {  // into the edge: only along it
@@ -158,8 +160,7 @@ WornLimits::Bounds WornLimits::bounds_of(std::uint32_t i) const noexcept {
 bool WornLimits::adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept {
     const std::uint32_t size = range.end - range.begin;
     for (std::uint32_t k = 0; found && k < size; ++k) {
-        if (thickness.size() > 0)
-            near.surfaces.w[k] += cloth_thickness_ * (1 - thickness[range.begin + k]);
+        if (thickness.size() > 0) near.surfaces.w[k] += cloth_thickness_ * (1 - thickness[range.begin + k]);
         if (friction.size() > 0) near.motions.w[k] *= friction[range.begin + k];
     }
     if (!has_limits() || !is_known_) return found;
@@ -216,7 +217,8 @@ LimitLag WornLimits::lag(Parallel& parallel, std::span<const Vec4> positions) no
             if (positions[i].w == 0) continue;
             const Bounds bounds = bounds_of(i);
             const Vector3 y = xyz(positions[i]) - bounds.place;
-            const float beyond = std::max(y.norm() - bounds.leash, bounds.offset < infinity ? -bounds.gap(y) : 0);
+            const float beyond =
+                std::max(y.norm() - bounds.leash, bounds.offset < infinity ? -bounds.gap(y) : 0);
             if (!(beyond > least_lag)) continue;
             ++lag.particles;
             lag.most = std::max(lag.most, beyond);

@@ -34,8 +34,7 @@ void Cloth::take_other_solver(std::unique_ptr<Solver>&& made) noexcept {
 }
 
 void Cloth::set_masses(AlignedBuffer<float>&& values) {
-    const AlignedBuffer<float>& before =
-        areas_without_map.size() > 0 ? areas_without_map : model.rest_area;
+    const AlignedBuffer<float>& before = areas_without_map.size() > 0 ? areas_without_map : model.rest_area;
     AlignedBuffer<float> areas(model.particle_count), kept;
     std::ranges::copy(before.span(), areas.data());
     if (values.size() > 0) {

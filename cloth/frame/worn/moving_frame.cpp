@@ -116,9 +116,8 @@ void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state) {
         move_present(by, range, state);
         move_points(state.previous_positions.span(), range, by);
         move_points(state.skin.target_places.span(), range, by);
-        for (AlignedBuffer<Vec4>* vectors :
-             {&state.velocities, &state.normals, &state.record.displacements, &state.record.velocity_changes,
-              &state.skin.target_normals})
+        for (AlignedBuffer<Vec4>* vectors : {&state.velocities, &state.normals, &state.record.displacements,
+                                             &state.record.velocity_changes, &state.skin.target_normals})
             turn_vectors(vectors->span(), range, by);
     });
     for (Pin& pin : state.pins) pin.target = by.point(pin.target);

@@ -23,16 +23,12 @@ struct FrameState;
 class Parallel;
 
 struct Carried {
-    RigidMotion by;                            ///< of all points
-    Eigen::Vector3d velocity, change;          ///< u, and what it had changed by [m/s]
-    Eigen::Vector3d origin;                    ///< of the frame, once carried [m]
-    Eigen::Vector3d spin;                      ///< w [1/s]
-    double outwards = 0;                       ///< h (c - e^2) [s]
-    bool moves = false;                        ///< else there is a kick alone
-
-    [[nodiscard]] Vector3 velocity_after(const Vector3& v) const {
-        return (velocity + by.turn * (v.cast<double>() - velocity)).cast<float>();
-    }
+    RigidMotion by;                    ///< of all points
+    Eigen::Vector3d velocity, change;  ///< u, and what it had changed by [m/s]
+    Eigen::Vector3d origin;            ///< of the frame, once carried [m]
+    Eigen::Vector3d spin;              ///< w [1/s]
+    double outwards = 0;               ///< h (c - e^2) [s]
+    bool moves = false;                ///< else there is a kick alone
 };
 
 /// What a step of dt seconds begins with; none if nothing is to be done.

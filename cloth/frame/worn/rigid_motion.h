@@ -22,9 +22,7 @@ struct RigidMotion {
     }
     [[nodiscard]] Vector3 vector(const Vector3& x) const { return (turn * x.cast<double>()).cast<float>(); }
     [[nodiscard]] Vec3 point(const Vec3& x) const { return to_vec3(point(to_vector(x))); }
-    [[nodiscard]] RigidMotion inverse() const {
-        return {turn.transpose(), -(turn.transpose() * shift)};
-    }
+    [[nodiscard]] RigidMotion inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
 };
 
 [[nodiscard]] inline Eigen::Quaterniond unit_quaternion(const Rotation& r) {

@@ -29,7 +29,8 @@ Result<void> validate(const char* name, const Transform& pose) {
                                              static_cast<double>(r.y), static_cast<double>(r.z))
                               .norm();
     if (!(length >= 0.999 && length <= 1.001))  // not-a-number, too
-        return out_of_range("the length of " + std::string(name) + ".rotation", length, "from 0.999 to 1.001");
+        return out_of_range("the length of " + std::string(name) + ".rotation", length,
+                            "from 0.999 to 1.001");
     if (!is_finite(pose.translation))
         return out_of_range(std::string(name) + ".translation", pose.translation, "finite");
     return {};
@@ -124,8 +125,7 @@ void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3>
     const bool has_normals = skin.target_normals.size() > 0;
     for (std::size_t v = 0; v < particles.size(); ++v) {
         skin.target_places[particles[v]] = to_vec4(to_vector(places[v]), 0);
-        if (has_normals)
-            skin.target_normals[particles[v]] = to_vec4(to_vector(normals[v]).normalized(), 0);
+        if (has_normals) skin.target_normals[particles[v]] = to_vec4(to_vector(normals[v]).normalized(), 0);
     }
     if (std::exchange(skin.known, 1u) != 0) return;
     std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());
@@ -178,9 +178,9 @@ Result<void> World::set_map(ClothId id, Map map, std::span<const float> values) 
         }
         if (map == Map::pin) return set_pins(cloth, of_particles.span());
         const WornLimits& worn = cloth.worn;
-        auto valid = validate_limits(
-            cloth, map == Map::leash ? std::as_const(of_particles).span() : worn.leash.span(),
-            map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
+        auto valid =
+            validate_limits(cloth, map == Map::leash ? std::as_const(of_particles).span() : worn.leash.span(),
+                            map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
         if (!valid) return valid;
         cloth.set_map(map, std::move(of_particles));
         cloth.wake();

@@ -90,9 +90,9 @@ void Simulation::fill_motions(std::vector<ColliderMotion>& motions, const Subste
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
         const Collider from =
             carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
-        ColliderMotion& motion = motions.emplace_back(
-            ColliderMotion{blend(from, slot.target, substep.begin()),
-                           blend(from, slot.target, substep.end()), settings.max_speed});
+        ColliderMotion& motion =
+            motions.emplace_back(ColliderMotion{blend(from, slot.target, substep.begin()),
+                                                blend(from, slot.target, substep.end()), settings.max_speed});
         motion.held = held_by(slot.target);
         if (motion.held != nullptr && motion.held->deforms_in(state.steps))
             motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
@@ -130,8 +130,7 @@ void Simulation::hold_worn(Worker& worker, Cloth& cloth) {
 void Simulation::end_worn(Worker& worker, Cloth& cloth) {
     cloth.limit_lag = {};
     if (cloth.worn.is_holding() && cloth.features && !cloth.restored)
-        cloth.limit_lag =
-            cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
+        cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
     SkinState& skin = cloth.state.skin;
     if (skin.known != 0) {
         std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());

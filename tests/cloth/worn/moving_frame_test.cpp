@@ -66,7 +66,8 @@ TEST(MovingFrame, AtFullInertiaIsNone) {
 void expect_as_at_rest(const ClothSettings& settings, float within) {
     Shaken framed({0, 0, 0}, true, settings), still({}, false, settings);
     std::vector<Vector3> last = places_of(framed.world, framed.cloth);
-    for (int k = 1; k <= 60; ++k) {
+    // Later what folds shows every rounding.
+    for (int k = 1; k <= 20; ++k) {
         framed.step(Shaken::pose(k));
         still.step({});
         EXPECT_EQ(framed.world.report().collider_contacts > 0, still.world.report().collider_contacts > 0);
@@ -91,8 +92,8 @@ TEST(MovingFrame, AtNoInertiaIsOneAtRest) {
     // Solvers hold matrices in half precision, in which a turned one is another: what they solve is the same.
     for (ClothSettings* settings : {&solved, &contact, &euler})
         settings->method = Multilevel{.passes = 8, .iterations = 30};
-    for (const ClothSettings& settings : {solved, contact, euler}) expect_as_at_rest(settings, 2e-3f);
-    expect_as_at_rest({}, 1e-2f);
+    for (const ClothSettings& settings : {solved, contact, euler}) expect_as_at_rest(settings, 1e-3f);
+    expect_as_at_rest({}, 1e-3f);
     expect_as_at_rest(xpbd, 1e-2f);
 }
 
@@ -207,7 +208,7 @@ TEST(MovingFrame, APendulumLeansAgainstEulersAcceleration) {
         // About +y, x goes towards -z: the string leans towards +z.
         const double expected = std::atan(static_cast<double>(angular) * alpha * radius / 9.81);
         Pendulum pendulum({.linear = 1, .angular = angular, .centrifugal = 0}, {0.5f, 0, 0}, 0, expected);
-        for (int k = 1; k <= 24; ++k) {
+        for (int k = 1; k <= 20; ++k) {
             const double t = k * static_cast<double>(h);
             pendulum.step({.rotation = turn({0, 1, 0}, alpha / 2 * t * t)});
             ASSERT_NEAR(pendulum.to_z(), expected, 0.07) << angular << ", step " << k;
