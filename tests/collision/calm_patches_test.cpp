@@ -155,7 +155,8 @@ TEST(CalmPatches, PatchesLieAlongTheSurface) {
         for (const std::uint32_t i : vertices)
             for (const std::uint32_t j : vertices) {
                 const auto [least, most] = std::minmax({i % around, j % around});
-                EXPECT_LE(std::min(most - least, around + least - most), 7u);
+                // Where the tube is pressed flat its sides bunch; its other side is 20 away.
+                EXPECT_LE(std::min(most - least, around + least - most), 12u);
                 EXPECT_LE(std::max(i, j) / around - std::min(i, j) / around, 7u);
             }
     }
