@@ -244,6 +244,24 @@ TEST(WornLimits, YieldToClothAndSaySo) {
     EXPECT_EQ(world.step(h).crossings, 0u);
 }
 
+// What a limit holds does not press on the collider that is nearest to it.
+TEST(WornLimits, AreNoContactsOfColliders) {
+    WorldSettings settings = vacuum(downwards);
+    settings.contact_reports = 1000;
+    World world = World::create(settings).value();
+    const Mesh mesh = sheet(6, 6);
+    const ClothId cloth = world.add_cloth(mesh).value();
+    ASSERT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, -1}}));
+    ASSERT_TRUE(world.set_map(cloth, Map::backstop, std::vector<float>(36, 0.01f)));
+    const Skin skin(mesh, Vector3(0, 1, 0));
+    ASSERT_TRUE(world.set_skin(cloth, skin.places, skin.normals));
+    for (int k = 0; k < 60; ++k) {
+        world.step(h);
+        EXPECT_EQ(world.contacts().size(), 0u) << "step " << k;
+    }
+    EXPECT_NEAR(world.cloth(cloth)->positions[14].y, -0.01f, 1e-3f);
+}
+
 TEST(WornLimits, AreNoneBeforeTheSkinIsKnownAndOnceTheMapsAreGone) {
     World world = World::create(vacuum(downwards)).value(), free = World::create(vacuum(downwards)).value();
     const Mesh mesh = sheet(5, 5);
