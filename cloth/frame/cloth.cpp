@@ -249,7 +249,9 @@ void Cloth::drop_contact_mesh() noexcept {
 
 ImpulseBuffers Cloth::make_impulses(bool reported) const {
     const std::uint32_t count = reported ? model.particle_count : 0;
-    return {.of_colliders = AlignedBuffer<Vec4>(count), .missing = AlignedBuffer<Vec4>(count)};
+    return {.of_colliders = AlignedBuffer<Vec4>(count),
+            .missing = AlignedBuffer<Vec4>(count),
+            .in_triggers = AlignedBuffer<DeepestInTrigger>(block_count(count))};
 }
 
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
@@ -363,8 +365,8 @@ ClothInfo Cloth::info() const {
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + part_start.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
+                 partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

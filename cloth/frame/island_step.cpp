@@ -193,7 +193,9 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         solve(worker, cloth, dt, substep);
         space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
     }
-    move_colliders(worker, substep);
+    std::uint32_t mask = 0;
+    for (const Cloth* cloth : island) mask |= cloth->settings.collider_mask;
+    move_colliders(worker, mask, substep);
     joined_.clear();
     equations_.clear();
     steps_.clear();

@@ -123,6 +123,22 @@ void visit_shape(Kind& shape, const Visit& visit) {
     }
 }
 
+/// What a collider's surface is besides rough. A visitor that says so does without what is as it is by
+/// default: a hash stays what it was before there was any of this.
+template <class Kind, class Visit>
+void visit_surface(Kind& collider, const Visit& visit) {
+    if constexpr (requires { Visit::skips_defaults; }) {
+        const Collider plain;
+        if (collider.thickness == plain.thickness && collider.restitution == plain.restitution &&
+            collider.layers == plain.layers && collider.is_trigger == plain.is_trigger)
+            return;
+    }
+    visit(std::span(&collider.thickness, 1));
+    visit(std::span(&collider.restitution, 1));
+    visit(std::span(&collider.layers, 1));
+    visit(std::span(&collider.is_trigger, 1));
+}
+
 template <class State, class Visit>
 requires std::same_as<std::remove_const_t<State>, WorldState>
 void for_each_part(State& state, const Visit& visit) {
@@ -132,6 +148,7 @@ void for_each_part(State& state, const Visit& visit) {
     state.colliders.for_each([&](ColliderId, auto& slot) {
         for (auto* collider : {&slot.current, &slot.target}) {
             visit(std::span(&collider->friction, 1));
+            visit_surface(*collider, visit);
             std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
         }
     });

@@ -132,7 +132,7 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
-        move_colliders(worker, part);
+        move_colliders(worker, cloth.settings.collider_mask, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
@@ -166,8 +166,8 @@ int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& subst
     constexpr std::uint32_t most = 8;
     if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
     const auto timer = timed(Stage::colliders);
-    move_colliders(worker, substep);
-    return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, cloth.settings.thickness,
+    move_colliders(worker, cloth.settings.collider_mask, substep);
+    return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, side_of(cloth.settings),
                                                 substep.h, most, std::as_const(cloth.state.positions).span(),
                                                 std::as_const(cloth.state.velocities).span(),
                                                 cloth.partial_counts.span()));
@@ -182,9 +182,10 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 
-void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
+void Simulation::move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const {
     worker.motions.clear();
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
         ColliderMotion& motion = worker.motions.emplace_back(
             ColliderMotion{blend(slot.current, slot.target, substep.begin()),
                            blend(slot.current, slot.target, substep.end()), settings.max_speed});
@@ -264,9 +265,10 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     ClothState& now = cloth.state;
     if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
     if (!meets_in_equation(cloth.settings))
-        cloth.collider_contacts =
-            filter_velocities(worker.parallel, worker.motions, equation.h, now.positions.span(),
-                              cloth.next_velocities.span(), cloth.partial_counts.span());
+        cloth.collider_contacts = filter_velocities(
+            worker.parallel, worker.motions, cloth.settings.collider_mask, equation.h, now.positions.span(),
+            cloth.next_velocities.span(), cloth.partial_counts.span());
+    bounce(worker, cloth, equation);
     if (!is_first && !worker.motions.empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
@@ -276,6 +278,21 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .record = cloth.history ? &now.record : nullptr});
     if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
+float Simulation::least_bounce(float h) const {
+    return 2 * h * to_vector(settings.gravity).norm();
+}
+
+ClothSide Simulation::side_of_cloth(const Cloth& cloth, float h) const {
+    ClothSide side = side_of(cloth.settings);
+    side.least_bounce = least_bounce(h);
+    return side;
+}
+
+void Simulation::bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const {
+    if (!cloth.contacts || worker.motions.empty()) return;
+    cloth.contacts->bounce(worker.parallel, equation, least_bounce(equation.h), cloth.next_velocities.span());
 }
 
 void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
@@ -320,10 +337,13 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
     const auto timer = timed(Stage::colliders);
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
-    const std::uint32_t touching =
-        weft::collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
-                      std::as_const(cloth.state.held.normals).span(), starts, cloth.state.positions.span(),
-                      cloth.state.velocities.span(), cloth.partial_counts.span());
+    const std::uint32_t touching = weft::collide(worker.parallel, worker.motions, side_of_cloth(cloth, h), h,
+                                                 {.positions = cloth.state.positions.span(),
+                                                  .velocities = cloth.state.velocities.span(),
+                                                  .starts = starts,
+                                                  .held = cloth.state.held.normals.span(),
+                                                  .touching = cloth.state.held.touching.span()},
+                                                 cloth.partial_counts.span());
     if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
     return touching;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/save/parts.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
@@ -31,6 +32,18 @@ Error stale_id(const char* type, Id id) {
                                      std::to_string(id.generation) +
                                      "} is of an object that was removed, or of another World"};
 }
+
+struct HashVisitor {
+    static constexpr bool skips_defaults = true;
+    StateHash& hash;
+
+    template <class T, std::size_t extent>
+    void operator()(std::span<T, extent> part) const {
+        hash.add(part);
+    }
+    template <class Head>
+    void head(const Head& /*head*/) const {}
+};
 
 /// With all the memory that its steps will need.
 Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
@@ -373,11 +386,7 @@ Result<void> World::restore(std::span<const std::byte> saved) {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
-    const auto add = [&](auto part) { hash.add(part); };
-    for_each_part(std::as_const(impl_->simulation.state), add);
-    impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        for_each_part(std::as_const(cloth->state), add);
-    });
+    for_each_part(std::as_const(impl_->simulation), HashVisitor{hash});
     return hash.value();
 }
 

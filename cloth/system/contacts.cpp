@@ -10,6 +10,7 @@
 #include "cloth/system/external_row-inl.h"
 #include "cloth/system/sparse/stencil-inl.h"
 #include "collision/block_lanes-inl.h"
+#include "collision/squeeze.h"
 #include "engine/simd/symmetric3-inl.h"
 
 #ifndef WEFT_CLOTH_SYSTEM_CONTACTS_TYPES
@@ -20,6 +21,8 @@ namespace weft {
 struct ContactBlock {
     const NearSurfaces& near;
     const Vec4* velocities;  // from the block's first particle on
+    const Vec4* starts;      // where they are at the substep's start
+    float h;
     float gamma;
     Vector3 fall;            // that gravity will add yet [m]
     float hold;              // particles that pressed and end nearer than this are in contact [m]
@@ -52,22 +55,29 @@ HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
     const Lanes4 surface = load_lanes(block.near.surfaces, i);
     const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
-    const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
-    const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
-    return hn::And(hn::Or(falls_in, is_held), hn::Gt(w, zero));
+    const Lanes stored = load_rows(block.normals + i).w;
+    const auto is_held = hn::And(hn::Gt(stored, zero), hn::Lt(surface.w, set(block.hold)));
+    const auto is_squeezed = hn::Lt(stored, zero);
+    return hn::And(hn::Or(falls_in, hn::Or(is_held, is_squeezed)), hn::Gt(w, zero));
 }
 
 void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes zero = set(0);
     const Lanes4 surface = load_lanes(block.near.surfaces, i), motion = load_lanes(block.near.motions, i);
     const auto contact = in_contact(block, i);
-    const Lanes stored = load_rows(block.normals + i).w;
+    const Lanes before = load_rows(block.normals + i).w, stored = hn::Max(before, zero);
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
 
     const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
     const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
-    // What did not press yet is not drawn to the surface.
-    const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
+    // What did not press yet is not drawn to the surface; nor is what was inside already, but in parts.
+    const Lanes3 point{load_lanes(&block.near.points.x[i]), load_lanes(&block.near.points.y[i]),
+                       load_lanes(&block.near.points.z[i])};
+    const Lanes3 way = point - xyz(load_rows(block.starts + i)) - set(block.h) * xyz(motion);
+    const Lanes found = hn::Sub(dot(n, way), surface.w);
+    const Lanes stays = hn::Max(hn::Sub(found, set(Parting(block.h).way)), zero);
+    const Lanes out_of = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
+    const Lanes depth = hn::Sub(out_of, hn::Min(stays, hn::Max(out_of, zero)));
     const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
 
     // Of all that presses collide() bears the small rest.
@@ -89,7 +99,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
     store_symmetric(g, blocks);
     store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
-    store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
+    store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, before), block.normals + i);
 }
 
 /// Rows of one group, if any of it is in contact; returns whether.
@@ -106,14 +116,16 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
 /// The impulses at these velocities, along the normals and across them.
 void press_group(const PressedGroup& group) {
     for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
-        const Lanes3 n = xyz(load_rows(group.normals + i));
+        const Lanes4 normal = load_rows(group.normals + i);
+        const Lanes3 n = xyz(normal);
         const Lanes3 v = xyz(load_rows(group.velocities + i));
         const Lanes3 at_rest = xyz(load_rows(group.impulses + i));
         const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
         const Lanes pressed = dot(impulse, n);
         const Lanes3 rubbed = impulse - pressed * n;
         hn::Store(hn::Sqrt(dot(rubbed, rubbed)), Tag(), group.rubbed + i);
-        store_rows(n, hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed), group.normals + i);
+        const Lanes kept = hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed);
+        store_rows(n, hn::IfThenElse(hn::Lt(normal.w, set(0)), normal.w, kept), group.normals + i);
     }
 }
 
@@ -142,6 +154,13 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
+ClothSide side_of(const ClothSettings& settings) {
+    return {.thickness = settings.thickness,
+            .friction = settings.friction,
+            .restitution = settings.restitution,
+            .mask = settings.collider_mask};
+}
+
 Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
     const std::size_t entries = std::size_t{6} * Stencil::whole_groups(particles);
     rows_.blocks = AlignedBuffer<float>(entries);
@@ -161,12 +180,13 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::uint32_t size = range.end - range.begin;
     const std::span<const Vec4> v = velocities.subspan(range.begin, size);
     NearSurfaces surfaces;
-    const bool near =
-        find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
-                           equation.positions.subspan(range.begin, size),
-                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
+    const bool near = find_near_surfaces(
+        colliders_, side_of(settings), equation.h, reach, equation.positions.subspan(range.begin, size),
+        equation.base_positions.subspan(range.begin, size), gamma, v, surfaces);
     const ContactBlock block{.near = surfaces,
                              .velocities = v.data(),
+                             .starts = equation.positions.data() + range.begin,
+                             .h = equation.h,
                              .gamma = gamma,
                              .fall = (is_first ? gamma * gamma : 0.0f) * equation.external.gravity,
                              .hold = is_first ? reach : 0.0f,
@@ -186,7 +206,35 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         }
         touching = touches ? 1 : 0;
     }
+    if (near) hold_squeezed(equation, range);
     if (has_pairs()) add_pairs(range);
+}
+
+// Bodies on both sides leave it no motion of its own: in every direction it is held as what sticks is held in
+// the plane of contact.
+void Contacts::hold_squeezed(const StepEquation& equation, const BlockRange& range) {
+    const auto is_squeezed = [&](std::uint32_t i) { return held_->normals[i].w < 0; };
+    std::uint32_t first = range.begin;
+    while (first < range.end && !is_squeezed(first)) ++first;
+    if (first == range.end) return;
+    SqueezedParticles squeezed;
+    for (std::uint32_t i = first; i < range.end; ++i)
+        if (is_squeezed(i)) squeezed.add(i - range.begin, equation.positions[i]);
+    find_squeezes(colliders_, side_of(equation.settings), equation.h, squeezed);
+    for (std::uint32_t c = 0; c < squeezed.count; ++c) {
+        const std::uint32_t i = range.begin + squeezed.indices[c];
+        const Squeeze& squeeze = squeezed.squeezes[c];
+        if (!squeeze.is_squeezed) {
+            held_->normals[i].w = 0;
+            continue;
+        }
+        const float mass = 1 / equation.positions[i].w;
+        const float least =
+            spring_per_fabric * equation.gamma * equation.gamma * stiffness_of(equation.settings);
+        const float stick = stick_per_spring * (spring_per_mass * mass + least);
+        for (std::uint32_t k = 0; k < 6; ++k) rows_.blocks[lane_index(i, k, 6)] = k < 3 ? stick : 0.0f;
+        of_colliders()[i] = to_vec4(stick * squeeze.velocity, 0);
+    }
 }
 
 // Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.
@@ -224,6 +272,40 @@ void Contacts::renew_pairs(Parallel& parallel) {
 void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
     parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
                     [&](const BlockRange& range) { press(range, velocities); });
+}
+
+void Contacts::bounce(Parallel& parallel, const StepEquation& equation, float least,
+                      std::span<Vec4> velocities) {
+    const auto bounces = [](const ColliderMotion& motion) { return motion.end.restitution > 0; };
+    if (!(equation.settings.restitution > 0) && std::ranges::none_of(colliders_, bounces)) return;
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
+                    [&](const BlockRange& range) { bounce_block(equation, least, range, velocities); });
+}
+
+// Newton's: the normal velocity after the substep is that before it, times the restitution, and turned round.
+// What bounces presses no more: the next step neither draws it back nor goes on with the change.
+void Contacts::bounce_block(const StepEquation& equation, float least, const BlockRange& range,
+                            std::span<Vec4> velocities) {
+    const std::uint32_t size = range.end - range.begin, group = range.begin / Stencil::lanes;
+    const auto groups = held_->touching.span().subspan(group, (size + Stencil::lanes - 1) / Stencil::lanes);
+    if (std::ranges::none_of(groups, [](std::uint32_t touching) { return touching != 0; })) return;
+    NearSurfaces near;
+    if (!find_bouncing_surfaces(colliders_, side_of(equation.settings), equation.h, reach,
+                                equation.base_positions.subspan(range.begin, size), equation.gamma,
+                                velocities.subspan(range.begin, size), near))
+        return;
+    for (std::uint32_t k = 0; k < size; ++k) {
+        const std::uint32_t i = range.begin + k;
+        Vec4& normal = held_->normals[i];
+        if (!(normal.w > 0) || !(near.surfaces.w[k] < reach)) continue;
+        const Vector3 n = xyz(normal), of_surface(near.motions.x[k], near.motions.y[k], near.motions.z[k]);
+        const float before = n.dot(of_surface - xyz(equation.velocities[i]));
+        const float wanted = before > least ? near.motions.w[k] * before : 0.0f;
+        const float more = wanted - n.dot(xyz(velocities[i]) - of_surface);
+        if (!(wanted > 0 && more > 0)) continue;
+        set_xyz(velocities[i], xyz(velocities[i]) + more * n);
+        normal.w = 0;
+    }
 }
 
 void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {

@@ -46,12 +46,26 @@ HWY_INLINE PathsLanes no_paths() {
         {infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}, set(0)};
 }
 
+/// Of a depth, what stays: see Parting. `way`: against the surface, over the substep.
+template <class Surface>
+HWY_INLINE Lanes left_inside(const Surface& surface, const Lanes3& way, float h) {
+    const Parting parting(h);
+    const Lanes found = hn::Add(surface.penetration, dot(surface.normal, way));
+    return hn::Max(hn::MulSub(set(1 - parting.part), found, set(parting.way)), set(0));
+}
+
+/// Of a substep; null where they are not looked at. Ways are followed only if they are `swept`.
+struct Starts {
+    const Vec4* of_part = nullptr;
+    bool swept = false;
+};
+
 /// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
 /// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
 /// rest.
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
-                             const Vec4* starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
+                             const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
                              PathsLanes& paths) {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
@@ -60,29 +74,37 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     const Lanes3 p = xyz(position);
     const auto is_free = hn::Gt(position.w, zero);
     const auto may_meet = hn::And(shape.near(p), is_free);
-    if (starts == nullptr && hn::AllFalse(d, may_meet)) return;
+    if (!starts.swept && hn::AllFalse(d, may_meet)) return;
 
-    const Lanes3 start = starts != nullptr ? xyz(load_rows(starts)) : p;
+    const Lanes3 start = starts.of_part != nullptr ? xyz(load_rows(starts.of_part)) : p;
     auto surface = shape.surface(p, may_meet);
     if constexpr (Shape::is_swept)
-        if (starts != nullptr)
-            surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
+        if (starts.swept) surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
     if (hn::AllFalse(d, surface.is_near)) return;
     const Lanes4 velocity = load_rows(velocities);
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
     const Lanes3 sliding = mul_add(approach, surface.normal, relative);
+    const Lanes bounce = hn::IfThenElseZero(hn::Gt(approach, set(settings.least_bounce)),
+                                            hn::Mul(set(settings.restitution), approach));
+    const Lanes taken = hn::Add(approach, bounce);
     const auto rubs = hn::And(hn::Gt(approach, zero), hn::Eq(dot(held, held), zero));
     const Lanes3 stopped =
-        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
-    const Lanes3 kick = approach * surface.normal - stopped;
-    const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
+        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), taken)));
+    const Lanes3 kick = taken * surface.normal - stopped;
+    Lanes out = surface.penetration;
+    if (starts.of_part != nullptr) {
+        const Lanes3 way = p - start - set(settings.h) * surface.velocity;
+        out = hn::Sub(out, hn::Min(left_inside(surface, way, settings.h), out));
+    }
+    const Lanes3 displacement = out * surface.normal - set(settings.h) * stopped;
     const Lanes3 moved = either(surface.is_near, p + displacement, p);
     store_rows(moved, position.w, positions);
     store_rows(either(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
-    paths.add(start, moved);
+    paths.add(starts.swept ? start : p, moved);
     const auto one = hn::IfThenElseZero(hn::RebindMask(du, surface.is_near), hn::Set(du, 1));
-    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
+    const auto before = hn::Load(du, met);
+    hn::Store(hn::Or(hn::Or(before, one), hn::ShiftLeft<1>(hn::And(before, one))), du, met);
 }
 
 template <class Shape>
@@ -90,23 +112,23 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     const Bounds& bounds = block.paths.ends;
     PathsLanes paths{set3(bounds.lower), set3(bounds.upper), set(block.paths.longest * block.paths.longest)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
-    const bool swept = settings.meeting.thin > 0;
+    const bool swept = settings.meeting.thin > 0, has_starts = !block.starts.empty();
     std::uint32_t i = 0;
     const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
-                     swept ? &block.starts[i] : nullptr, &block.positions[i], &block.velocities[i],
-                     &block.met[i], paths);
+                     {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
+                     &block.velocities[i], &block.met[i], paths);
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
-        if (swept) std::copy(block.starts.begin() + i, block.starts.end(), starts);
+        if (has_starts) std::copy(block.starts.begin() + i, block.starts.end(), starts);
         PathsLanes with_added = paths;
-        collide_part(shape, settings, xyz(load_rows(held)), swept ? starts : nullptr, positions, velocities,
-                     &block.met[i], with_added);
+        collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
+                     velocities, &block.met[i], with_added);
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];

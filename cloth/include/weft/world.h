@@ -122,8 +122,9 @@ class World {
     /// the way, with WorldSettings::max_speed at most: one that is to go faster jumps, and meets nothing on
     /// the way. The same kind of shape; an instance stays one of its own.
     Result<void> move_collider(ColliderId id, const Collider& target);
-    /// The collider is there at once, without a velocity: what it comes to hold is put outside, and neither
-    /// pushed nor dragged. The same kind of shape, likewise.
+    /// The collider is there at once, without a velocity: what it comes to hold comes out within some tenths
+    /// of a second, a fifth of its depth in a sixtieth of one, and is neither pushed nor dragged. The same
+    /// kind of shape, likewise.
     Result<void> place_collider(ColliderId id, const Collider& place);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
@@ -135,8 +136,9 @@ class World {
     [[nodiscard]] const StepReport& report() const noexcept;
 
     /// What touched what in the last step, and how hard: the strongest that WorldSettings::contact_reports
-    /// has room for, of StepReport::contacts. Valid until the next step() or set_settings(). In the order of
-    /// cloths; of each first what it has with cloth, then with colliders by particle.
+    /// has room for, of StepReport::contacts; triggers', which have no strength, where there is room left.
+    /// Valid until the next step() or set_settings(). In the order of cloths; of each first what it has with
+    /// cloth, then with colliders by particle, then with triggers.
     ///
     /// Impulses are of the whole step. A particle and its colliders are one contact; a pair of features or
     /// particles is one for each substep in which it pushed: what a cloth got is the sum. With colliders it
@@ -163,15 +165,16 @@ class World {
     /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
     /// save(), on any number of threads and any processor, whatever was done in between.
     ///
-    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later,
-    /// has the same cloths and colliders, in the order of their ids, and the host sets the settings that they
-    /// had. Pins may be others. A library that lays saves out otherwise refuses them by their version.
+    /// Meshes, shapes and settings are not in it, but for the vertices of deformed shapes. The World it is
+    /// put back into, this one or one made later, has the same cloths, shapes and colliders, in the order of
+    /// their ids, and the host sets the settings that they had. Pins may be others. A library that lays saves
+    /// out otherwise refuses them by their version.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Writes the first save_size() bytes. Error: `to` is shorter.
     Result<void> save(std::span<std::byte> to) const;
     /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none.
     /// Errors, by which nothing changes: a save that is damaged, of another version, or of a World with other
-    /// cloths or colliders, or settings by which they have another state.
+    /// cloths, shapes or colliders, or settings by which they have another state.
     Result<void> restore(std::span<const std::byte> saved);
 
   private:
