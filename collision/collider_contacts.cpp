@@ -52,8 +52,11 @@ void place_between(const ClothSide& cloth, float h, const Squeeze& squeeze, cons
 }
 
 /// What several colliders have met, or what was squeezed before, is found out about and put where it belongs.
-void settle_squeezed(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
-                     const CollidingParticles& particles, std::span<const std::uint32_t> met) {
+/// What a step finds deep in two was not squeezed by them, and is to come out, as far as is known.
+void settle_squeezed(std::span<const ColliderMotion> colliders, const SomeColliders& near,
+                     const ClothSide& cloth, float h, const CollidingParticles& particles,
+                     std::span<const std::uint32_t> met) {
+    constexpr float deep = 5e-3f;
     if (particles.starts.empty()) return;
     const auto was_squeezed = [&](std::uint32_t k) {
         return !particles.held.empty() && particles.held[k].w < 0;
@@ -65,24 +68,35 @@ void settle_squeezed(std::span<const ColliderMotion> colliders, const ClothSide&
     std::uint32_t first = 0;
     while (first < size && !may_be(first)) ++first;
     if (first == size) return;
-    SqueezedParticles squeezed;
+    // Where it began, and those that were not squeezed there once more where they have come to.
+    SqueezedParticles at_start, at_end;
     for (std::uint32_t k = first; k < size; ++k)
-        if (may_be(k)) squeezed.add(k, was_squeezed(k) ? particles.starts[k] : particles.positions[k]);
-    find_squeezes(colliders, cloth, h, squeezed);
-    for (std::uint32_t c = 0; c < squeezed.count; ++c) {
-        const Squeeze& squeeze = squeezed.squeezes[c];
-        const std::uint32_t k = squeezed.indices[c];
-        const bool was = was_squeezed(k);
-        if (squeeze.is_squeezed) {
-            place_between(cloth, h, squeeze, xyz(particles.starts[k]), was, particles.positions[k],
-                          particles.velocities[k]);
-            if (particles.held.empty()) continue;
-            particles.held[k] = to_vec4(squeeze.normal, -1);
-            particles.touching[k / 16] = 1;
-        } else if (was) {
+        if (may_be(k)) at_start.add(k, was_squeezed(k), particles.starts[k]);
+    find_squeezes(colliders, near, cloth, h, at_start);
+    const auto place = [&](const SqueezedParticles& all, std::uint32_t c, bool was) {
+        const std::uint32_t k = all.indices[c];
+        place_between(cloth, h, all.squeezes[c], xyz(particles.starts[k]), was, particles.positions[k],
+                      particles.velocities[k]);
+        if (particles.held.empty()) return;
+        particles.held[k] = to_vec4(all.squeezes[c].normal, -1);
+        particles.touching[k / 16] = 1;
+    };
+    for (std::uint32_t c = 0; c < at_start.count; ++c) {
+        const std::uint32_t k = at_start.indices[c];
+        const Squeeze& squeeze = at_start.squeezes[c];
+        const bool may_have_been = particles.held.empty() || was_squeezed(k);
+        if (squeeze.is_squeezed && may_have_been) {
+            place(at_start, c, true);
+        } else if (was_squeezed(k)) {
             particles.held[k].w = 0;
+        } else if (squeeze.depth_before < deep) {
+            at_end.add(k, false, particles.positions[k]);
         }
     }
+    if (at_end.count == 0) return;
+    find_squeezes(colliders, near, cloth, h, at_end);
+    for (std::uint32_t c = 0; c < at_end.count; ++c)
+        if (at_end.squeezes[c].is_squeezed) place(at_end, c, false);
 }
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
@@ -90,8 +104,10 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
     const std::span<const Vec4> starts = particles.starts;
     CollidingBlock block{particles.positions, particles.velocities, particles.held, starts,
                          paths_of(starts, particles.positions)};
+    SomeColliders near;
     for (const ColliderMotion& motion : colliders)
         if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
+            near.add(static_cast<std::uint32_t>(&motion - colliders.data()));
             collide(shape,
                     {.thickness = thickness_of(motion, cloth),
                      .friction = friction_of(motion, cloth),
@@ -101,7 +117,7 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                      .meeting = starts.empty() ? Meeting{} : meeting},
                     block);
         });
-    settle_squeezed(colliders, cloth, h, particles, block.met);
+    if (near.count() > 1) settle_squeezed(colliders, near, cloth, h, particles, block.met);
     return std::accumulate(block.met.begin(), block.met.end(), 0u,
                            [](std::uint32_t sum, std::uint32_t met) { return sum + (met & 1); });
 }

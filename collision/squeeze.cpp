@@ -45,37 +45,45 @@ float way_out_of(const Met& a, const Met& b) {
 
 void find_squeezes(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                    SqueezedParticles& particles) {
+    SomeColliders all;
+    for (std::uint32_t m = 0; m < colliders.size(); ++m) all.add(m);
+    find_squeezes(colliders, all, cloth, h, particles);
+}
+
+void find_squeezes(std::span<const ColliderMotion> colliders, const SomeColliders& which,
+                   const ClothSide& cloth, float h, SqueezedParticles& particles) {
     const std::uint32_t count = particles.count;
     for (std::uint32_t k = count; k % 16 != 0; ++k) particles.points[k] = {};
     std::fill_n(particles.squeezes.begin(), count, Squeeze{});
     std::array<Met, block_size> deepest;
-    std::size_t near = 0;
-    for (std::size_t m = 0; m < colliders.size(); ++m)
-        near += for_each_met(colliders, m, cloth, h, particles,
-                             [&](std::uint32_t k, const Met& met) {
-                                 if (met.gap < deepest[k].gap) deepest[k] = met;
-                             })
-                    ? 1
-                    : 0;
-    if (near < 2) return;
+    SomeColliders near;
+    which.for_each(colliders.size(), [&](std::uint32_t m) {
+        const auto keep_deepest = [&](std::uint32_t k, const Met& met) {
+            if (met.gap < deepest[k].gap) deepest[k] = met;
+        };
+        if (for_each_met(colliders, m, cloth, h, particles, keep_deepest)) near.add(m);
+    });
+    if (near.count() < 2) return;
 
+    const auto margin = [&](std::size_t m) { return colliders[m].end.thickness; };
+    const auto depth_before = [&](const Met& met) { return -(met.gap + h * met.normal.dot(met.velocity)); };
     std::array<float, block_size> ways{};  // out of the worst pair
-    for (std::size_t m = 0; m < colliders.size(); ++m)
+    near.for_each(colliders.size(), [&](std::uint32_t m) {
         for_each_met(colliders, m, cloth, h, particles, [&](std::uint32_t k, const Met& met) {
             const Met& first = deepest[k];
             const float way = way_out_of(first, met);
             if (first.collider == m || !(way > ways[k])) return;
             ways[k] = way;
-            const float margin =
-                std::max(colliders[first.collider].end.thickness, colliders[m].end.thickness);
-            if (!(way > std::max(cloth.thickness + margin, least_way_out))) return;
+            const float within = cloth.thickness + std::max(margin(first.collider), margin(m));
             const Vector3 apart = first.normal - met.normal;
             const float length = apart.norm();
-            particles.squeezes[k] = {.is_squeezed = true,
+            particles.squeezes[k] = {.is_squeezed = particles.was[k] || way > std::max(within, least_way_out),
                                      .normal = apart / length,
                                      .velocity = 0.5f * (first.velocity + met.velocity),
-                                     .to_middle = (met.gap - first.gap) / length};
+                                     .to_middle = (met.gap - first.gap) / length,
+                                     .depth_before = std::min(depth_before(first), depth_before(met))};
         });
+    });
 }
 
 }  // namespace weft

@@ -219,7 +219,7 @@ void Contacts::hold_squeezed(const StepEquation& equation, const BlockRange& ran
     if (first == range.end) return;
     SqueezedParticles squeezed;
     for (std::uint32_t i = first; i < range.end; ++i)
-        if (is_squeezed(i)) squeezed.add(i - range.begin, equation.positions[i]);
+        if (is_squeezed(i)) squeezed.add(i - range.begin, true, equation.positions[i]);
     find_squeezes(colliders_, side_of(equation.settings), equation.h, squeezed);
     for (std::uint32_t c = 0; c < squeezed.count; ++c) {
         const std::uint32_t i = range.begin + squeezed.indices[c];

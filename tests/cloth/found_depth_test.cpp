@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -118,7 +119,10 @@ TEST(FoundDepth, BallPlacedInAHungSheetDoesNotThrowIt) {
         ClothSettings settings;
         settings.method = method;
         settings.substeps = std::holds_alternative<Xpbd>(method) ? 4 : 1;
-        const Mesh mesh = make_sheet({.rows = 33, .columns = 33}).value();
+        settings.air_damping = 2;
+        const Mesh mesh =
+            make_sheet({.rows = 33, .columns = 33, .origin = {-0.5f, 1, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}})
+                .value();
         const ClothId id = world.add_cloth(mesh, settings).value();
         std::vector<std::uint32_t> top;
         for (std::uint32_t v = 0; v < 33; ++v) top.push_back(v);
@@ -141,6 +145,23 @@ TEST(FoundDepth, BallPlacedInAHungSheetDoesNotThrowIt) {
         EXPECT_LT(speed, 1.0f) << method.index();
         EXPECT_GT(gap, 0.004f) << method.index();
     }
+}
+
+// A body of two balls: between their middles no way is free along the nearest normals, and there is no cloth
+// that they squeeze either.
+TEST(FoundDepth, BodyOfTwoBallsPlacedInASheetIsLeft) {
+    World world = World::create(vacuum({})).value();
+    const ClothId id = world.add_cloth(lying_sheet(0.02f, 33)).value();
+    const std::array<Vec3, 2> places{Vec3{-0.04f, 0, 0}, Vec3{0.04f, 0, 0}};
+    for (const Vec3& place : places) {
+        const ColliderId ball = world.add_collider({.shape = Sphere{{place.x, 9, 0}, 0.08f}}).value();
+        ASSERT_TRUE(world.place_collider(ball, {.shape = Sphere{place, 0.08f}}));
+    }
+    for (int k = 0; k < 120; ++k) world.step(h);
+    const ClothView view = world.cloth(id).value();
+    for (const Vec4& p : view.positions)
+        for (const Vec3& place : places)
+            ASSERT_GT((xyz(p) - to_vector(place)).norm(), 0.08f + 0.0045f) << p.x << ", " << p.z;
 }
 
 }  // namespace

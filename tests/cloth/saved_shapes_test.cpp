@@ -56,6 +56,14 @@ struct OnGround {
         for (Vec3& v : to) v.y = height + 0.01f * v.x;
         ASSERT_TRUE(world.deform_shape(shape, to));
     }
+    /// By no more than its thickness in a step: a sheet has another side.
+    void lift(float from, float to) {
+        const int steps = static_cast<int>(std::ceil((to - from) / 0.003f));
+        for (int k = 1; k <= steps; ++k) {
+            raise_to(from + (to - from) * static_cast<float>(k) / static_cast<float>(steps));
+            world.step(h);
+        }
+    }
     void run(int steps) {
         for (int k = 0; k < steps; ++k) world.step(h);
     }
@@ -75,7 +83,7 @@ struct OnGround {
 TEST(SavedShapes, DeformedGroundIsPutBack) {
     OnGround scene;
     scene.run(30);
-    scene.raise_to(0.01f);
+    scene.lift(0, 0.01f);
     scene.run(10);
     const std::uint64_t hash = scene.world.state_hash();
     const std::vector<std::byte> saved = scene.save();
@@ -95,12 +103,12 @@ TEST(SavedShapes, DeformedGroundIsPutBack) {
 TEST(SavedShapes, DeformationThatHasNotBeenSteppedYetIsPutBack) {
     OnGround scene;
     scene.run(30);
-    scene.raise_to(0.03f);
+    scene.raise_to(0.004f);
     const std::vector<std::byte> saved = scene.save();
     scene.run(1);
     const std::uint64_t later = scene.world.state_hash();
     const float speed = scene.world.cloth(scene.id)->velocities[40].y;
-    EXPECT_GT(speed, 1.0f);
+    EXPECT_GT(speed, 0.2f);
     scene.run(20);
     ASSERT_TRUE(scene.world.restore(saved));
     scene.run(1);
@@ -111,7 +119,7 @@ TEST(SavedShapes, WorldMadeLaterTakesThem) {
     OnGround first, second;
     first.run(5);
     const std::vector<std::byte> plain = first.save();
-    first.raise_to(0.02f);
+    first.lift(0, 0.02f);
     first.run(20);
     const std::vector<std::byte> raised = first.save();
     EXPECT_GT(raised.size(), plain.size()) << "what has not been deformed takes no room";

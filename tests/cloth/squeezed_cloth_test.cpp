@@ -26,8 +26,11 @@ struct Bodies {
 };
 
 struct Held {
-    float moved = 0;     ///< of any particle in the last second while held, root mean square over steps [m/s]
-    float released = 0;  ///< greatest speed from when they part on [m/s]
+    float moved = 0;   ///< greatest of any that is held, in the last second while it is [m/s]
+    float others = 0;  ///< likewise of all [m/s]
+    float released =
+        0;  ///< greatest speed of any that was held, in the three steps after it no longer is [m/s]
+    float afterwards = 0;  ///< greatest speed of all from when they part on [m/s]
     float deepest_between =
         0;  ///< while together, the most that one is deeper in one body than in the other [m]
     float deepest_after = 0;  ///< in any body in the end [m]
@@ -48,6 +51,7 @@ Held squeeze(World& world, ClothId id, const Bodies& bodies) {
     Held held;
     std::vector<Vec4> before;
     std::vector<bool> was_in;
+    std::vector<int> free_for;  // steps, of what was held
     for (int k = 0; k < opened + bodies.after; ++k) {
         const float t = k < parts ? blend_to(k, 0, bodies.closing) : 1 - blend_to(k, parts, bodies.parting);
         std::vector<Collider> now;
@@ -68,10 +72,18 @@ Held squeeze(World& world, ClothId id, const Bodies& bodies) {
                 held.is_between |= is_in;
                 if (is_in) held.deepest_between = std::max(held.deepest_between, std::abs(a - b));
                 if (was_in[i] && !is_in) ++held.outside;
-                held.moved = std::max(held.moved, (p - xyz(before[i])).norm() / h);
+                const float speed = (p - xyz(before[i])).norm() / h;
+                if (is_in && was_in[i]) held.moved = std::max(held.moved, speed);
+                held.others = std::max(held.others, speed);
+            }
+            free_for.resize(view.positions.size(), 9);
+            if (k >= parts) {
+                const float speed = xyz(view.velocities[i]).norm();
+                free_for[i] = is_in ? 0 : free_for[i] + 1;
+                if (free_for[i] > 0 && free_for[i] <= 3) held.released = std::max(held.released, speed);
+                held.afterwards = std::max(held.afterwards, speed);
             }
             was_in[i] = is_in;
-            if (k >= parts) held.released = std::max(held.released, xyz(view.velocities[i]).norm());
             if (k + 1 == opened + bodies.after)
                 held.deepest_after = std::max(held.deepest_after, -std::min(a, b));
         }
@@ -116,7 +128,10 @@ TEST(SqueezedCloth, StaysBetweenLimbsThatOverlapAndComesOutClean) {
             EXPECT_TRUE(held.is_between) << of;
             EXPECT_EQ(held.outside, 0u) << of;
             EXPECT_LT(held.deepest_between, 0.011f) << "as deep in both, but for the thickness: " << of;
-            EXPECT_LT(held.released, 0.6f) << "the bodies part at 0.25 m/s: " << of;
+            EXPECT_LT(held.moved, 1e-5f) << "0.01 mm/s: " << of;
+            // The bodies part at 0.27 m/s each. By XPBD threads that were stretched snap.
+            EXPECT_LT(held.released, std::holds_alternative<Xpbd>(method) ? 2.0f : 0.37f) << of;
+            EXPECT_LT(held.afterwards, 2.0f) << "it swings: " << of;
             EXPECT_LT(held.deepest_after, 1e-4f) << of;
         }
     }
@@ -126,7 +141,8 @@ TEST(SqueezedCloth, DoesNotCreepWhileItIsHeld) {
     ClothSettings settings;
     settings.air_damping = 5;  // so that what hangs below is at rest by then
     const Held held = between_limbs(settings, 0.03f);
-    EXPECT_LT(held.moved, 1e-3f);
+    EXPECT_LT(held.moved, 1e-5f);
+    EXPECT_EQ(held.outside, 0u);
 }
 
 TEST(SqueezedCloth, WithContactNothingCrosses) {
@@ -166,7 +182,7 @@ TEST(SqueezedCloth, StaysUnderABallThatPressesIntoTheGround) {
             EXPECT_EQ(held.outside, 0u) << of;
             EXPECT_LT(held.moved, 1e-5f) << "0.01 mm/s: " << of;
             EXPECT_LT(held.deepest_between, 0.011f) << of;
-            EXPECT_LT(held.released, 0.6f) << of;
+            EXPECT_LT(held.released, 0.33f) << "the ball goes up at 0.29 m/s: " << of;
             EXPECT_LT(held.deepest_after, 1e-4f) << of;
         }
 }
