@@ -102,8 +102,12 @@ void settle_squeezed(std::span<const ColliderMotion> colliders, const SomeCollid
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                             const CollidingParticles& particles) {
     const std::span<const Vec4> starts = particles.starts;
-    CollidingBlock block{particles.positions, particles.velocities, particles.held, starts,
-                         paths_of(starts, particles.positions)};
+    CollidingBlock block{.positions = particles.positions,
+                         .velocities = particles.velocities,
+                         .held = particles.held,
+                         .starts = starts,
+                         .paths = paths_of(starts, particles.positions),
+                         .parting = particles.parting};
     SomeColliders near;
     for (const ColliderMotion& motion : colliders)
         if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
@@ -131,7 +135,8 @@ CollidingParticles part_of(const CollidingParticles& all, const BlockRange& rang
             .velocities = of_block(all.velocities),
             .starts = of_block(all.starts),
             .held = of_block(all.held),
-            .touching = all.touching.empty() ? all.touching : all.touching.subspan(group, groups)};
+            .touching = all.touching.empty() ? all.touching : all.touching.subspan(group, groups),
+            .parting = of_block(all.parting)};
 }
 
 void clear(NearSurfaces& near, float reach) {

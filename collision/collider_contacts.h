@@ -64,6 +64,8 @@ struct CollidingParticles {
     /// squeezed. May be empty. `touching`, for each 16: whether any of these is not 0.
     std::span<Vec4> held = {};
     std::span<std::uint32_t> touching = {};
+    /// Below 0: what is found inside is taken out in parts, as Parting says. Empty: that of all.
+    std::span<const float> parting = {};
 };
 
 /// Moves every free particle (inverse mass > 0) that is nearer than the thickness to a collider's surface, or

@@ -27,6 +27,7 @@ struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
+    std::span<const float> parting;      ///< see CollidingParticles
     /// For each particle 0, or 1 where it met one collider, 3 where it met several.
     alignas(64) std::array<std::uint32_t, block_size> met{};
 };

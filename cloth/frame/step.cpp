@@ -342,7 +342,8 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
                                                   .velocities = cloth.state.velocities.span(),
                                                   .starts = starts,
                                                   .held = cloth.state.held.normals.span(),
-                                                  .touching = cloth.state.held.touching.span()},
+                                                  .touching = cloth.state.held.touching.span(),
+                                                  .parting = cloth.state.held.rubbed.span()},
                                                  cloth.partial_counts.span());
     if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());

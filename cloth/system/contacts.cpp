@@ -32,7 +32,8 @@ struct ContactBlock {
     float* blocks;
     Vec4* impulses;
     Vec4* normals;
-    const float* rubbed;
+    float* rubbed;
+    float parts_from;  // found depth beyond which it is taken out in parts [m]
 };
 
 struct PressedGroup {
@@ -74,8 +75,12 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes3 point{load_lanes(&block.near.points.x[i]), load_lanes(&block.near.points.y[i]),
                        load_lanes(&block.near.points.z[i])};
     const Lanes3 way = point - xyz(load_rows(block.starts + i)) - set(block.h) * xyz(motion);
-    const Lanes found = hn::Sub(dot(n, way), surface.w);
-    const Lanes stays = hn::Max(hn::Sub(found, set(Parting(block.h).way)), zero);
+    const Lanes found = hn::Sub(dot(n, way), surface.w), calm = set(Parting(block.h).way);
+    const Lanes rubbed = load_lanes(block.rubbed + i), took = hn::Max(rubbed, zero);
+    const auto parts = hn::And(hn::And(contact, hn::Gt(found, calm)),
+                               hn::Or(hn::Lt(rubbed, zero), hn::Gt(found, set(block.parts_from))));
+    const Lanes stays = hn::IfThenElseZero(parts, hn::Sub(found, calm));
+    hn::Store(hn::IfThenElse(parts, set(-1), took), Tag(), block.rubbed + i);
     const Lanes out_of = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
     const Lanes depth = hn::Sub(out_of, hn::Min(stays, hn::Max(out_of, zero)));
     const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
@@ -88,7 +93,6 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
     // sooner.
-    const Lanes took = load_lanes(block.rubbed + i);
     const Lanes again =
         hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
     // What is not a number, after a failed step, holds as a limit without end does.
@@ -123,7 +127,9 @@ void press_group(const PressedGroup& group) {
         const Lanes3 impulse = at_rest - load_symmetric(group.blocks + i) * v;
         const Lanes pressed = dot(impulse, n);
         const Lanes3 rubbed = impulse - pressed * n;
-        hn::Store(hn::Sqrt(dot(rubbed, rubbed)), Tag(), group.rubbed + i);
+        const Lanes before = load_lanes(group.rubbed + i);
+        hn::Store(hn::IfThenElse(hn::Lt(before, set(0)), before, hn::Sqrt(dot(rubbed, rubbed))), Tag(),
+                  group.rubbed + i);
         const Lanes kept = hn::IfThenElseZero(hn::Gt(pressed, set(0)), pressed);
         store_rows(n, hn::IfThenElse(hn::Lt(normal.w, set(0)), normal.w, kept), group.normals + i);
     }
@@ -146,7 +152,9 @@ constexpr float reach = 4e-3f;
 // A particle presses its own weight a fiftieth of a free step's fall into the collider. Part 3 of
 // tests/bench/MEASUREMENTS.md says why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
-constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
+// Features push cloth into colliders; what is deeper than this they have not.
+constexpr float found_with_pairs = 0.01f;  // [m]
+constexpr float stick_per_spring = 10;     // what lies on a slope creeps by a tenth of a millimetre a second
 
 float stiffness_of(const ClothSettings& settings) {
     return std::max(settings.fabric.warp, settings.fabric.weft);
@@ -196,7 +204,8 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
                              .impulses = of_colliders().data() + range.begin,
                              .normals = held_->normals.data() + range.begin,
-                             .rubbed = held_->rubbed.data() + range.begin};
+                             .rubbed = held_->rubbed.data() + range.begin,
+                             .parts_from = has_pairs() ? found_with_pairs : 0};
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         std::uint32_t& touching = held_->touching[i / Stencil::lanes];
         const bool touches = near && HWY_DYNAMIC_DISPATCH(linearise_group)(block, i - range.begin);

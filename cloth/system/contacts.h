@@ -22,7 +22,8 @@ namespace weft {
 struct HeldContacts {
     AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s],
                                             ///< or below 0: squeezed, see collision/squeeze.h
-    AlignedBuffer<float> rubbed;            ///< what the damper took when last looked at [kg m/s]
+    AlignedBuffer<float> rubbed;            ///< what the damper took when last looked at [kg m/s], or below 0:
+                                            ///< it comes out of the collider in parts
     AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether a particle of it is in contact; else
                                             ///< normals and rubbed are 0
 

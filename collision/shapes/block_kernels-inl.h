@@ -58,6 +58,7 @@ HWY_INLINE Lanes left_inside(const Surface& surface, const Lanes3& way, float h)
 struct Starts {
     const Vec4* of_part = nullptr;
     bool swept = false;
+    const float* parting = nullptr;  ///< null: that of all
 };
 
 /// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
@@ -95,7 +96,9 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     Lanes out = surface.penetration;
     if (starts.of_part != nullptr) {
         const Lanes3 way = p - start - set(settings.h) * surface.velocity;
-        out = hn::Sub(out, hn::Min(left_inside(surface, way, settings.h), out));
+        const Lanes left = hn::Min(left_inside(surface, way, settings.h), out);
+        const Lanes parting = starts.parting == nullptr ? set(-1) : hn::LoadU(Tag(), starts.parting);
+        out = hn::Sub(out, hn::IfThenElseZero(hn::Lt(parting, zero), left));
     }
     const Lanes3 displacement = out * surface.normal - set(settings.h) * stopped;
     const Lanes3 moved = either(surface.is_near, p + displacement, p);
@@ -117,18 +120,22 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
-                     {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
-                     &block.velocities[i], &block.met[i], paths);
+                     {has_starts ? &block.starts[i] : nullptr, swept,
+                      block.parting.empty() ? nullptr : &block.parting[i]},
+                     &block.positions[i], &block.velocities[i], &block.met[i], paths);
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
+        alignas(64) float parting[part_lanes] = {};
+        if (!block.parting.empty()) std::copy(block.parting.begin() + i, block.parting.end(), parting);
         if (has_starts) std::copy(block.starts.begin() + i, block.starts.end(), starts);
         PathsLanes with_added = paths;
-        collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
-                     velocities, &block.met[i], with_added);
+        collide_part(shape, settings, xyz(load_rows(held)),
+                     {has_starts ? starts : nullptr, swept, block.parting.empty() ? nullptr : parting},
+                     positions, velocities, &block.met[i], with_added);
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];
