@@ -11,6 +11,9 @@ namespace {
 // Where surfaces meet at a corner a place beside it counts as free if it is within the thickness, and this.
 constexpr float least_way_out = 2e-3f;
 
+// Who was squeezed is until there is one within this part of that.
+constexpr float stays_squeezed = 0.5f;
+
 struct Met {
     float gap = 0;  // below 0 [m]
     Vector3 normal = Vector3::Zero(), velocity = Vector3::Zero();
@@ -74,10 +77,11 @@ void find_squeezes(std::span<const ColliderMotion> colliders, const SomeCollider
             const float way = way_out_of(first, met);
             if (first.collider == m || !(way > ways[k])) return;
             ways[k] = way;
-            const float within = cloth.thickness + std::max(margin(first.collider), margin(m));
+            const float within =
+                std::max(cloth.thickness + std::max(margin(first.collider), margin(m)), least_way_out);
             const Vector3 apart = first.normal - met.normal;
             const float length = apart.norm();
-            particles.squeezes[k] = {.is_squeezed = particles.was[k] || way > std::max(within, least_way_out),
+            particles.squeezes[k] = {.is_squeezed = way > (particles.was[k] ? stays_squeezed : 1) * within,
                                      .normal = apart / length,
                                      .velocity = 0.5f * (first.velocity + met.velocity),
                                      .to_middle = (met.gap - first.gap) / length,
