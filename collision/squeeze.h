@@ -49,7 +49,7 @@ class SomeColliders {
 struct SqueezedParticles {
     std::uint32_t count = 0;
     std::array<std::uint32_t, block_size> indices;  ///< in the block
-    std::array<bool, block_size> was;               ///< squeezed before: it stays so as long as it is in both
+    std::array<bool, block_size> was;               ///< squeezed before: a way out has to be half as long
     alignas(64) std::array<Vec4, block_size> points;
     std::array<Squeeze, block_size> squeezes;
 
