@@ -11,10 +11,11 @@ namespace weft {
 namespace {
 
 std::size_t bytes_of(const CookedCloth& model) {
-    return model.positions.bytes() + model.rest_area.bytes() + model.stiffness.bytes() + model.spring_offsets.bytes() +
-           model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
-           model.bending.bytes() + model.bending_excess.bytes() + model.corner_offsets.bytes() +
-           model.corner_triangles.bytes() + model.triangles.size() * sizeof(Triangle) +
+    return model.positions.bytes() + model.rest_area.bytes() + model.stiffness.bytes() +
+           model.spring_offsets.bytes() + model.neighbours.bytes() + model.rest_lengths.bytes() +
+           model.kinds.bytes() + model.bending.bytes() + model.bending_excess.bytes() +
+           model.corner_offsets.bytes() + model.corner_triangles.bytes() +
+           model.triangles.size() * sizeof(Triangle) +
            model.panel_sides.size() * sizeof(model.panel_sides[0]) +
            (model.component_offsets.size() + model.component_particles.size() +
             model.vertex_to_particle.size()) *
@@ -256,7 +257,9 @@ void Cloth::drop_contact_mesh() noexcept {
 
 ImpulseBuffers Cloth::make_impulses(bool reported) const {
     const std::uint32_t count = reported ? model.particle_count : 0;
-    return {.of_colliders = AlignedBuffer<Vec4>(count), .missing = AlignedBuffer<Vec4>(count)};
+    return {.of_colliders = AlignedBuffer<Vec4>(count),
+            .missing = AlignedBuffer<Vec4>(count),
+            .in_triggers = AlignedBuffer<DeepestInTrigger>(block_count(count))};
 }
 
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
@@ -381,8 +384,8 @@ ClothInfo Cloth::info() const {
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + part_start.bytes() + partial_counts.bytes() +
-                 partial_surveys.bytes();
+                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
+                 partial_counts.bytes() + partial_surveys.bytes();
     return info;
 }
 

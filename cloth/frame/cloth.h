@@ -3,6 +3,7 @@
 // and free that memory; no step does.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,9 +35,16 @@ struct AirBuffers {
     AlignedBuffer<Vec4> velocities;  ///< of the gusty air [m/s]; empty without gusts
 };
 
+/// Of a block's particles the one deepest in a trigger.
+struct DeepestInTrigger {
+    float gap = std::numeric_limits<float>::infinity();  ///< less the thickness; below 0 if there is one [m]
+    std::uint32_t particle = 0;
+};
+
 /// Memory for what is reported of contacts.
 struct ImpulseBuffers {
     AlignedBuffer<Vec4> of_colliders, missing;
+    AlignedBuffer<DeepestInTrigger> in_triggers;
 };
 
 /// Memory for colliders and features in the equation of an implicit solver.
@@ -74,7 +82,7 @@ struct FeatureBuffers {
 
 /// Whether colliders are in the equation, if its solver can have them there.
 [[nodiscard]] inline bool meets_in_equation(const ClothSettings& settings) {
-    return settings.collider_response == ColliderResponse::contact;
+    return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
@@ -104,6 +112,7 @@ struct Cloth {
     void take_impulses(ImpulseBuffers&& made) noexcept {
         collider_impulses = std::move(made.of_colliders);
         missing_impulses = std::move(made.missing);
+        in_triggers = std::move(made.in_triggers);
     }
 
     [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
@@ -180,6 +189,7 @@ struct Cloth {
     /// What contact gave each particle in the equation of features, less what has been told of it; w what
     /// colliders gave along their normals [N s].
     AlignedBuffer<Vec4> missing_impulses;
+    AlignedBuffer<DeepestInTrigger> in_triggers;  ///< by block; only where contacts are reported
     /// Of the impulse over a substep to that in its equation, where missing_impulses are to be told of; else
     /// 0.
     float impulse_ratio = 0;

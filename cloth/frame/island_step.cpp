@@ -62,9 +62,8 @@ bool can_be_together(const Cloth& cloth) {
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
-    return std::ranges::any_of(cloths, [](const Cloth* cloth) {
-        return cloth->collider_contacts > 0 || cloth->worn.is_holding();
-    });
+    return std::ranges::any_of(
+        cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
 }
 
 /// BDF2's first step is one of backward Euler, with another gamma.
@@ -121,9 +120,7 @@ void Simulation::meet(const Substep& substep) {
 }
 
 ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
-    return {.velocities = cloth.state.velocities.span(),
-            .h = h,
-            .held = cloth.state.held.normals.span()};
+    return {.velocities = cloth.state.velocities.span(), .h = h, .held = cloth.state.held.normals.span()};
 }
 
 /// Where the cloths are; start_of(cloth) has the positions.
@@ -188,7 +185,9 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         solve(worker, cloth, dt, substep);
         space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
     }
-    move_colliders(worker, substep);
+    std::uint32_t mask = 0;
+    for (const Cloth* cloth : island) mask |= cloth->settings.collider_mask;
+    move_colliders(worker, mask, substep);
     joined_.clear();
     equations_.clear();
     steps_.clear();

@@ -202,6 +202,7 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("ClothSettings::air_damping", settings.air_damping, 0, 1e6f);
     checks.between("ClothSettings::thickness", settings.thickness, 0, 10);
     checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
+    checks.between("ClothSettings::restitution", settings.restitution, 0, 1);
     checks.one_of("ClothSettings::collider_response", settings.collider_response,
                   {"ColliderResponse::contact", "ColliderResponse::velocity_filter"});
     checks.between("FrameInertia::linear", settings.frame_inertia.linear, 0, 1);
@@ -212,9 +213,10 @@ Result<void> validate(const ClothSettings& settings) {
 
 Result<void> validate_for_maps(const ClothSettings& settings) {
     Checks checks;
-    checks.allow(!(settings.finite_elements.enabled && settings.finite_elements.consistent_mass),
-                 "FiniteElements::consistent_mass is true, and Map::mass and Map::stiffness know lumped masses "
-                 "only; it must be false with them");
+    checks.allow(
+        !(settings.finite_elements.enabled && settings.finite_elements.consistent_mass),
+        "FiniteElements::consistent_mass is true, and Map::mass and Map::stiffness know lumped masses "
+        "only; it must be false with them");
     return checks.result();
 }
 

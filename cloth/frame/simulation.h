@@ -117,7 +117,7 @@ struct Simulation {
     void move_pins(Cloth& cloth, float dt) const;
     void plan_carries(float dt);
     void see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const;
-    void fill_motions(std::vector<ColliderMotion>& motions, const Substep& substep,
+    void fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask, const Substep& substep,
                       const Carried* carried) const;
     [[nodiscard]] static std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
         return cloth.carried ? cloth.seen_colliders : worker.motions;
@@ -151,7 +151,8 @@ struct Simulation {
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
-    void move_colliders(Worker& worker, const Substep& substep) const;
+    /// Those that a cloth of this mask meets.
+    void move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const;
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
@@ -159,6 +160,7 @@ struct Simulation {
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
+    void bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const;
     [[nodiscard]] int parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep);
     static void keep_part_start(Worker& worker, Cloth& cloth);
     void hold_within_limits(Worker& worker, Cloth& cloth);
@@ -186,6 +188,11 @@ struct Simulation {
     static void log_avoidance(Worker& worker, Cloth& cloth, float h);
     void find_touched_colliders(Worker& worker, Cloth& cloth) const;
     void log_colliders(Cloth& cloth);
+    void log_trigger(Cloth& cloth, ColliderId id, const Collider& trigger);
+    void log_triggers(Cloth& cloth);
+    /// What comes slower does not bounce [m/s].
+    [[nodiscard]] float least_bounce(float h) const;
+    [[nodiscard]] ClothSide side_of_cloth(const Cloth& cloth, float h) const;
     void report_contacts();
     void end(float dt);
 

@@ -49,8 +49,11 @@ bool is_moved_by_host(const Cloth& cloth) {
 }
 
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
+    const Collider& collider = motion.end;
+    if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
     return with_shapes(motion, [&](const auto& start, const auto& end) {
-        return may_meet(start, end, Pace{dt, max_speed}, Reach{cloth.settings.thickness, wakes_within},
+        return may_meet(start, end, Pace{dt, max_speed},
+                        Reach{cloth.settings.thickness + motion.end.thickness, wakes_within},
                         BlockPaths{grown(cloth.extent, 0), 0})
             .has_value();
     });
@@ -95,7 +98,7 @@ void Simulation::disturb(float dt) {
     if (gusts) return for_all([](const Cloth&) { return true; });
     for_all(is_moved_by_host);
     Worker worker{serial_, motions_[0], contact_reports_.of_thread(0)};
-    move_colliders(worker, Substep{0, 1, dt});
+    move_colliders(worker, ~0u, Substep{0, 1, dt});
     for (const ColliderMotion& motion : worker.motions) {
         if (!moves(motion)) continue;
         for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, settings.max_speed); });

@@ -64,9 +64,9 @@ struct ClothState {
     std::vector<Pin> pins;                   ///< in ascending order of particles
     std::optional<FrameState> frame;         ///< only if it lives in one
     SkinState skin;
-    StepRecord record;                       ///< only with BDF2
-    HeldContacts held;                       ///< only with colliders, and if the solver is implicit
-    AlignedBuffer<TangleMemory> tangles;     ///< only with contact
+    StepRecord record;                    ///< only with BDF2
+    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
+    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;  ///< only where it may fall asleep
@@ -128,8 +128,8 @@ void for_each_part(State& state, const Visit& visit) {
     if (state.rest) visit(std::span(&*state.rest, 1));
     if (state.skin.places.size() > 0) {
         visit(std::span(&state.skin.known, 1));
-        for (auto* buffer : {&state.skin.places, &state.skin.target_places, &state.skin.normals,
-                             &state.skin.target_normals})
+        for (auto* buffer :
+             {&state.skin.places, &state.skin.target_places, &state.skin.normals, &state.skin.target_normals})
             visit(buffer->span());
     }
     if (state.tangles.size() == 0) return;
@@ -149,6 +149,22 @@ void visit_shape(Kind& shape, const Visit& visit) {
     }
 }
 
+/// What a collider's surface is besides rough. A visitor that says so does without what is as it is by
+/// default: a hash stays what it was before there was any of this.
+template <class Kind, class Visit>
+void visit_surface(Kind& collider, const Visit& visit) {
+    if constexpr (requires { Visit::skips_defaults; }) {
+        const Collider plain;
+        if (collider.thickness == plain.thickness && collider.restitution == plain.restitution &&
+            collider.layers == plain.layers && collider.is_trigger == plain.is_trigger)
+            return;
+    }
+    visit(std::span(&collider.thickness, 1));
+    visit(std::span(&collider.restitution, 1));
+    visit(std::span(&collider.layers, 1));
+    visit(std::span(&collider.is_trigger, 1));
+}
+
 template <class State, class Visit>
 requires std::same_as<std::remove_const_t<State>, WorldState>
 void for_each_part(State& state, const Visit& visit) {
@@ -158,6 +174,7 @@ void for_each_part(State& state, const Visit& visit) {
     state.colliders.for_each([&](ColliderId, auto& slot) {
         for (auto* collider : {&slot.current, &slot.target}) {
             visit(std::span(&collider->friction, 1));
+            visit_surface(*collider, visit);
             std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
         }
     });

@@ -171,10 +171,10 @@ int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& subst
     if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
     const auto timer = timed(Stage::colliders);
     see_colliders(worker, cloth, substep);
-    return static_cast<int>(weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), cloth.settings.thickness,
-                                                substep.h, most, std::as_const(cloth.state.positions).span(),
-                                                std::as_const(cloth.state.velocities).span(),
-                                                cloth.partial_counts.span()));
+    return static_cast<int>(
+        weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), side_of(cloth.settings), substep.h,
+                            most, std::as_const(cloth.state.positions).span(),
+                            std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
 }
 
 // What must hold exactly, the most important last: no particle inside a collider, none beyond its leash or in
@@ -184,7 +184,8 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     avoid_self_collision(worker, cloth, part.h);
     collide_with_colliders(worker, cloth, part);
     hold_worn(worker, cloth);
-    if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
+    if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 ||
+        cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 
@@ -240,9 +241,10 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     ClothState& now = cloth.state;
     if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
     if (!meets_in_equation(cloth.settings))
-        cloth.collider_contacts =
-            filter_velocities(worker.parallel, colliders_of(worker, cloth), equation.h, now.positions.span(),
-                              cloth.next_velocities.span(), cloth.partial_counts.span());
+        cloth.collider_contacts = filter_velocities(
+            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
+            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
+    bounce(worker, cloth, equation);
     if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
@@ -252,6 +254,21 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .record = cloth.history ? &now.record : nullptr});
     if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
+float Simulation::least_bounce(float h) const {
+    return 2 * h * to_vector(settings.gravity).norm();
+}
+
+ClothSide Simulation::side_of_cloth(const Cloth& cloth, float h) const {
+    ClothSide side = side_of(cloth.settings);
+    side.least_bounce = least_bounce(h);
+    return side;
+}
+
+void Simulation::bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const {
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
+    cloth.contacts->bounce(worker.parallel, equation, least_bounce(equation.h), cloth.next_velocities.span());
 }
 
 void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
@@ -298,9 +315,13 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
     const std::uint32_t touching =
-        weft::collide(worker.parallel, colliders_of(worker, cloth), cloth.settings.thickness, cloth.settings.friction, h,
-                      std::as_const(cloth.state.held.normals).span(), starts, cloth.state.positions.span(),
-                      cloth.state.velocities.span(), cloth.partial_counts.span(), cloth.worn.factors());
+        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(cloth, h), h,
+                      {.positions = cloth.state.positions.span(),
+                       .velocities = cloth.state.velocities.span(),
+                       .starts = starts,
+                       .held = cloth.state.held.normals.span(),
+                       .factors = cloth.worn.factors()},
+                      cloth.partial_counts.span());
     if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
     return touching;

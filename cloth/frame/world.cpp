@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cloth/frame/debug_draw/debug_draw.h"
+#include "cloth/frame/save/parts.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
@@ -19,6 +20,18 @@
 namespace weft {
 
 namespace {
+
+struct HashVisitor {
+    static constexpr bool skips_defaults = true;
+    StateHash& hash;
+
+    template <class T, std::size_t extent>
+    void operator()(std::span<T, extent> part) const {
+        hash.add(part);
+    }
+    template <class Head>
+    void head(const Head& /*head*/) const {}
+};
 
 Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
@@ -409,11 +422,7 @@ Result<void> World::restore(std::span<const std::byte> saved) {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
-    const auto add = [&](auto part) { hash.add(part); };
-    for_each_part(std::as_const(impl_->simulation.state), add);
-    impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        for_each_part(std::as_const(cloth->state), add);
-    });
+    for_each_part(std::as_const(impl_->simulation), HashVisitor{hash});
     return hash.value();
 }
 

@@ -15,6 +15,9 @@
 
 namespace weft {
 
+/// What colliders are to know of a cloth with these settings, but for the least bounce.
+[[nodiscard]] ClothSide side_of(const ClothSettings& settings);
+
 /// How hard particles press on colliders, and rub, from one step to the next.
 struct HeldContacts {
     AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
@@ -102,6 +105,8 @@ class Contacts {
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
     void finish(Parallel& parallel, std::span<const Vec4> velocities);
+    /// After that: what pressed a collider leaves it as fast as it bounces. `least`: see ClothSide.
+    void bounce(Parallel& parallel, const StepEquation& equation, float least, std::span<Vec4> velocities);
     /// The pairs have been linearised again, the colliders not.
     void renew_pairs(Parallel& parallel);
 
@@ -124,6 +129,8 @@ class Contacts {
 
   private:
     void press(const BlockRange& range, std::span<const Vec4> velocities);
+    void bounce_block(const StepEquation& equation, float least, const BlockRange& range,
+                      std::span<Vec4> velocities);
     void add_pairs(const BlockRange& range);
     /// Impulses of colliders alone.
     [[nodiscard]] AlignedBuffer<Vec4>& of_colliders() noexcept {

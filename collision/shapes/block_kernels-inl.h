@@ -78,7 +78,7 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
             surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
     if (factors.thickness != nullptr) {
         const Lanes missing = hn::Sub(set(1), load_lanes(factors.thickness));
-        surface.penetration = hn::NegMulAdd(set(settings.thickness), missing, surface.penetration);
+        surface.penetration = hn::NegMulAdd(set(settings.of_cloth), missing, surface.penetration);
         surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
     }
     if (hn::AllFalse(d, surface.is_near)) return;
@@ -88,10 +88,12 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
     const Lanes3 sliding = mul_add(approach, surface.normal, relative);
+    const Lanes bounce = hn::IfThenElseZero(hn::Gt(approach, set(settings.least_bounce)),
+                                            hn::Mul(set(settings.restitution), approach));
+    const Lanes taken = hn::Add(approach, bounce);
     const auto rubs = hn::And(hn::Gt(approach, zero), hn::Eq(dot(held, held), zero));
-    const Lanes3 stopped =
-        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(friction, approach)));
-    const Lanes3 kick = approach * surface.normal - stopped;
+    const Lanes3 stopped = keep_where(rubs, stopped_by_friction(sliding, hn::Mul(friction, taken)));
+    const Lanes3 kick = taken * surface.normal - stopped;
     const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
     const Lanes3 moved = either(surface.is_near, p + displacement, p);
     store_rows(moved, position.w, positions);

@@ -101,6 +101,7 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.air_damping,
                              &s.thickness,
                              &s.friction,
+                             &s.restitution,
                              &s.frame_inertia.linear,
                              &s.frame_inertia.angular,
                              &s.frame_inertia.centrifugal};
@@ -164,7 +165,10 @@ Answer random_answer(Random& random) {
 Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
     if (!random.chance(0.05)) return {collider, extreme ? Answer::either : Answer::accepted};
     if (random.chance(0.5)) {
-        collider.friction = random.one_of({-1.0f, not_a_number, infinity});
+        float* const fields[] = {&collider.friction, &collider.thickness, &collider.restitution};
+        *fields[random.below(std::size(fields))] = random.one_of({-1.0f, not_a_number, infinity});
+    } else if (auto* const placed = std::get_if<PlacedShape>(&collider.shape)) {
+        (random.chance(0.5) ? placed->rotation.w : placed->position.x) = not_a_number;
     } else if (auto* const sphere = std::get_if<Sphere>(&collider.shape)) {
         (random.chance(0.5) ? sphere->radius : sphere->center.x) = not_a_number;
     } else if (auto* const capsule = std::get_if<Capsule>(&collider.shape)) {
@@ -179,6 +183,14 @@ Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
         std::get<Plane>(collider.shape).normal = random.chance(0.5) ? Vec3{} : Vec3{0, infinity, 0};
     }
     return {collider, Answer::refused};
+}
+
+/// What it is besides its shape and its friction: mostly nothing.
+void draw_surface(Random& random, Fields& fields, Collider& collider) {
+    if (random.chance(0.3)) collider.thickness = std::min(fields.zero_or_more(1e-3f, 0.1f), 10.0f);
+    if (random.chance(0.3)) collider.restitution = random.between(0, 1);
+    if (random.chance(0.3)) collider.layers = random.below(4);
+    if (random.chance(0.15)) collider.is_trigger = true;
 }
 
 Rotation turned(Random& random) {
@@ -206,7 +218,8 @@ Drawn<Transform> random_transform(Random& random) {
 
 Drawn<Map> random_map(Random& random) {
     const auto map = static_cast<Map>(random.below(8));
-    const bool may_refuse = map == Map::mass || map == Map::stiffness || map == Map::leash || map == Map::backstop;
+    const bool may_refuse =
+        map == Map::mass || map == Map::stiffness || map == Map::leash || map == Map::backstop;
     return {map, may_refuse ? Answer::either : Answer::accepted};
 }
 
@@ -297,6 +310,8 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);
+    if (random.chance(0.2)) s.restitution = random.between(0, 1);
+    if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);
     return drawn;
@@ -359,6 +374,18 @@ Drawn<Collider> random_collider(Random& random) {
             break;
         }
     }
+    draw_surface(random, fields, collider);
+    return finished(random, collider, extreme);
+}
+
+Drawn<Collider> random_instance(Random& random, std::size_t shape) {
+    const bool extreme = random.chance(0.1);
+    Fields fields(random, extreme);
+    Collider collider;
+    collider.shape = PlacedShape{.shape = {static_cast<std::uint32_t>(shape), 1},
+                                 .position = fields.vector(1),
+                                 .rotation = random.chance(0.5) ? Rotation{} : turned(random)};
+    draw_surface(random, fields, collider);
     return finished(random, collider, extreme);
 }
 
@@ -377,10 +404,17 @@ Drawn<Collider> random_move(Random& random, const Collider& from) {
         box->center = moved(random, box->center);
         if (random.chance(0.5)) box->rotation = turned(random);
         if (random.chance(0.1)) box->half_extents.y *= random.between(0.5f, 2);
+    } else if (auto* const placed = std::get_if<PlacedShape>(&to.shape)) {
+        placed->position = moved(random, placed->position);
+        if (random.chance(0.5)) placed->rotation = turned(random);
     } else {
         auto& plane = std::get<Plane>(to.shape);
         plane.offset += random.between(-0.5f, 0.5f);
         if (random.chance(0.2)) plane.normal = {-plane.normal.x, -plane.normal.y, -plane.normal.z};
+    }
+    if (random.chance(0.1)) {
+        Fields fields(random, false);
+        draw_surface(random, fields, to);
     }
     // It may have been out of all reason before.
     Drawn<Collider> drawn = finished(random, to, true);

@@ -12,6 +12,8 @@ namespace weft::fuzz {
 [[nodiscard]] Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_passes);
 [[nodiscard]] Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps);
 [[nodiscard]] Drawn<Collider> random_collider(Random& random);
+/// An instance of the shape that was added as the so manieth; generations are the player's.
+[[nodiscard]] Drawn<Collider> random_instance(Random& random, std::size_t shape);
 /// The same kind of shape elsewhere, now and then far off.
 [[nodiscard]] Drawn<Collider> random_move(Random& random, const Collider& from);
 

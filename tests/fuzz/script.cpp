@@ -33,6 +33,11 @@ struct PlannedCollider {
     bool removed = false;
 };
 
+struct PlannedShape {
+    OwnedShape shape;
+    bool removed = false;
+};
+
 /// Draws operation by operation, with what the earlier ones have left in mind.
 class Author {
   public:
@@ -71,6 +76,12 @@ class Author {
     void set_map();
     void set_skin();
     void shift_origin();
+    void move_pins();
+    void add_shape();
+    void add_instance();
+    void deform_shape();
+    void remove_shape();
+    void save_or_restore();
 
     void add(decltype(Operation::call) call, Answer answer = Answer::accepted,
              std::size_t cloth = Operation::no_cloth) {
@@ -101,6 +112,8 @@ class Author {
     Drawn<WorldSettings> world_;
     std::vector<PlannedCloth> cloths_;
     std::vector<PlannedCollider> colliders_;
+    std::vector<PlannedShape> shapes_;
+    std::size_t saves_ = 0;
 };
 
 void Author::add_operation() {
@@ -127,6 +140,12 @@ void Author::add_operation() {
         {6, &Author::set_map},
         {8, &Author::set_skin},
         {1, &Author::shift_origin},
+        {4, &Author::move_pins},
+        {4, &Author::add_shape},
+        {5, &Author::add_instance},
+        {5, &Author::deform_shape},
+        {1, &Author::remove_shape},
+        {4, &Author::save_or_restore},
     };
     std::uint32_t all = 0;
     for (const Choice& choice : choices) all += choice.weight;
@@ -312,7 +331,8 @@ void Author::add_collider() {
 void Author::move_collider() {
     if (colliders_.empty()) return add_collider();
     const std::size_t chosen = any_of(colliders_);
-    if (random_.chance(0.05)) {  // another kind of shape, mostly
+    const bool is_instance = std::holds_alternative<PlacedShape>(colliders_[chosen].collider.shape);
+    if (!is_instance && random_.chance(0.05)) {  // another kind of shape, mostly
         const Drawn<Collider> other = random_collider(random_);
         const bool same = other.value.shape.index() == colliders_[chosen].collider.shape.index();
         return add(MoveCollider{chosen, other.value}, same ? Answer::either : Answer::refused);
@@ -347,6 +367,71 @@ void Author::step() {
     const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(least_step, greatest_step);
     for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt});
     if (random_.chance(0.03)) add(MoveWorld{});
+}
+
+void Author::move_pins() {
+    const std::size_t chosen = any_of(cloths_);
+    const PlannedCloth& cloth = cloths_[chosen];
+    if (cloth.pinned.empty()) return pin();
+    MovePins call;
+    const Vec3 by = random_.point(0.05f);
+    for (const std::uint32_t vertex : cloth.pinned) {
+        const Vec3& from = cloth.mesh.positions[vertex];
+        call.vertices.push_back(vertex);
+        call.targets.push_back({from.x + by.x, from.y + by.y, from.z + by.z});
+    }
+    Answer answer = Answer::either;
+    if (random_.chance(0.05)) {
+        call.targets.back().y = std::numeric_limits<float>::infinity();
+        answer = Answer::refused;
+    } else if (random_.chance(0.05)) {
+        call.targets.pop_back();
+        answer = Answer::refused;
+    }
+    add(std::move(call), answer, chosen);
+}
+
+void Author::add_shape() {
+    if (shapes_.size() >= 6) return;
+    const Drawn<OwnedShape> drawn = random_shape(random_);
+    shapes_.push_back({drawn.value, drawn.answer == Answer::refused});
+    add(AddShape{drawn.value}, drawn.answer);
+}
+
+/// Refused if the shape is not there.
+void Author::add_instance() {
+    if (shapes_.empty()) return add_shape();
+    if (colliders_.size() >= 12) return;
+    const std::size_t shape = any_of(shapes_);
+    const Drawn<Collider> collider = random_instance(random_, shape);
+    colliders_.push_back({collider.value, collider.answer == Answer::refused});
+    add(AddCollider{collider.value}, collider.answer == Answer::refused ? Answer::refused : Answer::either);
+}
+
+void Author::deform_shape() {
+    if (shapes_.empty()) return add_shape();
+    const std::size_t shape = any_of(shapes_);
+    const Drawn<std::vector<Vec3>> drawn = random_deformation(random_, shapes_[shape].shape);
+    const bool is_there = !shapes_[shape].removed;
+    add(DeformShape{shape, drawn.value},
+        drawn.answer == Answer::accepted && !is_there ? Answer::either : drawn.answer);
+}
+
+/// Refused if a collider is one of it.
+void Author::remove_shape() {
+    if (shapes_.empty()) return;
+    const std::size_t shape = any_of(shapes_);
+    add(RemoveShape{shape}, Answer::either);
+}
+
+void Author::save_or_restore() {
+    if (saves_ == 0 || random_.chance(0.4)) {
+        ++saves_;
+        return add(Save{});
+    }
+    const bool damaged = random_.chance(0.2);
+    add(Restore{random_.below(saves_), damaged, static_cast<std::uint32_t>(random_.next())},
+        damaged ? Answer::refused : Answer::either);
 }
 
 void Author::start_trace() {

@@ -84,10 +84,11 @@ void Simulation::plan_carries(float dt) {
 }
 
 /// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
-void Simulation::fill_motions(std::vector<ColliderMotion>& motions, const Substep& substep,
-                              const Carried* carried) const {
+void Simulation::fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                              const Substep& substep, const Carried* carried) const {
     motions.clear();
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
         const Collider from =
             carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
         ColliderMotion& motion =
@@ -99,15 +100,15 @@ void Simulation::fill_motions(std::vector<ColliderMotion>& motions, const Subste
     });
 }
 
-void Simulation::move_colliders(Worker& worker, const Substep& substep) const {
-    fill_motions(worker.motions, substep, nullptr);
+void Simulation::move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const {
+    fill_motions(worker.motions, mask, substep, nullptr);
 }
 
 void Simulation::see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const {
     if (cloth.carried)
-        fill_motions(cloth.seen_colliders, substep, &*cloth.carried);
+        fill_motions(cloth.seen_colliders, cloth.settings.collider_mask, substep, &*cloth.carried);
     else
-        move_colliders(worker, substep);
+        move_colliders(worker, cloth.settings.collider_mask, substep);
 }
 
 void Simulation::begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part) {

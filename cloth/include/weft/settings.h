@@ -91,6 +91,12 @@ struct ClothSettings {
     float air_damping = 0.2f;  ///< rate at which any velocity decays, shape and all [1/s], 0 to 1e6
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
+    /// Of the normal velocity with which a particle hits a collider, the part with which it leaves, 0 to 1;
+    /// the greater of this and the collider's own, see Collider::restitution.
+    float restitution = 0;
+    /// It meets colliders that have one of these bits in Collider::layers, whatever they are. 0: none, at no
+    /// cost.
+    std::uint32_t collider_mask = ~0u;
     ColliderResponse collider_response = ColliderResponse::contact;
     /// False: no step moves it, nothing meets it, and it costs nothing; it stays where it is, and may be
     /// pinned and set meanwhile. See World::set_enabled.

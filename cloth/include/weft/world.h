@@ -216,8 +216,9 @@ class World {
     [[nodiscard]] const StepReport& report() const noexcept;
 
     /// What touched what in the last step, and how hard: the strongest that WorldSettings::contact_reports
-    /// has room for, of StepReport::contacts. Valid until the next step() or set_settings(). In the order of
-    /// cloths; of each first what it has with cloth, then with colliders by particle.
+    /// has room for, of StepReport::contacts; triggers', which have no strength, where there is room left.
+    /// Valid until the next step() or set_settings(). In the order of cloths; of each first what it has with
+    /// cloth, then with colliders by particle, then with triggers.
     ///
     /// Impulses are of the whole step. A particle and its colliders are one contact; a pair of features or
     /// particles is one for each substep in which it pushed: what a cloth got is the sum. With colliders it
@@ -248,15 +249,16 @@ class World {
     /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
     /// save(), on any number of threads and any processor, whatever was done in between.
     ///
-    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later,
-    /// has the same cloths and colliders, in the order of their ids, and the host sets the settings that they
-    /// had. Pins may be others. A library that lays saves out otherwise refuses them by their version.
+    /// Meshes, shapes and settings are not in it, but for the vertices of deformed shapes. The World it is
+    /// put back into, this one or one made later, has the same cloths, shapes and colliders, in the order of
+    /// their ids, and the host sets the settings that they had. Pins may be others. A library that lays saves
+    /// out otherwise refuses them by their version.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Writes the first save_size() bytes. Error: `to` is shorter.
     Result<void> save(std::span<std::byte> to) const;
     /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none.
     /// Errors, by which nothing changes: a save that is damaged, of another version, or of a World with other
-    /// cloths or colliders, or settings by which they have another state.
+    /// cloths, shapes or colliders, or settings by which they have another state.
     Result<void> restore(std::span<const std::byte> saved);
 
   private:
