@@ -145,6 +145,19 @@ TEST(Sleep, WakesByWhatMovesNearIt) {
     EXPECT_TRUE(wakes_by([](Room& room) {
         ASSERT_TRUE(room.world.place_collider(room.ball, {.shape = Sphere{{0, 0.1f, 0}, 0.1f}}));
     }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ground, {.shape = Plane{}, .thickness = 0.01f}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ground, {.shape = Plane{}, .is_trigger = true}));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) {
+        Collider passing{.shape = Sphere{{0, 0.1f, 0}, 0.1f}, .is_trigger = true};
+        ASSERT_TRUE(room.world.place_collider(room.ball, passing));
+        room.world.step(h);
+        passing.shape = Sphere{{0, 0.05f, 0}, 0.1f};
+        ASSERT_TRUE(room.world.move_collider(room.ball, passing));
+    }));
     EXPECT_FALSE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.remove_collider(room.ball)); }));
     EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.remove_collider(room.ground)); }));
     EXPECT_TRUE(wakes_by([](Room& room) {
