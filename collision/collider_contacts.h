@@ -32,24 +32,46 @@ struct ColliderMotion {
 /// Error: a value outside its range in collider.h.
 [[nodiscard]] Result<void> validate(const Collider& collider);
 
-/// The shape a fraction t of the way from `from` to `to`: points, radius and offset are blended, normals
-/// blended and normalised. Precondition: the same alternative in both.
+/// The collider a fraction t of the way from `from` to `to`: points, radius, offset and numbers are blended,
+/// normals blended and normalised; layers are `to`'s. Precondition: the same alternative in both.
 [[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
 
-/// Moves every free particle (positions.w = inverse mass > 0) that is nearer than `thickness` to a collider's
-/// surface, or inside it, out to `thickness`; takes from its velocity relative to the surface what approaches
-/// it, and by Coulomb's law what slides along it. Friction moves the position too, so that cloth at rest on a
-/// slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the number of
-/// particles that met a collider. Precondition: block_partials.size() >= block_count(positions.size()).
-///
-/// starts, if not empty: where particles were when the substep began. Those that have moved far against a
-/// collider meet it where they first came near it, and go to the side of it on which they did.
-///
-/// held, if not empty: per particle not 0 where forces of contact have acted already, and friction with them.
-std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, float thickness,
-                      float friction, float h, std::span<const Vec4> held, std::span<const Vec4> starts,
-                      std::span<Vec4> positions, std::span<Vec4> velocities,
-                      std::span<std::uint32_t> block_partials);
+/// What differs from particle to particle, each empty where nothing does: factors of the thickness, from 0 to
+/// 1, and of friction.
+struct ParticleFactors {
+    std::span<const float> thickness{}, friction{};
+};
+
+/// What a cloth brings to its contacts with colliders. How the two go together, collider.h says.
+struct ClothSide {
+    float thickness = 0;  ///< [m]
+    float friction = 1;
+    float restitution = 0;
+    std::uint32_t mask = ~0u;  ///< of the layers that it meets
+    float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
+
+    [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
+};
+
+/// A cloth's particles over a substep.
+struct CollidingParticles {
+    std::span<Vec4> positions, velocities;  ///< at its end; positions.w inverse mass
+    /// Where they were when it began; may be empty. Those that have moved far against a collider meet it
+    /// where they first came near it, and go to the side of it on which they did.
+    std::span<const Vec4> starts = {};
+    /// Not 0 where forces of contact have acted already, and friction with them. May be empty.
+    std::span<const Vec4> held = {};
+    ParticleFactors factors = {};
+};
+
+/// Moves every free particle (inverse mass > 0) that is nearer than the thickness to a collider's surface, or
+/// inside it, out to the thickness; takes from its velocity relative to the surface what approaches it, gives
+/// it what bounces, and takes by Coulomb's law what slides along it. Friction moves the position too, so that
+/// cloth at rest on a slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the
+/// number of particles that met a collider. Precondition: block_partials.size() >=
+/// block_count(positions.size()).
+std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
+                      float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials);
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {
@@ -60,27 +82,31 @@ struct BlockLanes {
 /// the end of a group of 16.
 struct NearSurfaces {
     BlockLanes points;    ///< at the substep's end [m]; w inverse mass
-    BlockLanes surfaces;  ///< outward normal; w distance less `thickness` [m], `reach` where none is near
+    BlockLanes surfaces;  ///< outward normal; w distance less the thickness [m], `reach` where none is near
     BlockLanes motions;   ///< the surface's velocity [m/s]; w friction of cloth and collider together
 };
 
 /// For each of at most block_size particles the surface, at the substep's end, that is nearest of those
-/// nearer than `thickness + reach`. Particles go to positions + gamma velocities; arrays go on to the end of
-/// a group of 16. starts, if not empty: as in collide(); a surface that a particle has passed counts as one
-/// in which it is. Returns whether any is near; else only the points are written.
+/// nearer than the thickness and the reach. Particles go to positions + gamma velocities; arrays go on to the
+/// end of a group of 16. starts, if not empty: as in collide(); a surface that a particle has passed counts
+/// as one in which it is. Returns whether any is near; else only the points are written.
 ///
 /// bodies, if not empty, gets of each particle ColliderMotion::body of the nearest, -1 where none is near.
-bool find_near_surfaces(std::span<const ColliderMotion> colliders, float thickness, float friction, float h,
+bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                         float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,
                         float gamma, std::span<const Vec4> velocities, NearSurfaces& near,
                         std::span<std::int32_t> bodies = {});
+/// The same; w of `motions` is restitution.
+bool find_bouncing_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                            float reach, std::span<const Vec4> positions, float gamma,
+                            std::span<const Vec4> velocities, NearSurfaces& near);
 
 /// In how many equal parts a substep is best cut, at most `most`, since a collider that moves farther than it
 /// is thin meets particles: in a part, none of those about goes farther against it than its radius and the
 /// thickness. An equation that is linear about where a part begins bends no flat cloth round a thin bar that
 /// ends far off. 1 where none meets any. Precondition: as of collide().
 [[nodiscard]] std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
-                                          float thickness, float h, std::uint32_t most,
+                                          const ClothSide& cloth, float h, std::uint32_t most,
                                           std::span<const Vec4> positions, std::span<const Vec4> velocities,
                                           std::span<std::uint32_t> block_partials);
 

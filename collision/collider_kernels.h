@@ -14,9 +14,11 @@
 namespace weft {
 
 struct ContactSettings {
-    float thickness;  ///< [m]
-    float friction;   ///< of cloth and collider together
-    float h;          ///< [s]
+    float thickness;                          ///< of cloth and collider together [m]
+    float friction;                           ///< of cloth and collider together
+    float h;                                  ///< [s]
+    float of_cloth = 0;                       ///< of the thickness the cloth's own [m]
+    float restitution = 0, least_bounce = 0;  ///< likewise; what comes slower [m/s] does not bounce
     /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
     /// of the block moves as far.
     Meeting meeting{};
@@ -24,8 +26,9 @@ struct ContactSettings {
 
 struct CollidingBlock {
     std::span<Vec4> positions, velocities;
-    std::span<const Vec4> held, starts;  ///< see collide()
+    std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
+    ParticleFactors factors = {};
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
 };
 

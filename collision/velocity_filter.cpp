@@ -25,16 +25,16 @@ std::uint32_t filter_block(const NearSurfaces& near, std::span<Vec4> velocities)
 
 }  // namespace
 
-std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMotion> colliders, float h,
-                                std::span<const Vec4> positions, std::span<Vec4> velocities,
-                                std::span<std::uint32_t> block_partials) {
+std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                                std::uint32_t mask, float h, std::span<const Vec4> positions,
+                                std::span<Vec4> velocities, std::span<std::uint32_t> block_partials) {
     if (colliders.empty()) return 0;
     const auto block = [&](const BlockRange& range) {
         const std::uint32_t size = range.end - range.begin;
         NearSurfaces near;
         const std::span<Vec4> of_block = velocities.subspan(range.begin, size);
-        const bool any = find_near_surfaces(colliders, 0, 0, h, 0, {}, positions.subspan(range.begin, size),
-                                            0, of_block, near);
+        const bool any = find_near_surfaces(colliders, {.mask = mask}, h, 0, {},
+                                            positions.subspan(range.begin, size), 0, of_block, near);
         return any ? filter_block(near, of_block) : 0u;
     };
     return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 0u, block,

@@ -95,6 +95,15 @@ int run_headless(const Options& options, Simulation& simulation) {
         failures.note(Error{made.error().code, "no pictures: " + made.error().message});
     }
 
+    std::optional<Sequence> sequence;
+    if (options.sequence) {
+        auto begun = Sequence::begin(simulation, *options.sequence, options.out);
+        if (!begun) {
+            std::fprintf(stderr, "weft_demo: %s\n", begun.error().message.c_str());
+            return 2;
+        }
+        sequence.emplace(std::move(*begun));
+    }
     if (!options.trace.empty()) failures.note(simulation.world().start_trace());
     const int frames = options.frames.value_or(Options::default_frames);
     FrameTable table;
@@ -104,6 +113,7 @@ int run_headless(const Options& options, Simulation& simulation) {
         for (int frame = 1; frame <= frames; ++frame) {
             troubles.add(simulation.step(frame_seconds));
             table.add(simulation.world().profile(), simulation.world().report());
+            if (sequence) failures.note(sequence->add(simulation));
             if (photographer) photographer->record(simulation);
             if (photographer && options.every > 0 && frame % options.every == 0)
                 failures.note(photographer->shoot(simulation, picture_file(options, frame)));
@@ -112,6 +122,7 @@ int run_headless(const Options& options, Simulation& simulation) {
     }
     if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png"));
 
+    if (sequence) failures.note(sequence->end());
     failures.note(table.write_csv(options.out / "frame_times.csv"));
     failures.note(
         save_obj(options.out / "final.obj", current_mesh(simulation.world(), simulation.content())));

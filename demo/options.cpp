@@ -2,6 +2,7 @@
 
 #include <array>
 #include <CLI/CLI.hpp>
+#include <map>
 
 namespace weft::demo {
 namespace {
@@ -29,6 +30,12 @@ void describe(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--out", options.out, "Folder for what a headless run leaves (default: out)")
         ->type_name("DIR");
+    const std::map<std::string, SequenceFormat> formats{{"obj", SequenceFormat::obj},
+                                                        {"pc2", SequenceFormat::pc2}};
+    app.add_option("--export", options.sequence,
+                   "Headless: leave the cloth of every frame in --out, as OBJ files or as one PC2 cache")
+        ->needs("--headless")
+        ->transform(CLI::CheckedTransformer(formats).description("obj or pc2"));
     app.add_option_function<std::string>(
            "--size",
            [&options](const std::string& text) {

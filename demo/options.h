@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "demo/export/sequence.h"
 #include "demo/simulation_options.h"
 
 namespace weft::demo {
@@ -17,7 +18,8 @@ struct Options : SimulationOptions {
     int every = 0;                   ///< a picture of every n-th frame too; 0: of the last only
     int width = 1280, height = 800;  ///< of window and pictures [pixels]
     std::filesystem::path out = "out";
-    std::filesystem::path trace;  ///< empty: none is kept
+    std::optional<SequenceFormat> sequence;  ///< of all frames, into `out`; none: none is written
+    std::filesystem::path trace;             ///< empty: none is kept
 
     static constexpr int default_frames = 120;
 };

@@ -1,5 +1,6 @@
 #include "demo/picture.h"
 
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -34,25 +35,50 @@ Result<Picture> Picture::create() {
 void Picture::show(const Simulation& simulation) {
     for (const render::ClothHandle cloth : cloths_) renderer_.remove_cloth(cloth);
     cloths_.clear();
+    fine_.clear();
     for (const SceneCloth& cloth : simulation.content().cloths) {
         const auto view = simulation.world().cloth(cloth.id);
-        const std::vector<Vec2>& texcoords =
-            cloth.mesh.texcoords.empty() ? cloth.mesh.pattern : cloth.mesh.texcoords;
-        cloths_.push_back(renderer_.add_cloth({.triangles = cloth.mesh.triangles,
-                                               .vertex_to_particle = view->vertex_to_particle,
-                                               .texcoords = texcoords,
-                                               .look = cloth.look}));
+        const Mesh& mesh = cloth.drawn ? cloth.fine : cloth.mesh;
+        const std::vector<Vec2>& texcoords = mesh.texcoords.empty() ? mesh.pattern : mesh.texcoords;
+        const std::size_t own = cloth.drawn ? cloth.drawn->size() : 0;
+        fine_.push_back({.positions = std::vector<Vec4>(own),
+                         .previous_positions = std::vector<Vec4>(own),
+                         .normals = std::vector<Vec4>(own)});
+        std::vector<std::uint32_t> each(own);
+        std::iota(each.begin(), each.end(), 0u);
+        const std::span<const std::uint32_t> particles = each;
+        cloths_.push_back(
+            renderer_.add_cloth({.triangles = mesh.triangles,
+                                 .vertex_to_particle = cloth.drawn ? particles : view->vertex_to_particle,
+                                 .texcoords = texcoords,
+                                 .look = cloth.look}));
     }
     update(simulation);
 }
 
 void Picture::update(const Simulation& simulation) {
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
-        const auto cloth = simulation.world().cloth(simulation.content().cloths[i].id);
+        const SceneCloth& drawn = simulation.content().cloths[i];
+        const auto cloth = simulation.world().cloth(drawn.id);
+        if (drawn.drawn) {
+            update_fine(drawn, *cloth, i);
+            continue;
+        }
         renderer_.update_cloth(cloths_[i], {.positions = cloth->positions,
                                             .previous_positions = cloth->previous_positions,
                                             .normals = cloth->normals});
     }
+}
+
+void Picture::update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index) {
+    Fine& fine = fine_[index];
+    cloth.drawn->update(view, {.positions = fine.positions, .normals = fine.normals});
+    ClothView before = view;
+    before.positions = view.previous_positions;
+    cloth.drawn->update(before, {.positions = fine.previous_positions});
+    renderer_.update_cloth(cloths_[index], {.positions = fine.positions,
+                                            .previous_positions = fine.previous_positions,
+                                            .normals = fine.normals});
 }
 
 const render::View& Picture::view(const Simulation& simulation, const render::OrbitCamera& camera,

@@ -26,8 +26,15 @@ class Picture {
   private:
     explicit Picture(render::SceneRenderer renderer);
 
+    /// What of a cloth is drawn over it, by vertex.
+    struct Fine {
+        std::vector<Vec4> positions, previous_positions, normals;
+    };
+    void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
+
     render::SceneRenderer renderer_;
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
+    std::vector<Fine> fine_;                   // likewise; empty where the cloth itself is drawn
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;
     std::vector<render::DrawnTaperedCapsule> tapered_capsules_;

@@ -16,8 +16,9 @@
 namespace weft::demo {
 
 struct SceneOptions {
-    std::uint32_t particles = 0;    ///< about this many; 0: the scene's own number
-    std::filesystem::path garment;  ///< for the garment scene
+    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
+    std::filesystem::path garment{};  ///< OBJ file, for scenes that take one
+    std::filesystem::path motion{};   ///< BVH file, likewise
 };
 
 /// A cloth of the scene with what drawing it needs.
@@ -25,6 +26,8 @@ struct SceneCloth {
     ClothId id;
     Mesh mesh;
     render::FabricLook look;
+    Mesh fine{};                               ///< what is drawn in place of the mesh, where `drawn` is set
+    std::shared_ptr<const DrawnMesh> drawn{};  ///< how it follows the cloth
 };
 
 /// What build() leaves behind for the program that shows the scene.
@@ -56,7 +59,9 @@ struct SceneEntry {
     const char* name;
     const char* description;
     std::unique_ptr<Scene> (*make)();
-    bool needs_garment = false;  ///< cannot be built without SceneOptions::garment
+    bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
+    bool takes_garment = needs_garment;  ///< can be built with one
+    bool takes_motion = false;           ///< likewise of SceneOptions::motion
 };
 
 /// All scenes, in the order in which they are listed. scenes/registry.cpp holds one line for each.

@@ -28,6 +28,19 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
     return {};
 }
 
+/// Of the vertices that are drawn.
+void append_positions(const SceneCloth& cloth, const ClothView& view, std::vector<Vec3>& positions) {
+    if (!cloth.drawn) {
+        for (const std::uint32_t particle : view.vertex_to_particle)
+            positions.push_back(
+                {view.positions[particle].x, view.positions[particle].y, view.positions[particle].z});
+        return;
+    }
+    std::vector<Vec4> drawn(cloth.drawn->size());
+    cloth.drawn->update(view, {.positions = drawn});
+    for (const Vec4& p : drawn) positions.push_back({p.x, p.y, p.z});
+}
+
 }  // namespace
 
 Simulation::Simulation(const SceneEntry& entry, const SceneOptions& options, std::unique_ptr<Scene> scene,
@@ -86,14 +99,11 @@ Mesh current_mesh(const World& world, const SceneContent& content) {
         const auto view = world.cloth(cloth.id);
         if (!view) continue;
         const auto first = static_cast<std::uint32_t>(all.positions.size());
-        for (const std::uint32_t particle : view->vertex_to_particle) {
-            const Vec4& p = view->positions[particle];
-            all.positions.push_back({p.x, p.y, p.z});
-        }
-        for (const auto& [a, b, c] : cloth.mesh.triangles)
+        append_positions(cloth, *view, all.positions);
+        const Mesh& mesh = cloth.drawn ? cloth.fine : cloth.mesh;
+        for (const auto& [a, b, c] : mesh.triangles)
             all.triangles.push_back({first + a, first + b, first + c});
-        const std::vector<Vec2>& flat =
-            cloth.mesh.pattern.empty() ? cloth.mesh.texcoords : cloth.mesh.pattern;
+        const std::vector<Vec2>& flat = mesh.pattern.empty() ? mesh.texcoords : mesh.pattern;
         all.texcoords.insert(all.texcoords.end(), flat.begin(), flat.end());
     }
     // A scene of which only some cloths have texture coordinates has none.

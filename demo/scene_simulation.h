@@ -54,7 +54,7 @@ class Simulation {
     double time_ = 0;
 };
 
-/// All cloths of a scene as one mesh, as they are now.
+/// All cloths of a scene as one mesh, as they are drawn now.
 [[nodiscard]] Mesh current_mesh(const World& world, const SceneContent& content);
 
 }  // namespace weft::demo

@@ -49,6 +49,9 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
            "--garment", options.scene_options.garment,
            "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres")
         ->type_name("FILE.obj");
+    app.add_option("--motion", options.scene_options.motion,
+                   "BVH file for the scene character (default: a walk that ships)")
+        ->type_name("FILE.bvh");
     app.add_option("--particles", options.scene_options.particles,
                    "About this many particles (default: the scene's own number)")
         ->check(CLI::Range(9u, 4u << 20));
@@ -126,6 +129,7 @@ std::string scene_list() {
 Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
     const bool garment_given = !options.scene_options.garment.empty();
     std::string name = options.scene;
+    if (name.empty() && !options.scene_options.motion.empty()) name = "character";
     if (name.empty()) name = garment_given ? "garment" : all_scenes().front().name;
 
     const SceneEntry* scene = find_scene(name);
@@ -137,10 +141,15 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
         return Error{ErrorCode::invalid_argument,
                      "scene " + name + " needs an OBJ file; name one with --garment"};
     }
-    if (!scene->needs_garment && garment_given) {
+    if (!scene->takes_garment && garment_given) {
         return Error{ErrorCode::invalid_argument, "scene " + name + " has no garment; leave out --garment " +
                                                       options.scene_options.garment.string() +
                                                       ", or name the scene garment"};
+    }
+    if (!scene->takes_motion && !options.scene_options.motion.empty()) {
+        return Error{ErrorCode::invalid_argument, "scene " + name + " has nobody to move; leave out --motion " +
+                                                      options.scene_options.motion.string() +
+                                                      ", or name the scene character"};
     }
     return scene;
 }

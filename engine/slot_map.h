@@ -34,7 +34,9 @@ class SlotMap {
     /// Precondition: first_generation is not 0.
     explicit SlotMap(Generation first_generation = 1) : first_generation_(first_generation) {}
 
-    Id insert(T value) {
+    Id insert(const T& value) { return insert(T(value)); }
+    /// Where it throws, the value is as it was.
+    Id insert(T&& value) {
         if (free_.empty()) {
             if (free_.capacity() <= slots_.size())
                 free_.reserve(2 * slots_.size() + 1);  // so that erase never allocates

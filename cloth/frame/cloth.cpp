@@ -11,10 +11,11 @@ namespace weft {
 namespace {
 
 std::size_t bytes_of(const CookedCloth& model) {
-    return model.positions.bytes() + model.rest_area.bytes() + model.spring_offsets.bytes() +
-           model.neighbours.bytes() + model.rest_lengths.bytes() + model.kinds.bytes() +
-           model.bending.bytes() + model.bending_excess.bytes() + model.corner_offsets.bytes() +
-           model.corner_triangles.bytes() + model.triangles.size() * sizeof(Triangle) +
+    return model.positions.bytes() + model.rest_area.bytes() + model.stiffness.bytes() +
+           model.spring_offsets.bytes() + model.neighbours.bytes() + model.rest_lengths.bytes() +
+           model.kinds.bytes() + model.bending.bytes() + model.bending_excess.bytes() +
+           model.corner_offsets.bytes() + model.corner_triangles.bytes() +
+           model.triangles.size() * sizeof(Triangle) +
            model.panel_sides.size() * sizeof(model.panel_sides[0]) +
            (model.component_offsets.size() + model.component_particles.size() +
             model.vertex_to_particle.size()) *
@@ -139,7 +140,14 @@ void Cloth::apply(const ClothSettings& changed) {
 
     // From here on nothing can fail.
     const bool is_other_density = changed.fabric.areal_density != settings.fabric.areal_density;
+    const bool was_enabled = settings.enabled;
     settings = changed;
+    settings.enabled = was_enabled;
+    set_enabled(changed.enabled);
+    if (changed.sleep_speed > 0)
+        state.rest.emplace();
+    else
+        state.rest.reset();
     if (is_other_density) set_inverse_masses();
     if (other_solver) solver = std::move(other_solver);
     solver->prepare(settings);
@@ -205,8 +213,8 @@ void Cloth::reserve_pairs(Solver& with) const {
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
     const bool with_pairs = has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
-    const bool with_colliders = any_colliders && meets_in_equation(of);
-    const bool needed = with.is_implicit() && (with_colliders || with_pairs);
+    const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
+    const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
     return std::optional<ContactBuffers>(std::in_place, model.particle_count, with_pairs);
 }
@@ -219,8 +227,8 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         if (!goes_on) state.held = std::move(made->held);
     }
     const bool has_pairs = features && !has_zones(settings.self_collision) && solver->joins();
-    const bool with_colliders = any_colliders && meets_in_equation(settings);
-    if (solver->is_implicit() && (with_colliders || has_pairs)) return;
+    const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
+    if (solver->is_implicit() && (with_surfaces || has_pairs)) return;
     contacts.reset();
     state.held = {};
 }
@@ -249,7 +257,9 @@ void Cloth::drop_contact_mesh() noexcept {
 
 ImpulseBuffers Cloth::make_impulses(bool reported) const {
     const std::uint32_t count = reported ? model.particle_count : 0;
-    return {.of_colliders = AlignedBuffer<Vec4>(count), .missing = AlignedBuffer<Vec4>(count)};
+    return {.of_colliders = AlignedBuffer<Vec4>(count),
+            .missing = AlignedBuffer<Vec4>(count),
+            .in_triggers = AlignedBuffer<DeepestInTrigger>(block_count(count))};
 }
 
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
@@ -293,9 +303,19 @@ void Cloth::unpin(std::span<const std::uint32_t> particles) {
     change_pins(std::move(pins));
 }
 
+void Cloth::pin_only(std::span<const std::uint32_t> particles) {
+    std::vector<Pin> pins;
+    pins.reserve(particles.size());
+    for (const std::uint32_t i : particles) {
+        const Pin* const pinned = find_pin(i);
+        pins.push_back(pinned != nullptr ? *pinned : Pin{i, xyz(state.positions[i])});
+    }
+    change_pins(std::move(pins));
+}
+
 void Cloth::change_pins(std::vector<Pin>&& pins) {
-    if (pins.size() == state.pins.size()) return;  // pins are only added, or only taken away
     const std::vector<std::uint32_t> now = particles_of(pins), before = particles_of(state.pins);
+    if (now == before) return;
     for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, now);
     solver->reserve_pins(pins.size());
 
@@ -317,6 +337,7 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
         any_released = true;
     }
     state.pins = std::move(pins);
+    wake();
     // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
     if (any_released) state.record.h = 0;
 }
@@ -357,14 +378,14 @@ ClothInfo Cloth::info() const {
     info.mass = static_cast<float>(mass_sum);
     const float finest = 2 * info.mean_edge;
     info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
-    std::size_t of_limits = 0;
+    std::size_t of_limits = worn.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     info.bytes = sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
                  (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + part_start.bytes() + body_buffers.bytes() +
+                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + body_buffers.bytes() +
                  collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
                  partial_counts.bytes() + partial_surveys.bytes();
     return info;

@@ -3,6 +3,7 @@
 // and free that memory; no step does.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +13,10 @@
 #include "cloth/frame/history.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/survey.h"
+#include "cloth/frame/worn/moving_frame.h"
+#include "cloth/frame/worn/rigid_motion.h"
 #include "cloth/limits/limit.h"
+#include "cloth/limits/worn_limits.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/solver.h"
 #include "cloth/surface/surface.h"
@@ -31,9 +35,16 @@ struct AirBuffers {
     AlignedBuffer<Vec4> velocities;  ///< of the gusty air [m/s]; empty without gusts
 };
 
+/// Of a block's particles the one deepest in a trigger.
+struct DeepestInTrigger {
+    float gap = std::numeric_limits<float>::infinity();  ///< less the thickness; below 0 if there is one [m]
+    std::uint32_t particle = 0;
+};
+
 /// Memory for what is reported of contacts.
 struct ImpulseBuffers {
     AlignedBuffer<Vec4> of_colliders, missing;
+    AlignedBuffer<DeepestInTrigger> in_triggers;
 };
 
 /// Memory for colliders and features in the equation of an implicit solver.
@@ -76,7 +87,7 @@ struct FeatureBuffers {
 
 /// Whether colliders are in the equation, if its solver can have them there.
 [[nodiscard]] inline bool meets_in_equation(const ClothSettings& settings) {
-    return settings.collider_response == ColliderResponse::contact;
+    return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
@@ -99,6 +110,8 @@ struct Cloth {
     void place_pins() noexcept {
         for (const Pin& pin : state.pins) set_xyz(state.positions[pin.particle], pin.target);
     }
+    /// Of these particles, ascending, and no others.
+    void pin_only(std::span<const std::uint32_t> particles);
     /// Null if the particle is not pinned.
     [[nodiscard]] Pin* find_pin(std::uint32_t particle);
 
@@ -107,6 +120,7 @@ struct Cloth {
     void take_impulses(ImpulseBuffers&& made) noexcept {
         collider_impulses = std::move(made.of_colliders);
         missing_impulses = std::move(made.missing);
+        in_triggers = std::move(made.in_triggers);
     }
 
     [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
@@ -129,6 +143,16 @@ struct Cloth {
     void commit_restore(Parallel& parallel);
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
+
+    void set_enabled(bool on) noexcept;
+    [[nodiscard]] bool is_asleep() const noexcept;
+    [[nodiscard]] float still_for() const noexcept;  ///< [s]
+    void wake() noexcept;                            ///< or, if it is awake, keeps it so for a while
+    void fall_asleep() noexcept;
+    /// Without velocities, and drawn where it is.
+    void stand_still() noexcept;
+    /// Takes a checked map over, or none; see worn/maps.cpp.
+    void set_map(Map map, AlignedBuffer<float>&& values);
 
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
@@ -155,6 +179,8 @@ struct Cloth {
     /// afterwards.
     AlignedBuffer<Vec4> next_velocities;
     std::optional<History> history;                 ///< only with BDF2
+    WornLimits worn;                                ///< leashes, backstops, and maps for contact
+    AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
     Limits limits;                                  ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
@@ -175,11 +201,16 @@ struct Cloth {
     /// What contact gave each particle in the equation of features, less what has been told of it; w what
     /// colliders gave along their normals [N s].
     AlignedBuffer<Vec4> missing_impulses;
+    AlignedBuffer<DeepestInTrigger> in_triggers;  ///< by block; only where contacts are reported
     /// Of the impulse over a substep to that in its equation, where missing_impulses are to be told of; else
     /// 0.
     float impulse_ratio = 0;
     AlignedBuffer<std::uint32_t> partial_counts;
     AlignedBuffer<Survey> partial_surveys;
+
+    /// How its frame carries it before the present step; none without a frame, or at full inertia.
+    std::optional<Carried> carried;
+    std::vector<ColliderMotion> seen_colliders;  ///< as the cloth that is carried sees them
 
     // Of the present step; a step that is done leaves them for the report.
     bool solver_failed = false;           ///< in one of its substeps
@@ -191,6 +222,7 @@ struct Cloth {
     FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
     std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
+    LimitLag limit_lag{};                 ///< of its worn limits, at the end
 
   private:
     bool has_colliders_ = false;
@@ -205,7 +237,18 @@ struct Cloth {
     void reserve_pairs(Solver& with) const;
     void change_pins(std::vector<Pin>&& pins);
     void set_inverse_masses();
+    [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
+    void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
+    void set_masses(AlignedBuffer<float>&& values);
+    void set_stiffness(AlignedBuffer<float>&& values);
+    void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };
+
+/// Whether their layers let them.
+[[nodiscard]] inline bool may_meet(const Cloth& a, const Cloth& b) {
+    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
+    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
+}
 
 }  // namespace weft

@@ -90,10 +90,8 @@ void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const
         Holder firmest = Holder::none;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Holder holder = holder_of(i);
-            Vector3 way = expected.h * xyz(expected.velocities[i]);
-            if (holder == Holder::none) way += expected.fall;
             start_[first + i] = positions[i];
-            displacements_[first + i] = to_vec4(way, 0);
+            displacements_[first + i] = to_vec4(expected.h * xyz(expected.velocities[i]), 0);
             firmest = std::max(firmest, holder);
         }
         return firmest;

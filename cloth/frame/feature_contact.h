@@ -31,11 +31,12 @@ struct ContactCloth {
     float restitution = 0;  ///< of these
 };
 
-/// Where a body is expected to go in a substep.
+/// Where a body is expected to go in a substep: on, as it does. What gravity adds is the same for all and
+/// brings nothing nearer, but that something is held; and that is felt within the radius, a step later.
+/// Counted for what falls alone, it would be the spread of all cloth that lies or hangs.
 struct ExpectedMotion {
     std::span<const Vec4> velocities;
     float h = 0;                      ///< [s]
-    Vector3 fall = Vector3::Zero();   ///< what gravity adds to the way of all that nothing holds [m]
     std::span<const Vec4> held = {};  ///< not 0: what a collider holds; may be empty
 };
 

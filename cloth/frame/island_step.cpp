@@ -13,11 +13,6 @@ namespace weft {
 
 namespace {
 
-bool may_meet(const Cloth& a, const Cloth& b) {
-    const SelfCollision &of_a = a.settings.self_collision, &of_b = b.settings.self_collision;
-    return masks_allow(of_a.layers, of_a.mask, of_b.layers, of_b.mask);
-}
-
 /// Boxes around points, of which one that is not finite has no part in.
 class GrowingBox {
   public:
@@ -71,7 +66,8 @@ bool meets_bodies(std::span<Cloth* const> cloths) {
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
-    return std::ranges::any_of(cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0; });
+    return std::ranges::any_of(
+        cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
 }
 
 /// BDF2's first step is one of backward Euler, with another gamma.
@@ -127,12 +123,8 @@ void Simulation::meet(const Substep& substep) {
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
 
-// Where one layer lies on another, only one of them is going to fall: so gravity counts from the start.
 ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
-    return {.velocities = cloth.state.velocities.span(),
-            .h = h,
-            .fall = h * h * to_vector(settings.gravity),
-            .held = cloth.state.held.normals.span()};
+    return {.velocities = cloth.state.velocities.span(), .h = h, .held = cloth.state.held.normals.span()};
 }
 
 /// Where the cloths are; start_of(cloth) has the positions.
@@ -191,10 +183,13 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
                                 const Substep& substep) {
     FeatureContact& space = *together_;
     find_features(worker, space, island, substep.h);
-    const auto first =
-        std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
+    // There is one list of colliders with which bodies move.
+    const auto can_join = [&](const Cloth& cloth) {
+        return can_be_together(cloth) && !(bodies_ && cloth.carried);
+    };
+    const auto first = std::ranges::find_if(island, [&](const Cloth* cloth) { return can_join(*cloth); });
     const auto is_member = [&](const Cloth& cloth) {
-        return first != island.end() && can_be_together(cloth) &&
+        return first != island.end() && can_join(cloth) &&
                takes_second_order_step(cloth, substep.h) == takes_second_order_step(**first, substep.h);
     };
     for (std::size_t k = 0; k < island.size(); ++k) {
@@ -214,7 +209,10 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
             joined_, substep.h,
             takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h) : substep.h);
     }
-    move_colliders(worker, substep, with_bodies);
+    std::uint32_t mask = 0;
+    for (const Cloth* cloth : island) mask |= cloth->settings.collider_mask;
+    move_colliders(worker, mask, substep);
+    if (with_bodies) add_carried_motions(worker.motions, mask, substep);
     equations_.clear();
     steps_.clear();
     members_.clear();
@@ -222,7 +220,8 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         Cloth& cloth = *island[k];
         if (!is_member(cloth)) continue;
         StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
-        cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
+        if (cloth.carried) see_colliders(worker, cloth, substep);
+        begin_contacts(worker, cloth, substep);
         join_features(worker, space, k, cloth, equation);
         if (with_bodies) carry_bodies(cloth, equation);
         steps_.push_back({.parallel = worker.parallel,
@@ -289,7 +288,7 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
 // Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
 // section 2: cloth against rigid bodies on top of cloth against cloth).
 void Simulation::keep_out_of_colliders(Worker& worker, Cloth& cloth, float h) {
-    if (worker.motions.empty() || !meets_in_equation(cloth.settings)) return;
+    if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
     cloth.collider_contacts = std::max(cloth.collider_contacts, collide(worker, cloth, h, {}));
 }
 

@@ -52,7 +52,7 @@ void Simulation::log_contact(ContactLog& log, Cloth& cloth, const Contact& conta
 // impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
 // forces over h.
 void Simulation::add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.contacts || worker.motions.empty()) return;
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
     const float ratio = equation.h / equation.gamma;
     worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -190,9 +190,12 @@ void Simulation::find_touched_colliders(Worker& worker, Cloth& cloth) const {
     const auto touched = [&](const Vector3& position, const Vector3& impulse) {
         float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;
         state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
-            const SurfacePoint surface = nearest_surface(slot.target, position, held_by(slot.target));
-            if (!(surface.distance < least)) return;
-            least = surface.distance;
+            const Collider& collider = slot.target;
+            if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return;
+            const SurfacePoint surface = nearest_surface(collider, position, held_by(collider));
+            const float gap = surface.distance - collider.thickness;
+            if (!(gap < least)) return;
+            least = gap;
             along = surface.normal.dot(impulse);
             found = static_cast<float>(id.index + 1);
         });
@@ -226,13 +229,56 @@ void Simulation::log_colliders(Cloth& cloth) {
     }
 }
 
+/// Where the cloth and the trigger are when the step ends.
+void Simulation::log_trigger(Cloth& cloth, ColliderId id, const Collider& trigger) {
+    const ColliderMotion there{.start = trigger, .end = trigger, .held = held_by(trigger)};
+    const ClothSide side = side_of(cloth.settings);
+    const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
+    const auto deepest_of_block = [&](const BlockRange& range) {
+        DeepestInTrigger deepest;
+        const std::uint32_t size = range.end - range.begin;
+        const std::span<const Vec4> points = positions.subspan(range.begin, size);
+        NearSurfaces near;
+        if (!find_near_surfaces({&there, 1}, side, 1, 0, {}, points, 0, points, near)) return deepest;
+        for (std::uint32_t k = 0; k < size; ++k)
+            if (near.surfaces.w[k] < std::min(deepest.gap, 0.0f))
+                deepest = {near.surfaces.w[k], range.begin + k};
+        return deepest;
+    };
+    const auto deeper = [](const DeepestInTrigger& a, const DeepestInTrigger& b) {
+        return b.gap < a.gap ? b : a;
+    };
+    const DeepestInTrigger found = parallel.reduce(cloth.state.size(), cloth.in_triggers.span(),
+                                                   DeepestInTrigger{}, deepest_of_block, deeper);
+    if (!(found.gap < 0)) return;
+    const SurfacePoint surface =
+        nearest_surface(trigger, xyz(cloth.state.positions[found.particle]), held_by(trigger));
+    log_contact(contact_reports_.of_thread(0), cloth,
+                {.cloth = cloth.id,
+                 .collider = id,
+                 .particle = found.particle,
+                 .point = to_vec3(surface.point),
+                 .normal = to_vec3(surface.normal)});
+}
+
+void Simulation::log_triggers(Cloth& cloth) {
+    state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
+        const Collider& trigger = slot.target;
+        if (!trigger.is_trigger || (trigger.layers & cloth.settings.collider_mask) == 0) return;
+        log_trigger(cloth, id, trigger);
+    });
+}
+
 void Simulation::report_contacts() {
     collider_ids_.clear();
     state.colliders.for_each([&](ColliderId id, const ColliderSlot&) {
         collider_ids_.resize(id.index + 1);
         collider_ids_.back() = id;
     });
-    for (Cloth* cloth : present_) log_colliders(*cloth);
+    for (Cloth* cloth : present_) {
+        log_colliders(*cloth);
+        log_triggers(*cloth);
+    }
     contact_reports_.gather([&](const Contact& c) { return !(*cloths.find(c.cloth))->restored; });
     for (const Cloth* cloth : present_) report.contacts += cloth->restored ? 0 : cloth->contact_count;
 }

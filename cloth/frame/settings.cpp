@@ -195,14 +195,28 @@ Result<void> validate(const ClothSettings& settings) {
     check_together(checks, settings);
     checks.one_of("ClothSettings::time_scheme", settings.time_scheme,
                   {"TimeScheme::of_method", "TimeScheme::backward_euler", "TimeScheme::bdf2"});
+    checks.between("ClothSettings::sleep_speed", settings.sleep_speed, 0, 1e3f);
     checks.within("ClothSettings::substeps", settings.substeps, 1, 1024);
     checks.between("Tethers::slack", settings.tethers.slack, 1, 1e3f);
     check(checks, settings.self_collision);
     checks.between("ClothSettings::air_damping", settings.air_damping, 0, 1e6f);
     checks.between("ClothSettings::thickness", settings.thickness, 0, 10);
     checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
+    checks.between("ClothSettings::restitution", settings.restitution, 0, 1);
     checks.one_of("ClothSettings::collider_response", settings.collider_response,
                   {"ColliderResponse::contact", "ColliderResponse::velocity_filter"});
+    checks.between("FrameInertia::linear", settings.frame_inertia.linear, 0, 1);
+    checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
+    checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
+    return checks.result();
+}
+
+Result<void> validate_for_maps(const ClothSettings& settings) {
+    Checks checks;
+    checks.allow(
+        !(settings.finite_elements.enabled && settings.finite_elements.consistent_mass),
+        "FiniteElements::consistent_mass is true, and Map::mass and Map::stiffness know lumped masses "
+        "only; it must be false with them");
     return checks.result();
 }
 

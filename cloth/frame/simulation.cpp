@@ -1,8 +1,10 @@
 #include "cloth/frame/simulation.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 namespace weft {
@@ -26,6 +28,12 @@ ContactReports make_reports(const WorldSettings& settings, const Parallel& threa
 bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
     return a.threads == b.threads && a.executor.run == b.executor.run && a.executor.user == b.executor.user &&
            a.executor.width == b.executor.width;
+}
+
+/// Whether cloth at rest feels no difference.
+bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
+    static_assert(std::is_trivially_copyable_v<Wind> && sizeof(Wind) == 9 * sizeof(float));
+    return std::memcmp(&a.wind, &b.wind, sizeof a.wind) == 0 && to_vector(a.gravity) == to_vector(b.gravity);
 }
 
 /// What each cloth is to take over, once all of it has been made.
@@ -86,6 +94,7 @@ void Simulation::apply(const WorldSettings& changed) {
     if (reports) contact_reports_ = *std::move(reports);
     for (auto& [cloth, made] : impulses) cloth->take_impulses(std::move(made));
     for (auto& [cloth, made] : air) cloth->take_air(std::move(made));
+    if (!have_same_forces(settings, changed)) wake_all();
     settings = changed;
 }
 
@@ -130,6 +139,9 @@ const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
 void Simulation::expect_colliders(std::size_t count) {
     for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
     if (bodies_) bodies_->reserve(cloths.size(), count);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->state.frame) cloth->seen_colliders.reserve(count);
+    });
     reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
     ForCloths<AlignedBuffer<Vec4>> starts;
@@ -163,6 +175,7 @@ void Simulation::reserve_collider_ids(bool reported) {
 void Simulation::reserve_cloth() {
     const std::size_t count = cloths.size() + 1;
     present_.reserve(count);
+    still_for_.reserve(count);
     boxes_.reserve(count);
     each_.reserve(count);
     islands_.reserve(count);

@@ -83,6 +83,11 @@ struct Simulation {
 
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
+    /// Sees to what the cloth needs in a frame: room for the colliders as it sees them.
+    void set_frame(Cloth& cloth, const Transform& pose);
+    /// Teleports a cloth; or all, with all else. What is moved is checked beforehand.
+    void move(Cloth& cloth, const RigidMotion& by);
+    void shift_origin(const Vec3& to);
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
 
@@ -94,6 +99,11 @@ struct Simulation {
         return bodies_ ? std::span<const BodyImpulse>(bodies_->impulses) : std::span<const BodyImpulse>();
     }
     void clear_body_impulses() noexcept;
+
+    /// Sleeping cloths: all, those that the collider is near, those that lay on a cloth.
+    void wake_all() noexcept;
+    void wake_near(const Collider& collider) noexcept;
+    void wake_near(const Cloth& gone) noexcept;
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
@@ -107,6 +117,10 @@ struct Simulation {
     [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed, const SelfCollision& of,
                                                                 const ContactMesh* mesh);
     void begin(float dt);
+    void choose_present(float dt);
+    void disturb(float dt);
+    void sleep_and_wake(float dt);
+    static void count_still_time(Cloth& cloth, float dt);
     void step_together(float dt);
     void step_each(float dt);
     void meet(const Substep& substep);
@@ -116,7 +130,19 @@ struct Simulation {
     void for_each_cloth(const Work& work);
 
     void move_pins(Cloth& cloth, float dt) const;
-    void predict(Worker& worker, Cloth& cloth, const Substep& substep);
+    void plan_carries(float dt);
+    void see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const;
+    void fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask, const Substep& substep,
+                      const Carried* carried) const;
+    /// Then those that bodies carry, which move with them.
+    void add_carried_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                             const Substep& substep) const;
+    [[nodiscard]] static std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
+        return cloth.carried ? cloth.seen_colliders : worker.motions;
+    }
+    void hold_worn(Worker& worker, Cloth& cloth);
+    void end_worn(Worker& worker, Cloth& cloth);
+    void predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void settle(Worker& worker, Cloth& cloth, const Substep& part);
     [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
@@ -143,10 +169,7 @@ struct Simulation {
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
-    /// Those that bodies carry move with them, if cloth may meet them, and are left out else.
-    void move_colliders(Worker& worker, const Substep& substep, bool meets_bodies) const;
-    void move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const;
-
+    [[nodiscard]] bool is_near_bodies(const Cloth& cloth, float dt) const;
     [[nodiscard]] std::size_t number_of(BodyId id) const;
     void prepare_for_bodies(Cloth& cloth) const;
     void begin_bodies(const Substep& substep);
@@ -162,6 +185,8 @@ struct Simulation {
     void place_attached(Cloth& cloth);
     void finish_part_of_bodies(std::span<Cloth* const> cloths);
     void end_bodies(const Substep& substep);
+    /// Those that a cloth of this mask meets, but for those that bodies carry.
+    void move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const;
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
@@ -169,6 +194,7 @@ struct Simulation {
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
+    void bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const;
     [[nodiscard]] int parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep);
     static void keep_part_start(Worker& worker, Cloth& cloth);
     void hold_within_limits(Worker& worker, Cloth& cloth);
@@ -179,7 +205,9 @@ struct Simulation {
     [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
     void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
-                                                                               const Cloth& cloth);
+                                                                               Cloth& cloth);
+    /// Begins the cloth's contacts in an equation, if it has any.
+    static void begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part);
     void reserve_collider_ids(bool reported);
     static void update_normals(Parallel& loops, Cloth& cloth);
     void add_to_report(const Cloth& cloth);
@@ -194,6 +222,11 @@ struct Simulation {
     static void log_avoidance(Worker& worker, Cloth& cloth, float h);
     void find_touched_colliders(Worker& worker, Cloth& cloth) const;
     void log_colliders(Cloth& cloth);
+    void log_trigger(Cloth& cloth, ColliderId id, const Collider& trigger);
+    void log_triggers(Cloth& cloth);
+    /// What comes slower does not bounce [m/s].
+    [[nodiscard]] float least_bounce(float h) const;
+    [[nodiscard]] ClothSide side_of_cloth(const Cloth& cloth, float h) const;
     void report_contacts();
     void end(float dt);
 
@@ -202,8 +235,9 @@ struct Simulation {
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
 
     Parallel serial_{1};
-    std::vector<Cloth*> present_;  // the cloths of a step, in the order of their ids
-    Schedule each_, islands_;      // each cloth for itself; those that may touch together
+    std::vector<Cloth*> present_;   // the cloths that a step takes, in the order of their ids
+    std::vector<float> still_for_;  // of each of these, of its island
+    Schedule each_, islands_;       // each cloth for itself; those that may touch together
     std::vector<Bounds> boxes_;
     Islands finder_;
     Motions motions_;  // one list for each thread

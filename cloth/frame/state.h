@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "cloth/limits/skin_state.h"
 #include "cloth/system/contacts.h"
 #include "collision/contact/tangles.h"
 #include "engine/aligned_buffer.h"
@@ -16,6 +18,7 @@
 #include "engine/vector.h"
 #include "weft/body.h"
 #include "weft/collider.h"
+#include "weft/transform.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -41,6 +44,18 @@ struct StepRecord {
     }
 };
 
+/// How still a cloth is.
+struct Rest {
+    float still_for = 0;  ///< no particle has been fast [s]
+    std::uint32_t asleep = 0;
+};
+
+/// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
+struct FrameState {
+    Transform pose, target;
+    Vec3 velocity{}, velocity_change{};  ///< [m/s]
+};
+
 /// What a cloth gave a body [N s, N m s].
 struct BodyShare {
     std::array<float, 6> last{};  ///< in the last substep
@@ -54,12 +69,15 @@ struct ClothState {
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
     AlignedBuffer<Vec4> normals;             ///< x y z of unit length, w 0
     std::vector<Pin> pins;                   ///< in ascending order of particles
-    StepRecord record;                       ///< only with BDF2
-    HeldContacts held;                       ///< only with colliders, and if the solver is implicit
-    AlignedBuffer<TangleMemory> tangles;     ///< only with contact
-    std::vector<BodyShare> shares;           ///< of each body, in the order of their ids
+    std::optional<FrameState> frame;         ///< only if it lives in one
+    SkinState skin;
+    StepRecord record;                    ///< only with BDF2
+    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
+    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
+    std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
+    std::optional<Rest> rest;  ///< only where it may fall asleep
     std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
@@ -69,8 +87,8 @@ struct ClothState {
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
-               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + tangles.bytes() +
-               shares.capacity() * sizeof(BodyShare);
+               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + skin.bytes() +
+               tangles.bytes() + shares.capacity() * sizeof(BodyShare);
     }
 };
 
@@ -116,6 +134,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.velocities.span());
     visit(state.normals.span());
     visit_pins(state.pins, visit);
+    if (state.frame) visit(std::span(&*state.frame, 1));
     visit(std::span(&state.record.h, 1));
     visit(state.record.displacements.span());
     visit(state.record.velocity_changes.span());
@@ -124,6 +143,13 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());
     if (!state.shares.empty()) visit(std::span(state.shares));
+    if (state.rest) visit(std::span(&*state.rest, 1));
+    if (state.skin.places.size() > 0) {
+        visit(std::span(&state.skin.known, 1));
+        for (auto* buffer :
+             {&state.skin.places, &state.skin.target_places, &state.skin.normals, &state.skin.target_normals})
+            visit(buffer->span());
+    }
     if (state.tangles.size() == 0) return;
     visit(state.tangles.span());
     visit(std::span(&state.may_cross, 1));
@@ -141,6 +167,22 @@ void visit_shape(Kind& shape, const Visit& visit) {
     }
 }
 
+/// What a collider's surface is besides rough. A visitor that says so does without what is as it is by
+/// default: a hash stays what it was before there was any of this.
+template <class Kind, class Visit>
+void visit_surface(Kind& collider, const Visit& visit) {
+    if constexpr (requires { Visit::skips_defaults; }) {
+        const Collider plain;
+        if (collider.thickness == plain.thickness && collider.restitution == plain.restitution &&
+            collider.layers == plain.layers && collider.is_trigger == plain.is_trigger)
+            return;
+    }
+    visit(std::span(&collider.thickness, 1));
+    visit(std::span(&collider.restitution, 1));
+    visit(std::span(&collider.layers, 1));
+    visit(std::span(&collider.is_trigger, 1));
+}
+
 template <class State, class Visit>
 requires std::same_as<std::remove_const_t<State>, WorldState>
 void for_each_part(State& state, const Visit& visit) {
@@ -150,6 +192,7 @@ void for_each_part(State& state, const Visit& visit) {
     state.colliders.for_each([&](ColliderId, auto& slot) {
         for (auto* collider : {&slot.current, &slot.target}) {
             visit(std::span(&collider->friction, 1));
+            visit_surface(*collider, visit);
             std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
         }
     });

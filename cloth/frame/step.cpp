@@ -8,7 +8,6 @@
 
 #include "cloth/frame/advance.h"
 #include "cloth/frame/simulation.h"
-#include "cloth/surface/gusts.h"
 #include "collision/velocity_filter.h"
 
 namespace weft {
@@ -40,7 +39,7 @@ void Simulation::step_together(float dt) {
     for (int s = 0; s < settings.substeps; ++s) {
         const Substep substep = Substep{0, 1, dt}.part(s, settings.substeps, dt);
         begin_bodies(substep);
-        for_each_cloth([&](Worker& worker, Cloth& cloth) { predict(worker, cloth, substep); });
+        for_each_cloth([&](Worker& worker, Cloth& cloth) { predict(worker, cloth, dt, substep); });
         meet(substep);
         for_each_group(islands_, [&](Worker& worker, std::span<Cloth* const> island) {
             if (island.size() == 1)
@@ -63,7 +62,7 @@ void Simulation::step_each(float dt) {
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
         for (int s = 0; s < settings.substeps; ++s) {
             const Substep substep = Substep{0, 1, dt}.part(s, settings.substeps, dt);
-            predict(worker, cloth, substep);
+            predict(worker, cloth, dt, substep);
             solve(worker, cloth, dt, substep);
         }
         guard(worker, cloth);
@@ -101,14 +100,12 @@ void Simulation::begin(float dt) {
     profiler.begin_step();
     report = {.step = ++state.steps, .substeps = settings.substeps};
     contact_reports_.clear();
-    present_.clear();
-    cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
-        present_.push_back(cloth.get());
-        cloth->id = id;
+    choose_present(dt);
+    for (Cloth* cloth : present_) {
         cloth->unsolved = false;
         cloth->contact_count = 0;
-        move_pins(*cloth, dt);
-    });
+    }
+    plan_carries(dt);
     each_.plan(present_, parallel.width());
 }
 
@@ -122,10 +119,17 @@ void Simulation::move_pins(Cloth& cloth, float dt) const {
 
 // Gusts change little in a step: they are sampled once, at its start, and felt in every substep. A step
 // begins with the normals that the last one ended with, since only steps move particles.
-void Simulation::predict(Worker& worker, Cloth& cloth, const Substep& substep) {
+void Simulation::predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
+    if (substep.is_first()) {
+        if (cloth.carried) {
+            carry(worker.parallel, *cloth.carried, dt, cloth.state);
+            limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
+        }
+        move_pins(cloth, dt);
+    }
     if (!air_is_on()) return;
     if (substep.is_first()) feel_wind(worker, cloth);
-    air_forces(worker, cloth, !substep.is_first());
+    air_forces(worker, cloth, !substep.is_first() || cloth.carried);
 }
 
 // A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
@@ -141,11 +145,11 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
         if (with_bodies) start_part_of_bodies(alone, part.h, gamma_of(cloth, part.h));
-        move_colliders(worker, part, with_bodies);
+        see_colliders(worker, cloth, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
         StepEquation equation = equation_of(worker, cloth, part.h);
-        if (cloth.contacts) cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held);
+        begin_contacts(worker, cloth, part);
         if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
             join_features(worker, *cloth.features, 0, cloth, equation);
             cloth.features->make_rows(worker.parallel, equation.gamma);
@@ -179,39 +183,24 @@ int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& subst
     constexpr std::uint32_t most = 8;
     if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
     const auto timer = timed(Stage::colliders);
-    move_colliders(worker, substep, cloth.meets_bodies);
-    return static_cast<int>(weft::parts_to_meet(worker.parallel, worker.motions, cloth.settings.thickness,
-                                                substep.h, most, std::as_const(cloth.state.positions).span(),
-                                                std::as_const(cloth.state.velocities).span(),
-                                                cloth.partial_counts.span()));
+    see_colliders(worker, cloth, substep);
+    return static_cast<int>(
+        weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), side_of(cloth.settings), substep.h,
+                            most, std::as_const(cloth.state.positions).span(),
+                            std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
 }
 
-// What must hold exactly, the most important last: no particle inside a collider, none too fast.
+// What must hold exactly, the most important last: no particle inside a collider, none beyond its leash or in
+// its backstop, none too fast.
 void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(worker, cloth);
     avoid_self_collision(worker, cloth, part.h);
     collide_with_colliders(worker, cloth, part);
+    hold_worn(worker, cloth);
     place_attached(cloth);
-    if (!cloth.limits.empty() || cloth.self_counts.pairs > 0 || cloth.collider_contacts > 0)
+    if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 ||
+        cloth.collider_contacts > 0)
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
-}
-
-void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
-    if (cloth.air.velocities.size() == 0) return;
-    const auto timer = timed(Stage::wind);
-    WindField(settings.wind, state.wind_path, state.time)
-        .sample(worker.parallel, cloth.state.positions.span(), cloth.air.velocities.span());
-}
-
-void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {
-    const auto timer = timed(Stage::wind);
-    cloth.surface.compute_air_forces(worker.parallel,
-                                     {.wind = settings.wind,
-                                      .positions = cloth.state.positions.span(),
-                                      .velocities = cloth.state.velocities.span(),
-                                      .air_velocities = cloth.air.velocities.span(),
-                                      .has_moved = has_moved},
-                                     cloth.air.forces.span());
 }
 
 StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
@@ -267,10 +256,11 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
     ClothState& now = cloth.state;
     if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
     if (!meets_in_equation(cloth.settings))
-        cloth.collider_contacts =
-            filter_velocities(worker.parallel, worker.motions, equation.h, now.positions.span(),
-                              cloth.next_velocities.span(), cloth.partial_counts.span());
-    if (!is_first && !worker.motions.empty()) keep_part_start(worker, cloth);
+        cloth.collider_contacts = filter_velocities(
+            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
+            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
+    bounce(worker, cloth, equation);
+    if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.next_velocities).span(),
                    .max_speed = settings.max_speed,
@@ -279,6 +269,21 @@ void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equat
                    .record = cloth.history ? &now.record : nullptr});
     if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
     if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
+float Simulation::least_bounce(float h) const {
+    return 2 * h * to_vector(settings.gravity).norm();
+}
+
+ClothSide Simulation::side_of_cloth(const Cloth& cloth, float h) const {
+    ClothSide side = side_of(cloth.settings);
+    side.least_bounce = least_bounce(h);
+    return side;
+}
+
+void Simulation::bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const {
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
+    cloth.contacts->bounce(worker.parallel, equation, least_bounce(equation.h), cloth.next_velocities.span());
 }
 
 void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
@@ -316,7 +321,8 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Subs
     if (!meets_in_equation(cloth.settings)) return;
     const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
     cloth.collider_contacts = 0;
-    if (!worker.motions.empty()) cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
+    if (!colliders_of(worker, cloth).empty())
+        cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
 }
 
 std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
@@ -325,16 +331,20 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
     if (reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
     const std::uint32_t touching =
-        weft::collide(worker.parallel, worker.motions, cloth.settings.thickness, cloth.settings.friction, h,
-                      std::as_const(cloth.state.held.normals).span(), starts, cloth.state.positions.span(),
-                      cloth.state.velocities.span(), cloth.partial_counts.span());
+        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(cloth, h), h,
+                      {.positions = cloth.state.positions.span(),
+                       .velocities = cloth.state.velocities.span(),
+                       .starts = starts,
+                       .held = cloth.state.held.normals.span(),
+                       .factors = cloth.worn.factors()},
+                      cloth.partial_counts.span());
     if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
     return touching;
 }
 
-std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, const Cloth& cloth) {
-    return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(worker.motions)
+std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, Cloth& cloth) {
+    return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(colliders_of(worker, cloth))
                                              : std::span<const ColliderMotion>();
 }
 
@@ -354,6 +364,7 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {
     if (reports_contacts()) find_touched_colliders(worker, cloth);
+    end_worn(worker, cloth);
     const auto timer = timed(Stage::normals);
     update_normals(worker.parallel, cloth);
 }
@@ -371,6 +382,8 @@ void Simulation::add_to_report(const Cloth& cloth) {
         std::min<std::uint64_t>(report.unresolved_pairs + cloth.feature_counts.unresolved,
                                 std::numeric_limits<std::uint32_t>::max()));
     report.pin_lag = std::max(report.pin_lag, cloth.feature_counts.pin_lag);
+    report.limits_exceeded += cloth.limit_lag.particles;
+    report.limit_lag = std::max(report.limit_lag, cloth.limit_lag.most);
     report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
     report.residual = std::max(report.residual, cloth.residual);
     if (cloth.restored) {
@@ -387,7 +400,12 @@ void Simulation::add_to_report(const Cloth& cloth) {
 }
 
 void Simulation::end(float dt) {
-    for (const Cloth* cloth : present_) add_to_report(*cloth);
+    for (Cloth* cloth : present_) {
+        count_still_time(*cloth, dt);
+        add_to_report(*cloth);
+        if (cloth->state.frame) arrive(*cloth->state.frame, dt, settings.max_speed);
+    }
+    report.cloths += report.sleeping_cloths;
     if (reports_contacts()) report_contacts();
     const Vec3& wind = settings.wind.velocity;
     const double seconds = static_cast<double>(dt);

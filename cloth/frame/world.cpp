@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/debug_draw/debug_draw.h"
+#include "cloth/frame/save/parts.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/validate.h"
-#include "cloth/frame/world_impl.h"
+#include "cloth/frame/world_calls.h"
 #include "engine/error_text.h"
 #include "engine/state_hash.h"
 #include "engine/without_exceptions.h"
@@ -18,26 +20,28 @@ namespace weft {
 
 namespace {
 
-/// With all the memory that its steps will need.
-Result<std::unique_ptr<Cloth>> make_cloth(Simulation& simulation, const Mesh& mesh,
-                                          const ClothSettings& settings) {
+struct HashVisitor {
+    static constexpr bool skips_defaults = true;
+    StateHash& hash;
+
+    template <class T, std::size_t extent>
+    void operator()(std::span<T, extent> part) const {
+        hash.add(part);
+    }
+    template <class Head>
+    void head(const Head& /*head*/) const {}
+};
+
+Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
     auto cooked = cook(mesh);
     if (!cooked) return cooked.error();
-    auto cloth = std::make_unique<Cloth>(std::move(cooked).value(), settings);
-    simulation.prepare(*cloth);
-    return cloth;
+    return std::make_unique<Cloth>(std::move(cooked).value(), settings);
 }
 
-/// The particle of a mesh vertex.
-Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
-    const auto& map = cloth.model.vertex_to_particle;
-    if (vertex >= map.size()) {
-        return Error{ErrorCode::invalid_argument, "vertex " + std::to_string(vertex) +
-                                                      " does not exist; the mesh has " +
-                                                      std::to_string(map.size())};
-    }
-    return map[vertex];
+Error no_cloth() {
+    return {ErrorCode::invalid_argument,
+            "the PreparedCloth has no cloth: a World has taken it over; create another"};
 }
 
 }  // namespace
@@ -66,17 +70,6 @@ Result<Pin*> pin_of(Cloth& cloth, std::uint32_t vertex) {
     return pin;
 }
 
-/// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
-template <class Simulation, class Use>
-auto with_cloth(Simulation& simulation, ClothId id, const Use& use)
-    -> decltype(use(**simulation.cloths.find(id))) {
-    return without_exceptions([&]() -> decltype(use(**simulation.cloths.find(id))) {
-        auto* slot = simulation.cloths.find(id);
-        if (slot == nullptr) return stale_id("ClothId", id);
-        return use(**slot);
-    });
-}
-
 /// Calls `use` with the particles of mesh vertices of a cloth.
 template <class Use>
 Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const std::uint32_t> vertices,
@@ -89,40 +82,28 @@ Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const 
     });
 }
 
-/// An instance is one of a shape that is there.
-Result<void> validate_instance(const Simulation& simulation, const Collider& collider) {
-    const auto* const placed = std::get_if<PlacedShape>(&collider.shape);
-    if (placed != nullptr && simulation.held_by(collider) == nullptr)
-        return stale_id("ShapeId", placed->shape);
-    return {};
-}
+}  // namespace
 
-bool are_of_one_kind(const Collider& a, const Collider& b) {
-    const auto* const of_a = std::get_if<PlacedShape>(&a.shape);
-    const auto* const of_b = std::get_if<PlacedShape>(&b.shape);
-    if (of_a != nullptr && of_b != nullptr) return of_a->shape == of_b->shape;
-    return a.shape.index() == b.shape.index();
-}
+struct PreparedCloth::Impl {
+    std::unique_ptr<Cloth> cloth;
+};
+PreparedCloth::PreparedCloth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PreparedCloth::PreparedCloth(PreparedCloth&&) noexcept = default;
+PreparedCloth& PreparedCloth::operator=(PreparedCloth&&) noexcept = default;
+PreparedCloth::~PreparedCloth() = default;
 
-/// Calls `use` with the slot of a collider that may become `target`.
-template <class Use>
-Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider& target, const Use& use) {
-    return without_exceptions([&]() -> Result<void> {
-        if (auto valid = validate(target); !valid) return valid.error();
-        ColliderSlot* const slot = simulation.state.colliders.find(id);
-        if (slot == nullptr) return stale_id("ColliderId", id);
-        if (!are_of_one_kind(slot->current, target))
-            return Error{ErrorCode::invalid_argument,
-                         "the collider is of another kind of shape; remove it and add the new one"};
-        if (slot->body != BodyId{})
-            return Error{ErrorCode::invalid_argument,
-                         "a body carries the collider; set_body_state moves it, or detach_collider first"};
-        use(*slot);
-        return {};
+Result<PreparedCloth> PreparedCloth::create(const Mesh& mesh, const ClothSettings& settings) {
+    return without_exceptions([&]() -> Result<PreparedCloth> {
+        auto cloth = make_cloth(mesh, settings);
+        if (!cloth) return cloth.error();
+        return PreparedCloth(std::make_unique<Impl>(std::move(cloth).value()));
     });
 }
 
-}  // namespace
+Result<ClothInfo> PreparedCloth::info() const {
+    if (!impl_) return no_cloth();
+    return impl_->cloth->info();
+}
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
@@ -150,16 +131,28 @@ Result<void> World::set_settings(const WorldSettings& settings) {
 
 Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings) {
     return without_exceptions([&]() -> Result<ClothId> {
-        auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return impl_->simulation.add(std::move(cloth).value());
+    });
+}
+
+Result<ClothId> World::add_cloth(PreparedCloth&& cloth) {
+    return without_exceptions([&]() -> Result<ClothId> {
+        if (!cloth.impl_) return no_cloth();
+        impl_->simulation.prepare(*cloth.impl_->cloth);
+        const ClothId id = impl_->simulation.add(std::move(cloth.impl_->cloth));
+        cloth.impl_.reset();
+        return id;
     });
 }
 
 Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& settings) const {
     return without_exceptions([&]() -> Result<ClothInfo> {
-        const auto cloth = make_cloth(impl_->simulation, mesh, settings);
+        const auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
+        impl_->simulation.prepare(**cloth);
         return (*cloth)->info();
     });
 }
@@ -167,8 +160,31 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 Result<void> World::remove_cloth(ClothId id) {
     return without_exceptions([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
-        if (!simulation.cloths.erase(id)) return stale_id("ClothId", id);
+        const auto* const cloth = simulation.cloths.find(id);
+        if (cloth == nullptr) return stale_id("ClothId", id);
+        simulation.wake_near(**cloth);
+        simulation.cloths.erase(id);
         simulation.cloth_has_gone();
+        return {};
+    });
+}
+
+Result<void> World::set_enabled(ClothId id, bool on) {
+    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+        if (!on) impl_->simulation.wake_near(cloth);
+        cloth.set_enabled(on);
+        return {};
+    });
+}
+
+Result<bool> World::is_asleep(ClothId id) const {
+    return with_cloth(impl_->simulation, id,
+                      [](const Cloth& cloth) { return Result<bool>(cloth.is_asleep()); });
+}
+
+Result<void> World::wake(ClothId id) {
+    return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
+        cloth.wake();
         return {};
     });
 }
@@ -181,6 +197,8 @@ Result<ClothSettings> World::cloth_settings(ClothId id) const {
 Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
         if (auto valid = validate(settings); !valid) return valid;
+        if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
+            if (auto valid = validate_for_maps(settings); !valid) return valid;
         impl_->simulation.apply(cloth, settings);
         return {};
     });
@@ -236,90 +254,6 @@ Result<void> World::move_pins(ClothId id, std::span<const std::uint32_t> vertice
     });
 }
 
-Result<ShapeId> World::add_shape(const Shape& shape) {
-    return without_exceptions([&]() -> Result<ShapeId> {
-        auto held = HeldShape::make(shape);
-        if (!held) return held.error();
-        return impl_->simulation.shapes.insert(std::make_unique<HeldShape>(std::move(held).value()));
-    });
-}
-
-Result<void> World::deform_shape(ShapeId id, std::span<const Vec3> vertices) {
-    return without_exceptions([&]() -> Result<void> {
-        auto* const held = impl_->simulation.shapes.find(id);
-        if (held == nullptr) return stale_id("ShapeId", id);
-        return (*held)->deform(vertices, impl_->simulation.state.steps + 1);
-    });
-}
-
-Result<void> World::remove_shape(ShapeId id) {
-    return without_exceptions([&]() -> Result<void> {
-        Simulation& simulation = impl_->simulation;
-        const auto* const held = simulation.shapes.find(id);
-        if (held == nullptr) return stale_id("ShapeId", id);
-        std::size_t instances = 0;
-        simulation.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-            instances += simulation.held_by(slot.target) == held->get() ? 1 : 0;
-        });
-        if (instances > 0)
-            return Error{ErrorCode::invalid_argument, std::to_string(instances) +
-                                                          " colliders are instances of the shape; remove "
-                                                          "them first"};
-        simulation.shapes.erase(id);
-        return {};
-    });
-}
-
-Result<ShapeInfo> World::shape_info(ShapeId id) const {
-    return without_exceptions([&]() -> Result<ShapeInfo> {
-        const auto* const held = impl_->simulation.shapes.find(id);
-        if (held == nullptr) return stale_id("ShapeId", id);
-        return (*held)->info();
-    });
-}
-
-Result<ColliderId> World::add_collider(const Collider& collider) {
-    return without_exceptions([&]() -> Result<ColliderId> {
-        Simulation& simulation = impl_->simulation;
-        if (const auto valid = validate(collider); !valid) return valid.error();
-        if (const auto there = validate_instance(simulation, collider); !there) return there.error();
-        const ColliderId id = simulation.state.colliders.insert({collider, collider});
-        try {
-            simulation.expect_colliders(simulation.state.colliders.size());
-        } catch (...) {
-            simulation.state.colliders.erase(id);
-            throw;
-        }
-        return id;
-    });
-}
-
-Result<void> World::move_collider(ColliderId id, const Collider& target) {
-    return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) { slot.target = target; });
-}
-
-Result<void> World::place_collider(ColliderId id, const Collider& place) {
-    return with_collider(impl_->simulation, id, place,
-                         [&](ColliderSlot& slot) { slot = {.current = place, .target = place}; });
-}
-
-Result<void> World::remove_collider(ColliderId id) {
-    return without_exceptions([&]() -> Result<void> {
-        WorldState& state = impl_->simulation.state;
-        if (!state.colliders.erase(id)) return stale_id("ColliderId", id);
-        if (state.colliders.size() == 0) impl_->simulation.expect_colliders(0);
-        return {};
-    });
-}
-
-Result<Collider> World::collider(ColliderId id) const {
-    return without_exceptions([&]() -> Result<Collider> {
-        const ColliderSlot* slot = impl_->simulation.state.colliders.find(id);
-        if (slot == nullptr) return stale_id("ColliderId", id);
-        return slot->current;
-    });
-}
-
 const StepReport& World::step(float dt) noexcept {
     StepReport& report = impl_->simulation.report;
     if (dt >= least_step && dt <= greatest_step) {
@@ -351,6 +285,10 @@ Result<void> World::write_trace(const std::filesystem::path& file) const {
     return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
 }
 
+void World::debug_draw(const DebugCanvas& canvas, DebugParts parts) const {
+    weft::debug_draw(impl_->simulation, canvas, parts);
+}
+
 std::size_t World::save_size() const noexcept {
     return weft::save_size(impl_->simulation);
 }
@@ -365,11 +303,7 @@ Result<void> World::restore(std::span<const std::byte> saved) {
 
 std::uint64_t World::state_hash() const {
     StateHash hash;
-    const auto add = [&](auto part) { hash.add(part); };
-    for_each_part(std::as_const(impl_->simulation.state), add);
-    impl_->simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        for_each_part(std::as_const(cloth->state), add);
-    });
+    for_each_part(std::as_const(impl_->simulation), HashVisitor{hash});
     return hash.value();
 }
 

@@ -26,6 +26,8 @@ struct CookedCloth {
     AlignedBuffer<float>
         rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
 
+    AlignedBuffer<float> stiffness;  ///< factor of the membrane's at each particle; empty: 1, see Map
+
     /// Springs, each stored at both its ends (half-edges), so that a particle gathers all that acts on it.
     AlignedBuffer<std::uint32_t> spring_offsets;
     AlignedBuffer<std::uint32_t> neighbours;

@@ -151,6 +151,13 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
+ClothSide side_of(const ClothSettings& settings) {
+    return {.thickness = settings.thickness,
+            .friction = settings.friction,
+            .restitution = settings.restitution,
+            .mask = settings.collider_mask};
+}
+
 Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
     const std::size_t entries = std::size_t{6} * Stencil::whole_groups(particles);
     rows_.blocks = AlignedBuffer<float>(entries);
@@ -170,15 +177,21 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::uint32_t size = range.end - range.begin;
     const std::span<const Vec4> v = velocities.subspan(range.begin, size);
     NearSurfaces surfaces;
-    const bool near =
-        find_near_surfaces(colliders_, settings.thickness, settings.friction, equation.h, reach,
-                           equation.positions.subspan(range.begin, size),
-                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces,
-                           body_buffers_ != nullptr ? body_buffers_->pressed.span().subspan(range.begin, size)
-                                                    : std::span<std::int32_t>());
+    const std::span<std::int32_t> pressed = body_buffers_ != nullptr
+                                                ? body_buffers_->pressed.span().subspan(range.begin, size)
+                                                : std::span<std::int32_t>();
+    bool near = find_near_surfaces(colliders_, side_of(settings), equation.h, reach,
+                                   equation.positions.subspan(range.begin, size),
+                                   equation.base_positions.subspan(range.begin, size), gamma, v, surfaces,
+                                   pressed);
+    if (own_ != nullptr) {
+        near = own_->adjust(range, reach, near, surfaces);
+        for (std::uint32_t i = 0; i < pressed.size(); ++i)
+            if (own_->holds(range.begin + i)) pressed[i] = -1;
+    }
     alignas(64) std::array<float, block_size> of_bodies;
     for (std::uint32_t i = 0; body_buffers_ != nullptr && i < block_size; ++i) {
-        const std::int32_t body = i < size ? body_buffers_->pressed[range.begin + i] : -1;
+        const std::int32_t body = i < size ? pressed[i] : -1;
         const double inverse_mass = body >= 0 ? bodies_[static_cast<std::size_t>(body)].inverse_mass : 0;
         of_bodies[i] = inverse_mass > 0 ? static_cast<float>(spring_per_body / inverse_mass) : 0.0f;
     }
@@ -288,6 +301,40 @@ void Contacts::renew_pairs(Parallel& parallel) {
 void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
     parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
                     [&](const BlockRange& range) { press(range, velocities); });
+}
+
+void Contacts::bounce(Parallel& parallel, const StepEquation& equation, float least,
+                      std::span<Vec4> velocities) {
+    const auto bounces = [](const ColliderMotion& motion) { return motion.end.restitution > 0; };
+    if (!(equation.settings.restitution > 0) && std::ranges::none_of(colliders_, bounces)) return;
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
+                    [&](const BlockRange& range) { bounce_block(equation, least, range, velocities); });
+}
+
+// Newton's: the normal velocity after the substep is that before it, times the restitution, and turned round.
+// What bounces presses no more: the next step neither draws it back nor goes on with the change.
+void Contacts::bounce_block(const StepEquation& equation, float least, const BlockRange& range,
+                            std::span<Vec4> velocities) {
+    const std::uint32_t size = range.end - range.begin, group = range.begin / Stencil::lanes;
+    const auto groups = held_->touching.span().subspan(group, (size + Stencil::lanes - 1) / Stencil::lanes);
+    if (std::ranges::none_of(groups, [](std::uint32_t touching) { return touching != 0; })) return;
+    NearSurfaces near;
+    if (!find_bouncing_surfaces(colliders_, side_of(equation.settings), equation.h, reach,
+                                equation.base_positions.subspan(range.begin, size), equation.gamma,
+                                velocities.subspan(range.begin, size), near))
+        return;
+    for (std::uint32_t k = 0; k < size; ++k) {
+        const std::uint32_t i = range.begin + k;
+        Vec4& normal = held_->normals[i];
+        if (!(normal.w > 0) || !(near.surfaces.w[k] < reach)) continue;
+        const Vector3 n = xyz(normal), of_surface(near.motions.x[k], near.motions.y[k], near.motions.z[k]);
+        const float before = n.dot(of_surface - xyz(equation.velocities[i]));
+        const float wanted = before > least ? near.motions.w[k] * before : 0.0f;
+        const float more = wanted - n.dot(xyz(velocities[i]) - of_surface);
+        if (!(wanted > 0 && more > 0)) continue;
+        set_xyz(velocities[i], xyz(velocities[i]) + more * n);
+        normal.w = 0;
+    }
 }
 
 void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {

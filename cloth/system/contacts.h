@@ -18,6 +18,9 @@
 
 namespace weft {
 
+/// What colliders are to know of a cloth with these settings, but for the least bounce.
+[[nodiscard]] ClothSide side_of(const ClothSettings& settings);
+
 /// How hard particles press on colliders, and rub, from one step to the next.
 struct HeldContacts {
     AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
@@ -70,6 +73,17 @@ struct BodyBuffers {
     std::vector<BodyPush> pushes;         ///< as last linearised, ascending, those attached last
 };
 
+/// What a cloth has of its own beside colliders: limits of its particles, and what these differ in.
+class OwnSurfaces {
+  public:
+    virtual ~OwnSurfaces() = default;
+    /// Changes what was found of a block's particles, `found` saying whether anything was (else only the
+    /// points are there), and adds what is nearer. Returns whether any is near. See find_near_surfaces().
+    virtual bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept = 0;
+    /// Whether what a particle presses on is none of the colliders, but this.
+    [[nodiscard]] virtual bool holds(std::uint32_t particle) const noexcept = 0;
+};
+
 /// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
 /// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
 /// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
@@ -80,9 +94,10 @@ class Contacts {
     /// with_pairs: of a cloth whose features meet others.
     explicit Contacts(std::uint32_t particles, bool with_pairs = false);
 
-    /// A substep begins, in which colliders move so, with what the last one left. Both must outlive it.
-    void begin(std::span<const ColliderMotion> colliders, HeldContacts& held) {
+    /// A substep begins, in which colliders move so, with what the last one left. All must outlive it.
+    void begin(std::span<const ColliderMotion> colliders, HeldContacts& held, OwnSurfaces* own = nullptr) {
         colliders_ = colliders;
+        own_ = own;
         held_ = &held;
         pairs_ = nullptr;
         rows_.touching = held.touching.span();
@@ -116,6 +131,8 @@ class Contacts {
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
     void finish(Parallel& parallel, std::span<const Vec4> velocities);
+    /// After that: what pressed a collider leaves it as fast as it bounces. `least`: see ClothSide.
+    void bounce(Parallel& parallel, const StepEquation& equation, float least, std::span<Vec4> velocities);
     /// The pairs have been linearised again, the colliders not.
     void renew_pairs(Parallel& parallel);
 
@@ -137,7 +154,8 @@ class Contacts {
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
     /// In the last linearisation.
     [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
-        return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
+        return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0) &&
+               (own_ == nullptr || !own_->holds(particle));
     }
     /// What colliders give such a particle at the velocity v [kg m/s].
     [[nodiscard]] Vector3 of_colliders(std::uint32_t particle, const Vector3& v) const {
@@ -152,6 +170,8 @@ class Contacts {
 
   private:
     void press(const BlockRange& range, std::span<const Vec4> velocities);
+    void bounce_block(const StepEquation& equation, float least, const BlockRange& range,
+                      std::span<Vec4> velocities);
     void add_pairs(const BlockRange& range);
     void attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
                       const BlockRange& range);
@@ -171,6 +191,7 @@ class Contacts {
     std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
+    OwnSurfaces* own_ = nullptr;
     int passes_ = 0;                       // of this substep
     BodyBuffers* body_buffers_ = nullptr;  // null: no bodies
     std::span<const MovingBody> bodies_;

@@ -1,6 +1,7 @@
 // Boxes of patches and features over their motion.
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "collision/contact/pair_kernels.h"
@@ -105,13 +106,22 @@ HWY_INLINE Placed place_corners(const Moving& moving, const ContactMesh& mesh, c
     return all;
 }
 
-/// What is around the gradients of a patch's triangles: of x, y and z along an axis of the chart.
+/// The gradients of a patch's triangles: of x, y and z along an axis of the chart.
 struct Gradients {
-    BoxLanes along_u, along_v;
+    alignas(64) float of[6][ContactPatch::most_triangles];
+
+    [[nodiscard]] HWY_INLINE Lanes3 along(std::uint32_t axis, std::uint32_t k) const {
+        const auto& rows = &of[3 * axis];
+        return {load_lanes(rows[0] + k), load_lanes(rows[1] + k), load_lanes(rows[2] + k)};
+    }
 };
 
-HWY_INLINE Gradients gradients_of(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span) {
-    Gradients all{nowhere(), nowhere()};
+/// Returns their sum.
+HWY_INLINE ChartFrame find_gradients(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
+                                     Gradients& gradients) {
+    const Tag d;
+    Lanes sums[6];
+    for (Lanes& sum : sums) sum = set(0);
     const auto& corners = mesh.triangle_slots().corners;
     for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
         const std::uint32_t slot = span.first + k;
@@ -121,22 +131,53 @@ HWY_INLINE Gradients gradients_of(const Moving& moving, const ContactMesh& mesh,
         const auto inverse = [&](std::size_t i)
                                  HWY_ATTR { return load_lanes(&mesh.flat_rest().inverse(i)[slot]); };
         const Lanes3 u = mul_add(inverse(0), a, inverse(2) * b), v = mul_add(inverse(1), a, inverse(3) * b);
-        const auto used = hn::FirstN(Tag(), span.count - k);
-        const BoxLanes otherwise = either(used, everywhere(), nowhere());
-        const auto finite = hn::And(used, hn::And(is_finite(u), is_finite(v)));
-        all.along_u = join(all.along_u, either(finite, {u, u}, otherwise));
-        all.along_v = join(all.along_v, either(finite, {v, v}, otherwise));
+        const Lanes values[6] = {u.x, u.y, u.z, v.x, v.y, v.z};
+        const auto used = hn::FirstN(d, span.count - k);
+        for (std::size_t i = 0; i < 6; ++i) {
+            hn::Store(values[i], d, gradients.of[i] + k);
+            sums[i] = hn::Add(sums[i], hn::IfThenElseZero(used, values[i]));
+        }
     }
-    return all;
+    ChartFrame sum;
+    for (std::size_t i = 0; i < 6; ++i) sum[i] = hn::GetLane(hn::SumOfLanes(d, sums[i]));
+    return sum;
 }
 
-PatchStrain strain_of(const Gradients& gradients, const BoxLanes& motion) {
-    const Bounds u = hull_of_lanes(gradients.along_u), v = hull_of_lanes(gradients.along_v);
+/// What the header of FlatRest knows of a patch.
+HWY_INLINE PatchStrain strain_of(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
+                                 const BoxLanes& motion) {
+    const Tag d;
+    Gradients gradients;
+    const ChartFrame frame = nearest_frame(find_gradients(moving, mesh, span, gradients));
     const Bounds m = hull_of_lanes(motion);
-    return {{u.lower.x, u.lower.y, u.lower.z, v.lower.x, v.lower.y, v.lower.z},
-            {u.upper.x, u.upper.y, u.upper.z, v.upper.x, v.upper.y, v.upper.z},
-            {m.lower.x, m.lower.y, m.lower.z},
-            {m.upper.x, m.upper.y, m.upper.z}};
+    PatchStrain strain{
+        frame, -1, infinity, {m.lower.x, m.lower.y, m.lower.z}, {m.upper.x, m.upper.y, m.upper.z}};
+    if (!(frame[0] < infinity)) return strain;
+
+    const Lanes3 qu = set_point({frame[0], frame[1], frame[2]}),
+                 qv = set_point({frame[3], frame[4], frame[5]});
+    const Lanes3 normal = cross(qu, qv);
+    Lanes least = set(infinity), most = set(0);
+    bool is_known = true;
+    for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
+        const Lanes3 u = gradients.along(0, k), v = gradients.along(1, k);
+        const Lanes half = set(0.5f), uu = dot(qu, u), uv = dot(qu, v), vu = dot(qv, u), vv = dot(qv, v);
+        const Lanes stretch = hn::Mul(half, hn::Sub(uu, vv)), shear = hn::Mul(half, hn::Add(uv, vu));
+        const Lanes differs = hn::Sqrt(hn::MulAdd(stretch, stretch, hn::Mul(shear, shear)));
+        const Lanes along = hn::Sub(hn::Mul(half, hn::Add(uu, vv)), differs);
+        const Lanes aside = hn::Add(differs, hn::Abs(hn::Mul(half, hn::Sub(vu, uv))));
+        const Lanes out_u = dot(normal, u), out_v = dot(normal, v);
+        const Lanes across2 = hn::MulAdd(aside, aside, hn::MulAdd(out_u, out_u, hn::Mul(out_v, out_v)));
+        const auto used = hn::FirstN(d, span.count - k);
+        const Lanes size = hn::Add(dot(u, u), dot(v, v));
+        is_known &= hn::AllTrue(d, hn::Or(hn::Not(used), hn::Lt(size, set(400))));
+        least = hn::IfThenElse(used, hn::Min(least, along), least);
+        most = hn::IfThenElse(used, hn::Max(most, across2), most);
+    }
+    if (!is_known) return strain;
+    strain.along = hn::GetLane(hn::MinOfLanes(d, least));
+    strain.across = std::sqrt(hn::GetLane(hn::MaxOfLanes(d, most)));
+    return strain;
 }
 
 HWY_INLINE Moving moving_of(const PairSearch& search, const SearchedBody& body) {
@@ -164,12 +205,23 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
                        boxes.wanted[block * PatchBlock::most + k] = 0;
                        if (!mesh.flat_rest().is_empty())
                            boxes.strains[block * PatchBlock::most + k] =
-                               strain_of(gradients_of(moving, mesh, patch.triangles), all.motion);
+                               strain_of(moving, mesh, patch.triangles, all.motion);
                    });
     return hull_of(boxes.patches[block]);
 }
 
+void find_calm(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    const PatchBlock& patches = search.blocks[block];
+    const SearchedBody& body = search.bodies[patches.body];
+    const FlatRest& rest = body.mesh->flat_rest();
+    for (std::uint32_t k = 0; k < patches.patch_count; ++k)
+        rest.find_calm(patches.first_patch + k, body.reach,
+                       &boxes.strains[std::size_t{body.first_block} * PatchBlock::most],
+                       boxes.calm.span().subspan(body.first_neighbours, rest.pairs()));
+}
+
 bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    find_calm(search, block, boxes);
     bool any = false;
     const auto add = [&](const SearchedPatch& patch) {  // by any thread, but always the same
         std::uint8_t& wanted = boxes.wanted[patch.body.first_block * PatchBlock::most + patch.number];

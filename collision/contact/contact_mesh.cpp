@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/contact/surface_order.h"
 #include "collision/patches.h"
 
 namespace weft {
@@ -32,21 +33,22 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles) {
     return edges;
 }
 
-/// The particles that triangles have, in order of patches.
-std::vector<std::uint32_t> order_of_vertices(std::span<const Vec4> rest_positions,
-                                             std::span<const Triangle> triangles) {
-    std::vector<bool> is_vertex(rest_positions.size());
+/// The particles that triangles have.
+std::vector<std::uint32_t> vertices_of(std::size_t particles, std::span<const Triangle> triangles) {
+    std::vector<bool> is_vertex(particles);
     for (const Triangle& t : triangles)
         for (const std::uint32_t i : t) is_vertex[i] = true;
     std::vector<std::uint32_t> vertices;
     for (std::uint32_t i = 0; i < is_vertex.size(); ++i)
         if (is_vertex[i]) vertices.push_back(i);
-
-    std::vector<Vec4> finite(rest_positions.begin(), rest_positions.end());
-    for (Vec4& p : finite)
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) p = {};
-    order_in_patches(vertices, finite);
     return vertices;
+}
+
+std::vector<Vec4> finite(std::span<const Vec4> positions) {
+    std::vector<Vec4> result(positions.begin(), positions.end());
+    for (Vec4& p : result)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) p = {};
+    return result;
 }
 
 /// Features of one kind, by clusters of vertices: those of cluster c are [starts[c], starts[c + 1]) of
@@ -107,7 +109,19 @@ ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const T
     edges_ = unique_edges(triangles_);
     find_corners();
 
-    const std::vector<std::uint32_t> vertices = order_of_vertices(rest_positions, triangles_);
+    std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), triangles_);
+    const std::vector<Vec4> places = finite(rest_positions);
+    order_in_patches(vertices, places);
+    share_out(rest_positions, vertices);
+    if (flat_rest_.has_all_triangles()) return;
+    // Cloth that is folded or closed at rest has patches that lie together in space and not along it: soon
+    // they are spread wide, and meet many others.
+    order_along_surface(vertices, edges_, places);
+    share_out(rest_positions, vertices);
+}
+
+void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices) {
+    patches_.clear();
     std::vector<std::uint32_t> cluster_of(rest_positions.size());
     for (std::uint32_t k = 0; k < vertices.size(); ++k)
         cluster_of[vertices[k]] = k / ContactPatch::most_vertices;

@@ -70,6 +70,8 @@ class ContactMesh {
     [[nodiscard]] const FlatRest& flat_rest() const noexcept { return flat_rest_; }
 
   private:
+    /// Among patches, of vertices in this order.
+    void share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices);
     FeatureSlots<1> share_corners();
     void find_corners();
 

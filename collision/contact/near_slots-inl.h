@@ -186,14 +186,12 @@ inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
     return &a == &b ? a.meets_itself : masks_allow(a.layer, a.mask, b.layer, b.mask);
 }
 
-/// Whether two patches lie side by side and so smoothly that no features of theirs come within reach.
+/// Whether two patches lie side by side and so smoothly that no features of theirs come within reach, as
+/// want_features() has found.
 inline bool is_calm(const PairSearch& search, const SearchedPatch& a, const SearchedPatch& b) {
     if (&a.body != &b.body) return false;
-    const FlatRest& rest = a.body.mesh->flat_rest();
-    const PatchNeighbours* const pair = rest.find(a.number, b.number);
-    return pair != nullptr &&
-           rest.keeps_apart(*pair, a.number, a.body.reach,
-                            &search.boxes->strains[std::size_t{a.body.first_block} * PatchBlock::most]);
+    const std::uint32_t pair = a.body.mesh->flat_rest().find(a.number, b.number);
+    return pair != FlatRest::none && search.boxes->calm[a.body.first_neighbours + pair] != 0;
 }
 
 /// visit(patch, other, is_same) for every pair of patches of a block and of those after it whose boxes

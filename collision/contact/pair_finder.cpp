@@ -46,10 +46,11 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
         const auto index = static_cast<std::uint32_t>(bodies_.size());
         bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
                            groups.vertices, groups.triangles, groups.edges,
-                           static_cast<std::uint32_t>(blocks_.size())});
+                           static_cast<std::uint32_t>(blocks_.size()), groups.neighbours});
         groups.vertices += mesh.vertex_slots().groups();
         groups.triangles += mesh.triangle_slots().groups();
         groups.edges += mesh.edge_slots().groups();
+        groups.neighbours += mesh.flat_rest().pairs();
         const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
         for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
             blocks_.push_back({index, first, std::min(patches - first, PatchBlock::most)});
@@ -61,7 +62,7 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
 }
 
 void PairFinder::reserve(std::span<const ContactBody> bodies) {
-    const auto [vertices, triangles, edges] = choose(bodies);
+    const auto [vertices, triangles, edges, neighbours] = choose(bodies);
     const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
     boxes_ = {no_boxes(vertices),
               no_boxes(triangles),
@@ -70,6 +71,7 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
               no_boxes(groups),
               no_boxes((groups + 15) / 16),
               AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
+              AlignedBuffer<std::uint8_t>(neighbours),
               AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
     room_ = AlignedBuffer<FeaturePair>(blocks * kept);
     crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);

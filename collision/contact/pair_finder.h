@@ -57,9 +57,9 @@ class PairFinder {
         std::uint32_t first_vertex_triangle, first_edge_edge;
     };
 
-    /// How many groups of sixteen the slots of each kind take.
+    /// How many groups of sixteen the slots of each kind take, and how many neighbours patches have.
     struct Groups {
-        std::uint32_t vertices = 0, triangles = 0, edges = 0;
+        std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
     };
     Groups choose(std::span<const ContactBody> bodies);
     void place(Parallel& parallel, const PairSearch& search);

@@ -29,6 +29,7 @@ struct SearchedBody {
     /// Where the boxes of its vertices, triangles and edges begin.
     std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
     std::uint32_t first_block;
+    std::uint32_t first_neighbours;  ///< of its FlatRest's pairs
 };
 /// By which boxes of its features are grown [m].
 constexpr float half_reach_of(const SearchedBody& body) {
@@ -48,12 +49,14 @@ struct FeatureBoxes {
     /// Of patches, sixteen to each block, of blocks, and of groups of sixteen blocks.
     AlignedBuffer<Boxes> patches, blocks, groups;
     AlignedBuffer<PatchStrain> strains;  ///< of patches, sixteen to each block
+    /// Of pairs of neighbours: 1 where no features of theirs come within reach.
+    AlignedBuffer<std::uint8_t> calm;
     /// Of patches: 1 where the boxes of the features are filled, as others come near them.
     AlignedBuffer<std::uint8_t> wanted;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return vertices.bytes() + triangles.bytes() + edges.bytes() + patches.bytes() + blocks.bytes() +
-               groups.bytes() + strains.bytes() + wanted.bytes();
+               groups.bytes() + strains.bytes() + calm.bytes() + wanted.bytes();
     }
 };
 
@@ -90,8 +93,8 @@ struct FoundPairs {
 /// Features that are not finite, now or after their motion, are in no box.
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
-/// Wants the features of the patches that are to be looked at, of a block and of those after it; false if
-/// there are none.
+/// Finds which neighbours are calm, of a block's patches and those after them, and wants the features of the
+/// patches that are to be looked at, of the block and of those after it; false if there are none.
 bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
 /// Fills the boxes of a block's wanted features.

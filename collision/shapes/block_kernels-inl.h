@@ -46,13 +46,22 @@ HWY_INLINE PathsLanes no_paths() {
         {infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}, set(0)};
 }
 
+/// See ParticleFactors, from one particle on; null: none.
+struct Factors {
+    const float *thickness, *friction;
+};
+HWY_INLINE Factors factors_at(const ParticleFactors& factors, std::uint32_t i) {
+    return {factors.thickness.empty() ? nullptr : &factors.thickness[i],
+            factors.friction.empty() ? nullptr : &factors.friction[i]};
+}
+
 /// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
 /// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
 /// rest.
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
                              const Vec4* starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
-                             PathsLanes& paths) {
+                             PathsLanes& paths, const Factors& factors) {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
     const Lanes zero = set(0);
@@ -67,15 +76,24 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     if constexpr (Shape::is_swept)
         if (starts != nullptr)
             surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
+    if (factors.thickness != nullptr) {
+        const Lanes missing = hn::Sub(set(1), load_lanes(factors.thickness));
+        surface.penetration = hn::NegMulAdd(set(settings.of_cloth), missing, surface.penetration);
+        surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
+    }
     if (hn::AllFalse(d, surface.is_near)) return;
+    Lanes friction = set(settings.friction);
+    if (factors.friction != nullptr) friction = hn::Mul(friction, load_lanes(factors.friction));
     const Lanes4 velocity = load_rows(velocities);
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
     const Lanes3 sliding = mul_add(approach, surface.normal, relative);
+    const Lanes bounce = hn::IfThenElseZero(hn::Gt(approach, set(settings.least_bounce)),
+                                            hn::Mul(set(settings.restitution), approach));
+    const Lanes taken = hn::Add(approach, bounce);
     const auto rubs = hn::And(hn::Gt(approach, zero), hn::Eq(dot(held, held), zero));
-    const Lanes3 stopped =
-        keep_where(rubs, stopped_by_friction(sliding, hn::Mul(set(settings.friction), approach)));
-    const Lanes3 kick = approach * surface.normal - stopped;
+    const Lanes3 stopped = keep_where(rubs, stopped_by_friction(sliding, hn::Mul(friction, taken)));
+    const Lanes3 kick = taken * surface.normal - stopped;
     const Lanes3 displacement = surface.penetration * surface.normal - set(settings.h) * stopped;
     const Lanes3 moved = either(surface.is_near, p + displacement, p);
     store_rows(moved, position.w, positions);
@@ -96,7 +114,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
                      swept ? &block.starts[i] : nullptr, &block.positions[i], &block.velocities[i],
-                     &block.met[i], paths);
+                     &block.met[i], paths, factors_at(block.factors, i));
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
@@ -104,9 +122,14 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
         if (swept) std::copy(block.starts.begin() + i, block.starts.end(), starts);
+        alignas(64) float thickness[part_lanes] = {}, friction[part_lanes] = {};
+        const ParticleFactors& of = block.factors;
+        std::copy(of.thickness.begin() + (of.thickness.empty() ? 0 : i), of.thickness.end(), thickness);
+        std::copy(of.friction.begin() + (of.friction.empty() ? 0 : i), of.friction.end(), friction);
         PathsLanes with_added = paths;
         collide_part(shape, settings, xyz(load_rows(held)), swept ? starts : nullptr, positions, velocities,
-                     &block.met[i], with_added);
+                     &block.met[i], with_added,
+                     {of.thickness.empty() ? nullptr : thickness, of.friction.empty() ? nullptr : friction});
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];

@@ -14,7 +14,8 @@ namespace weft {
 
 namespace {
 
-constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f;
+constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f,
+                most_thickness = 10;
 
 // Written so that what is not a number fails.
 
@@ -129,6 +130,11 @@ PlacedShape blend(const PlacedShape& from, const PlacedShape& to, float t) {
 Result<void> validate(const Collider& collider) {
     if (!(collider.friction >= 0 && collider.friction <= most_friction))
         return out_of_range("Collider::friction", static_cast<double>(collider.friction), "from 0 to 1e6");
+    if (!(collider.thickness >= 0 && collider.thickness <= most_thickness))
+        return out_of_range("Collider::thickness", static_cast<double>(collider.thickness), "from 0 to 10 m");
+    if (!(collider.restitution >= 0 && collider.restitution <= 1))
+        return out_of_range("Collider::restitution", static_cast<double>(collider.restitution),
+                            "from 0 to 1");
     return std::visit([](const auto& shape) { return validate_shape(shape); }, collider.shape);
 }
 
@@ -136,7 +142,12 @@ Collider blend(const Collider& from, const Collider& to, float t) {
     const auto blended = [&]<class Shape>(const Shape& end) -> decltype(Collider::shape) {
         return blend(*std::get_if<Shape>(&from.shape), end, t);
     };
-    return {std::visit(blended, to.shape), blend(from.friction, to.friction, t)};
+    return {.shape = std::visit(blended, to.shape),
+            .friction = blend(from.friction, to.friction, t),
+            .thickness = blend(from.thickness, to.thickness, t),
+            .restitution = blend(from.restitution, to.restitution, t),
+            .layers = to.layers,
+            .is_trigger = to.is_trigger};
 }
 
 }  // namespace weft

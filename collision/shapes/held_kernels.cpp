@@ -14,18 +14,54 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
+/// Of some points and their ways: where a shape has them in its own space.
+template <class PointAt>
+Eigen::AlignedBox3f box_of(const MovingSpace& space, std::uint32_t size, float way, const PointAt& point_at) {
+    LaneBox box;
+    for (std::uint32_t i = 0; i < size; i += part_lanes) {
+        const Lanes3 q = turned(space.to_own, point_at(i) - set3(space.origin));
+        const Lanes far = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+        box.add(q, hn::And(hn::Lt(far, set(1e30f)), hn::FirstN(Tag(), size - i)));
+    }
+    const Eigen::AlignedBox3f found = box.box();
+    const Vector3 margin = Vector3::Constant(way + 1e-4f);
+    return found.isEmpty() ? found : Eigen::AlignedBox3f(found.min() - margin, found.max() + margin);
+}
+
+/// Calls use(own) with the shape, of which only what is within sight of the block is looked at.
+template <class PointAt, class Use>
+auto with_near_part(const MovingHeld& held, const Sight& sight, std::uint32_t size, float way,
+                    const PointAt& point_at, const Use& use) {
+    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
+    if (tree == nullptr) return use(OwnHeld{*held.shape, sight, held.rate});
+    const NearLeaves leaves(*tree, box_of(held.space, size, way, point_at), sight.far);
+    return use(OwnHeld{*held.shape, sight, held.rate, &leaves});
+}
+
 void collide_held(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block) {
     // What lies at the thickness is not to be looked for from deep inside.
     constexpr float beyond = 4e-3f;
-    const OwnHeld own{*held.shape, {settings.thickness + settings.meeting.way + beyond}, held.rate};
-    collide_block(BodyLanes(held.space, own, settings.thickness), settings, block);
+    const float way = settings.meeting.way;
+    const auto size = static_cast<std::uint32_t>(block.positions.size());
+    const auto point_at = [&](std::uint32_t i) {
+        if (i + part_lanes <= size) return xyz(load_rows(&block.positions[i]));
+        Vec4 last[part_lanes] = {};
+        std::copy(block.positions.begin() + i, block.positions.end(), last);
+        return xyz(load_rows(last));
+    };
+    with_near_part(held, {settings.thickness + way + beyond}, size, way, point_at, [&](const OwnHeld& own) {
+        collide_block(BodyLanes(held.space, own, settings.thickness), settings, block);
+    });
 }
 
 bool nearest_of_held(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near) {
     // The equation leaves to collide() what is deep inside.
-    const OwnHeld own{
-        *held.shape, {sought.all() + sought.settings.meeting.way, sought.reach == 0}, held.rate};
-    return find_nearest_in_block(BodyLanes(held.space, own, sought.all()), sought, near);
+    const float way = sought.settings.meeting.way;
+    const auto point_at = [&](std::uint32_t i) { return xyz(load_lanes(near.points, i)); };
+    return with_near_part(
+        held, {sought.all() + way, sought.reach == 0}, sought.size, way, point_at, [&](const OwnHeld& own) {
+            return find_nearest_in_block(BodyLanes(held.space, own, sought.all()), sought, near);
+        });
 }
 
 void find_surfaces_of(const HeldShape& shape, std::span<const Vec3> points, float sight,

@@ -12,34 +12,12 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/contact/closest-inl.h"
 #include "collision/shapes/body_lanes-inl.h"
 #include "collision/shapes/held_shape.h"
+#include "collision/shapes/tree_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
-
-/// The nearest triangle yet, lane by lane. Of two that are as near it is the one of the lower number: so what
-/// a lane finds does not depend on the order in which others have it search.
-struct NearestTriangle {
-    Lanes squared;            // of the distance [m^2]; at first what it is to be below
-    Lanes number = set(-1);   // exact: there are less than 2^24
-    Lanes3 gap = zero3();     // from the triangle to the point [m]
-    Lanes s = set(0), t = s;  // weights of its second and third corner
-
-    HWY_INLINE void look_at(const Lanes3& q, float triangle, const Vector3& a, const Vector3& b,
-                            const Vector3& c) {
-        const ClosestLanes closest = closest_of_vertex_and_triangle(set3(a) - q, set3(b) - q, set3(c) - q);
-        const Lanes distance = dot(closest.gap, closest.gap), other = set(triangle);
-        const auto is_first = hn::And(hn::Eq(distance, squared), hn::Lt(other, number));
-        const auto nearer = hn::Or(hn::Lt(distance, squared), is_first);
-        squared = hn::IfThenElse(nearer, distance, squared);
-        number = hn::IfThenElse(nearer, other, number);
-        gap = either(nearer, closest.gap, gap);
-        s = hn::IfThenElse(nearer, hn::Neg(closest.weights.z), s);
-        t = hn::IfThenElse(nearer, hn::Neg(closest.weights.w), t);
-    }
-};
 
 /// A vector or a number of each lane, one by one.
 struct LaneByLane {
@@ -64,43 +42,6 @@ struct LaneByLane {
         w[lane] = of_w;
     }
 };
-
-HWY_INLINE Lanes squared_distance(const Lanes3& q, const TriangleTree::Node& node) {
-    const auto beyond = [](Lanes at, float lower, float upper) HWY_ATTR {
-        return hn::Max(hn::Max(hn::Sub(set(lower), at), hn::Sub(at, set(upper))), set(0));
-    };
-    const Lanes3 out{beyond(q.x, node.lower.x, node.upper.x), beyond(q.y, node.lower.y, node.upper.y),
-                     beyond(q.z, node.lower.z, node.upper.z)};
-    return dot(out, out);
-}
-
-/// Depth first, and first where a lane is nearer.
-inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
-    const Tag d;
-    const std::span<const TriangleTree::Node> nodes = tree.nodes();
-    std::array<std::uint32_t, 64> open{0};
-    std::uint32_t count = 1;
-    while (count > 0) {
-        const TriangleTree::Node& node = nodes[open[--count]];
-        if (hn::AllFalse(d, hn::Le(squared_distance(q, node), best.squared))) continue;
-        for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-            const Corners& c = tree.triangle(t);
-            const std::span<const Vec3> x = tree.vertices();
-            best.look_at(q, static_cast<float>(t), to_vector(x[c[0]]), to_vector(x[c[1]]),
-                         to_vector(x[c[2]]));
-        }
-        if (node.count > 0) continue;
-        const auto least = [&](const TriangleTree::Node& child) HWY_ATTR {
-            const Lanes squared = squared_distance(q, child);
-            const auto may_hold = hn::Le(squared, best.squared);
-            const Lanes infinity = set(std::numeric_limits<float>::infinity());
-            return hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(may_hold, squared, infinity)));
-        };
-        const bool second_is_nearer = least(nodes[node.first + 1]) < least(nodes[node.first]);
-        open[count++] = node.first + (second_is_nearer ? 0 : 1);
-        open[count++] = node.first + (second_is_nearer ? 1 : 0);
-    }
-}
 
 /// Squared distances that lanes are to be below which are asked for.
 template <class Mask>
@@ -142,12 +83,12 @@ inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, fl
 
 /// What is not found within sight is that far away.
 template <class Mask>
-inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const Lanes3& q, Mask asked,
-                             const Sight& sight_of, float rate) {
+inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const NearLeaves* leaves,
+                             const Lanes3& q, Mask asked, const Sight& sight_of, float rate) {
     const Tag d;
     const float sight = sight_of.far;
     NearestTriangle best{within(asked, sight)};
-    search(tree, q, best);
+    if (leaves == nullptr || !leaves->search(tree, q, asked, sight, best)) search(tree, q, best);
     if (tree.is_closed() && sight_of.deep) {  // what is deeper inside than it sees
         const Lanes in_box = squared_distance(q, tree.nodes()[0]);
         auto lost = hn::And(asked, hn::And(hn::Lt(best.number, set(0)), hn::Eq(in_box, set(0))));
@@ -324,7 +265,8 @@ struct OwnHeld {
     static constexpr bool is_swept = true;
     const HeldShape& shape;
     Sight sight;
-    float rate;  // steps of the host a second, if the shape deforms
+    float rate;                          // steps of the host a second, if the shape deforms
+    const NearLeaves* leaves = nullptr;  // of a mesh, if they are known
 
     [[nodiscard]] bool convex() const { return shape.is_convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& q) const { return q; }
@@ -344,7 +286,7 @@ struct OwnHeld {
         const auto numbers = hn::And(asked, hn::Lt(size, set(1e30f)));
         const HeldShape::Data& data = shape.data();
         if (const auto* const tree = std::get_if<TriangleTree>(&data))
-            return nearest_in(shape, *tree, q, numbers, sight, rate);
+            return nearest_in(shape, *tree, leaves, q, numbers, sight, rate);
         if (const auto* const ground = std::get_if<HeldHeights>(&data))
             return nearest_in(*ground, q, numbers, sight.far, rate);
         return nearest_in(*std::get_if<HeldDistances>(&data), q, numbers, sight.far, rate);

@@ -144,14 +144,52 @@ bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
 Result<void> HeldShape::deform(std::span<const Vec3> vertices, std::uint64_t step) {
     auto* const tree = std::get_if<TriangleTree>(&data_);
     if (tree == nullptr || convex_) return invalid("the shape is no TriangleMesh; only those deform");
+    std::vector<Vec3> before;
+    if (original_.empty()) before.assign(tree->vertices().begin(), tree->vertices().end());
     if (auto done = tree->deform("TriangleMesh", vertices, deforms_in_ == step); !done) return done;
-    float farthest_moved = 0;
-    for (const Vec3& way : tree->displacements())
-        farthest_moved = std::max(farthest_moved, to_vector(way).norm());
-    deformed_by_ += farthest_moved;
+    if (original_.empty()) original_ = std::move(before);
+    find_farthest_deformed();
     deforms_in_ = step;
     find_box();
     return {};
+}
+
+void HeldShape::find_farthest_deformed() {
+    const std::span<const Vec3> now = std::get<TriangleTree>(data_).vertices();
+    deformed_by_ = 0;
+    for (std::size_t v = 0; v < original_.size(); ++v)
+        deformed_by_ = std::max(deformed_by_, (to_vector(now[v]) - to_vector(original_[v])).norm());
+}
+
+HeldShape::Deformation HeldShape::deformation() const noexcept {
+    if (original_.empty()) return {};
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    return {tree->vertices(), tree->displacements(), deforms_in_};
+}
+
+std::size_t HeldShape::deformable() const noexcept {
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    return tree == nullptr || convex_ ? 0 : tree->vertices().size();
+}
+
+void HeldShape::prepare_deformation() {
+    original_.reserve(deformable());
+    if (auto* const tree = std::get_if<TriangleTree>(&data_)) tree->reserve_displacements();
+}
+
+void HeldShape::put_back(const Deformation& deformation) {
+    auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr || (deformation.vertices.empty() && original_.empty())) return;
+    if (deformation.vertices.empty()) {
+        tree->put_back(original_, {});
+        original_.clear();
+    } else {
+        if (original_.empty()) original_.assign(tree->vertices().begin(), tree->vertices().end());
+        tree->put_back(deformation.vertices, deformation.displacements);
+    }
+    deforms_in_ = deformation.step;
+    find_farthest_deformed();
+    find_box();
 }
 
 void HeldShape::find_box() {
@@ -177,7 +215,8 @@ ShapeInfo HeldShape::info() const {
     ShapeInfo info{.bounds = {to_vec3(box_.min()), to_vec3(box_.max())}};
     if (const auto* const tree = std::get_if<TriangleTree>(&data_)) {
         info.triangles = static_cast<std::uint32_t>(tree->size());
-        info.bytes = sizeof(HeldShape) + tree->bytes() + coarse_.distances.capacity() * sizeof(float);
+        info.bytes = sizeof(HeldShape) + tree->bytes() + coarse_.distances.capacity() * sizeof(float) +
+                     original_.capacity() * sizeof(Vec3);
     } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
         info.triangles = ground->triangles();
         info.bytes = sizeof(HeldShape) + ground->heights.capacity() * sizeof(float);

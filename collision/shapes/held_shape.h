@@ -60,17 +60,33 @@ class HeldShape {
     /// corners of coarse cells, which are wrong by what the mesh has deformed since.
     [[nodiscard]] bool may_be_deeper(const Vector3& q, float than) const;
     [[nodiscard]] bool deforms_in(std::uint64_t step) const noexcept { return deforms_in_ == step; }
+
+    /// What deforming has changed, to be hashed, kept and put back: nothing of a shape that has not been
+    /// deformed.
+    struct Deformation {
+        std::span<const Vec3> vertices, displacements;
+        std::uint64_t step = 0;  ///< in which they move by these
+    };
+    [[nodiscard]] Deformation deformation() const noexcept;
+    /// How many vertices can deform.
+    [[nodiscard]] std::size_t deformable() const noexcept;
+    /// Room for as many as can deform, to be filled and put back: then nothing can fail. May throw.
+    void prepare_deformation();
+    /// Nothing: as it was made. Precondition: prepared, and vertices that deform() would take.
+    void put_back(const Deformation& deformation);
     [[nodiscard]] ShapeInfo info() const;
 
   private:
     HeldShape(Data&& data, bool convex) : data_(std::move(data)), convex_(convex) { find_box(); }
     void find_box();
     void find_coarse();
+    void find_farthest_deformed();
 
     Data data_;
     Eigen::AlignedBox3f box_;
-    HeldDistances coarse_{};  // of a closed mesh
-    float deformed_by_ = 0;   // at most, since then [m]
+    HeldDistances coarse_{};      // of a closed mesh
+    float deformed_by_ = 0;       // at most, since then [m]
+    std::vector<Vec3> original_;  // vertices, once it has been deformed
     bool convex_;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };

@@ -224,6 +224,13 @@ Result<void> TriangleTree::deform(const char* name, std::span<const Vec3> vertic
     return {};
 }
 
+void TriangleTree::put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements) {
+    std::ranges::copy(vertices, vertices_.begin());
+    displacements_.assign(displacements.begin(), displacements.end());
+    fit();
+    find_normals();
+}
+
 Eigen::AlignedBox3f TriangleTree::box() const {
     return {to_vector(nodes_[0].lower), to_vector(nodes_[0].upper)};
 }

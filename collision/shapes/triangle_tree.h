@@ -32,6 +32,10 @@ class TriangleTree {
     /// As many vertices as it was made of, elsewhere. What they moved by is kept as `displacements`, together
     /// with what was kept before if it is moved `again`. Error: as above; nothing changes.
     Result<void> deform(const char* name, std::span<const Vec3> vertices, bool again);
+    /// Takes over vertices, and what they moved by, that it had before; once there is room, it takes no
+    /// memory.
+    void reserve_displacements() { displacements_.reserve(vertices_.size()); }
+    void put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements);
 
     [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
     [[nodiscard]] std::span<const Vec3> vertices() const noexcept { return vertices_; }

@@ -6,9 +6,9 @@
 namespace weft::demo {
 namespace {
 
-constexpr float length = 1.5f, hoist = 1.0f;  // [m]
-constexpr float hoist_top = 2.55f;            // of the flag's hoist, the side at the pole [m]
-constexpr float pole_radius = 0.025f;         // [m]
+constexpr float fly = 1.5f, hoist = 1.0f;  // [m]
+constexpr float hoist_top = 2.55f;         // of the flag's hoist, the side at the pole [m]
+constexpr float pole_radius = 0.025f;      // [m]
 
 class Flag final : public Scene {
   public:
@@ -21,11 +21,11 @@ class Flag final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, length, hoist);
+        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, fly, hoist);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
                                 .origin = {0, hoist_top, 0},
-                                .u = {length, 0, 0},
+                                .u = {fly, 0, 0},
                                 .v = {0, -hoist, 0}});
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
@@ -69,7 +69,7 @@ class Flag final : public Scene {
         for (std::uint32_t row = 1; row <= mesh_.rows; ++row) {
             free_edge += vertex_position(*view, row * mesh_.columns - 1) / static_cast<float>(mesh_.rows);
         }
-        checks.at_least("the free edge's distance downwind [m]", free_edge.x(), 0.6f * length);
+        checks.at_least("the free edge's distance downwind [m]", free_edge.x(), 0.6f * fly);
         const float ripple = view->bounds.upper.z - view->bounds.lower.z;
         checks.at_least("the ripples' depth across the wind [m]", ripple, 0.05f);
         return checks.result();

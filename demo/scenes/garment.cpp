@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/scene.h"
-#include "demo/scenes/garment_mesh.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {

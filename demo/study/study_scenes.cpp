@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "demo/scenes/garment_mesh.h"
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/study/must.h"
 
 namespace weft::study {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "as_for_threads.h"
+#include "fixtures.h"
 
 namespace weft::test {
 namespace {
@@ -142,13 +143,6 @@ struct Linearised {
         return sum;
     }
 };
-
-Eigen::VectorXd flat(std::span<const Vec4> rows) {
-    Eigen::VectorXd all(3 * static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        all.segment<3>(3 * static_cast<Eigen::Index>(i)) = exact(rows[i]);
-    return all;
-}
 
 TEST(PairRows, AreThoseOfADenseMatrix) {
     const PairScene scene(61, 333);

@@ -117,7 +117,7 @@ TEST(Colliders, NothingThatIsTakenMakesWhatIsNotFinite) {
                 ASSERT_LT(xyz(particles.velocities[i]).norm(), 4 * fastest);
             }
             NearSurfaces near;
-            if (!find_near_surfaces(motions, 0.005f, 1, h, 0.004f, {}, start.positions, h, start.velocities,
+            if (!find_near_surfaces(motions, {0.005f, 1}, h, 0.004f, {}, start.positions, h, start.velocities,
                                     near))
                 continue;
             for (std::size_t i = 0; i < start.positions.size(); ++i) {

@@ -44,4 +44,23 @@ inline ContactScene folded(std::uint32_t side, float gap) {
     return scene;
 }
 
+/// A sheet that a smooth map lays down, the harder the larger `strength`.
+inline Vec4 smoothly(const Vec4& p, float strength, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    const float u = p.x / edge, v = p.z / edge;
+    float x[3] = {u * (1 + 0.4f * strength * uniform(random)), 0, v * (1 - 0.3f * strength)};
+    for (float& coordinate : x)
+        for (int wave = 0; wave < 3; ++wave) {
+            const float fu = 0.5f * uniform(random), fv = 0.5f * uniform(random);
+            coordinate += strength * 2 * uniform(random) * std::sin(fu * u + fv * v + 3 * uniform(random));
+        }
+    return {edge * x[0], edge * x[1], edge * x[2], 0};
+}
+
+inline std::vector<Vec4> smoothly(std::vector<Vec4> points, float strength, std::uint32_t seed) {
+    for (Vec4& p : points) p = smoothly(p, strength, seed);
+    return points;
+}
+
 }  // namespace weft::test

@@ -22,8 +22,8 @@ inline std::uint32_t meet(Particles& particles, const std::vector<ColliderMotion
                           float friction = 1, int threads = 1) {
     Parallel parallel(threads);
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(particles.positions.size())));
-    return collide(parallel, colliders, thickness, friction, h, {}, {}, particles.positions,
-                   particles.velocities, partials);
+    return collide(parallel, colliders, {thickness, friction}, h,
+                   {.positions = particles.positions, .velocities = particles.velocities}, partials);
 }
 
 inline ColliderMotion at_rest(const Collider& collider) {

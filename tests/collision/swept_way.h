@@ -27,8 +27,9 @@ inline std::uint32_t meet_on_the_way(Particles& particles, const std::vector<Vec
                                      const ColliderMotion& motion, int threads = 1) {
     Parallel parallel(threads);
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(starts.size())));
-    return collide(parallel, {&motion, 1}, thickness, 0, h, {}, starts, particles.positions,
-                   particles.velocities, partials);
+    return collide(parallel, {&motion, 1}, {thickness, 0}, h,
+                   {.positions = particles.positions, .velocities = particles.velocities, .starts = starts},
+                   partials);
 }
 
 /// Of a collider that goes 0.5 m over a particle 0.1 m ahead: nothing may be as fast, or just may.

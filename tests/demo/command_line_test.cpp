@@ -142,6 +142,58 @@ TEST_F(Program, RefusesWhatItCannotWriteBeforeItRuns) {
     expect_refusal(run(long_run), "final.obj");
 }
 
+/// A PC2 file, read by its description.
+struct Cache {
+    std::int32_t version = 0, points = 0, samples = 0;
+    float start = -1, rate = 0;
+    std::vector<Vec3> positions;
+};
+Cache read_cache(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    char name[12] = {};
+    Cache cache;
+    const auto get = [&](auto& value) { stream.read(reinterpret_cast<char*>(&value), sizeof value); };
+    stream.read(name, sizeof name);
+    EXPECT_EQ(std::string(name), "POINTCACHE2");
+    get(cache.version), get(cache.points), get(cache.start), get(cache.rate), get(cache.samples);
+    cache.positions.resize(static_cast<std::size_t>(cache.points) * static_cast<std::size_t>(cache.samples));
+    for (Vec3& p : cache.positions) get(p);
+    EXPECT_TRUE(stream.good());
+    EXPECT_EQ(stream.peek(), std::ifstream::traits_type::eof());
+    return cache;
+}
+
+TEST_F(Program, ExportsWhatItDraws) {
+    const Ran one = run_headless("--scene character --frames 5 --export pc2", "pc2");
+    const Ran many = run_headless("--scene character --frames 5 --export obj", "obj");
+    ASSERT_EQ(one.status, 0) << one.err;
+    ASSERT_EQ(many.status, 0) << many.err;
+    EXPECT_EQ(hash_of(one), hash_of(many));
+    const Cache cache = read_cache(folder() / "pc2" / "sequence.pc2");
+    EXPECT_EQ(cache.version, 1);
+    EXPECT_EQ(cache.start, 0);
+    EXPECT_EQ(cache.rate, 1);
+    ASSERT_EQ(cache.samples, 6);
+    const auto first = load_obj(folder() / "pc2" / "sequence.obj");
+    ASSERT_TRUE(first.ok());
+    ASSERT_EQ(first->positions.size(), static_cast<std::size_t>(cache.points));
+    for (std::size_t frame = 0; frame < 6; ++frame) {
+        const auto mesh = load_obj(folder() / "obj" / ("frame_00000" + std::to_string(frame) + ".obj"));
+        ASSERT_TRUE(mesh.ok()) << frame;
+        ASSERT_EQ(mesh->positions.size(), first->positions.size());
+        EXPECT_EQ(mesh->triangles, first->triangles);
+        for (std::size_t v = 0; v < mesh->positions.size(); ++v) {
+            const Vec3 &a = mesh->positions[v], &b = cache.positions[frame * mesh->positions.size() + v];
+            ASSERT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z) << frame << ", " << v;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder() / "obj" / "frame_000006.obj"));
+    std::filesystem::create_directories(folder() / "blocked" / "sequence.pc2");
+    const Ran blocked = run_headless("--scene character --frames 1 --export pc2", "blocked");
+    EXPECT_EQ(blocked.status, 2);
+    EXPECT_NE(blocked.err.find("sequence.pc2 cannot be written"), std::string::npos) << blocked.err;
+}
+
 TEST_F(Program, WritesATraceIntoTheFolderThatItMakes) {
     const Ran ran = run_headless("--frames 2 --trace " + (folder() / "out/trace.json").string());
     EXPECT_EQ(ran.status, 0) << ran.err;

@@ -1,4 +1,4 @@
-#include "demo/scenes/garment_mesh.h"
+#include "demo/character/garment/garment_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -80,11 +80,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
                     Bad{"--fabric", "felt"}, Bad{"--fabric", "missing.json"}, Bad{"--substeps", "0"},
                     Bad{"--frames", "0"}, Bad{"--every", "0"}, Bad{"--method", "magic"},
-                    Bad{"--contact", "maybe"}, Bad{"--contact", "7"}, Bad{"--contact", "-1"},
-                    Bad{"--contact", ""}, Bad{"--particles", "nan"}, Bad{"--particles", "12.5"},
-                    Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"}, Bad{"--wind", "80,80,0"},
-                    Bad{"--substeps", "257"}, Bad{"--iterations", "10001"}, Bad{"--frames", "-1"},
-                    Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
+                    Bad{"--contact", "maybe"}, Bad{"--export", "fbx", "--headless"}, Bad{"--contact", "7"},
+                    Bad{"--contact", "-1"}, Bad{"--contact", ""}, Bad{"--particles", "nan"},
+                    Bad{"--particles", "12.5"}, Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"},
+                    Bad{"--wind", "80,80,0"}, Bad{"--substeps", "257"}, Bad{"--iterations", "10001"},
+                    Bad{"--frames", "-1"}, Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
 
 TEST(Options, HelpIsNoError) {
     const auto parsed = parse({"--help"});
@@ -92,7 +92,7 @@ TEST(Options, HelpIsNoError) {
     ASSERT_NE(exit, nullptr);
     EXPECT_EQ(exit->status, 0);
     for (const char* option : {"--list", "--scene", "--garment", "--particles", "--threads", "--wind",
-                               "--headless", "--frames", "--out", "--trace"}) {
+                               "--headless", "--frames", "--out", "--trace", "--motion", "--export"}) {
         EXPECT_NE(exit->text.find(option), std::string::npos) << option;
     }
 }
@@ -110,6 +110,16 @@ TEST(Options, ChooseTheScene) {
     options.scene = "nowhere";
     ASSERT_FALSE(choose_scene(options).ok());
     EXPECT_NE(choose_scene(options).error().message.find("nowhere"), std::string::npos);
+    options.scene_options.motion = "some.bvh";
+    EXPECT_FALSE(choose_scene(options).ok());
+    options.scene = "sheet";
+    ASSERT_FALSE(choose_scene(options).ok()) << "a motion that would be left out";
+    EXPECT_NE(choose_scene(options).error().message.find("some.bvh"), std::string::npos);
+    options.scene.clear();
+    EXPECT_STREQ((*choose_scene(options))->name, "character");
+    options.scene_options.garment = "some.obj";
+    EXPECT_STREQ((*choose_scene(options))->name, "character");
+    options.scene_options = {};
     options.scene = "garment";
     EXPECT_FALSE(choose_scene(options).ok());
 }

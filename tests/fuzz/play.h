@@ -20,12 +20,21 @@ struct PlayOptions {
     std::optional<int> threads;          ///< in place of those that the script names, and of its executors
     std::optional<std::size_t> without;  ///< a cloth whose calls are left out
     bool checked = true;                 ///< false: fingerprints only
+    /// Of a play in which other saves than these were refused, since cloths had come and gone: in ascending
+    /// order. Null: all are tried.
+    const std::vector<std::size_t>* restored = nullptr;
 };
 
 /// Of the positions and velocities of each cloth, after each operation; 0 for cloths that are not there.
 using Fingerprints = std::vector<std::vector<std::uint64_t>>;
 
-[[nodiscard]] Fingerprints play(const Script& script, const PlayOptions& options = {});
+/// What came of it.
+struct Played {
+    Fingerprints fingerprints;
+    std::vector<std::size_t> restored;  ///< operations that took a save
+};
+
+[[nodiscard]] Played play(const Script& script, const PlayOptions& options = {});
 
 /// Plays it as it is; with one thread, and with two; and without one of its cloths. All must agree.
 void play_all_ways(const Script& script);

@@ -100,7 +100,11 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.self_collision.friction,
                              &s.air_damping,
                              &s.thickness,
-                             &s.friction};
+                             &s.friction,
+                             &s.restitution,
+                             &s.frame_inertia.linear,
+                             &s.frame_inertia.angular,
+                             &s.frame_inertia.centrifugal};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -161,7 +165,10 @@ Answer random_answer(Random& random) {
 Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
     if (!random.chance(0.05)) return {collider, extreme ? Answer::either : Answer::accepted};
     if (random.chance(0.5)) {
-        collider.friction = random.one_of({-1.0f, not_a_number, infinity});
+        float* const fields[] = {&collider.friction, &collider.thickness, &collider.restitution};
+        *fields[random.below(std::size(fields))] = random.one_of({-1.0f, not_a_number, infinity});
+    } else if (auto* const placed = std::get_if<PlacedShape>(&collider.shape)) {
+        (random.chance(0.5) ? placed->rotation.w : placed->position.x) = not_a_number;
     } else if (auto* const sphere = std::get_if<Sphere>(&collider.shape)) {
         (random.chance(0.5) ? sphere->radius : sphere->center.x) = not_a_number;
     } else if (auto* const capsule = std::get_if<Capsule>(&collider.shape)) {
@@ -178,6 +185,14 @@ Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
     return {collider, Answer::refused};
 }
 
+/// What it is besides its shape and its friction: mostly nothing.
+void draw_surface(Random& random, Fields& fields, Collider& collider) {
+    if (random.chance(0.3)) collider.thickness = std::min(fields.zero_or_more(1e-3f, 0.1f), 10.0f);
+    if (random.chance(0.3)) collider.restitution = random.between(0, 1);
+    if (random.chance(0.3)) collider.layers = random.below(4);
+    if (random.chance(0.15)) collider.is_trigger = true;
+}
+
 Rotation turned(Random& random) {
     const Vec3 axis = random.point(1);
     const float w = random.between(0.1f, 1);  // never of no length
@@ -192,6 +207,43 @@ Vec3 moved(Random& random, const Vec3& from) {
 }
 
 }  // namespace
+
+Drawn<Transform> random_transform(Random& random) {
+    Transform drawn{.translation = random.point(random.chance(0.1) ? random.of_any_size(1, 1e4f) : 0.3f)};
+    if (random.chance(0.7)) drawn.rotation = turned(random);
+    if (!random.chance(0.05)) return {drawn, Answer::either};
+    (random.chance(0.5) ? drawn.translation.y : drawn.rotation.z) = random.one_of({infinity, not_a_number});
+    return {drawn, Answer::refused};
+}
+
+Drawn<Map> random_map(Random& random) {
+    const auto map = static_cast<Map>(random.below(8));
+    const bool may_refuse =
+        map == Map::mass || map == Map::stiffness || map == Map::leash || map == Map::backstop;
+    return {map, may_refuse ? Answer::either : Answer::accepted};
+}
+
+float map_value(Random& random, Map map) {
+    switch (map) {
+        case Map::mass:
+            return random.of_any_size(0.1f, 10);
+        case Map::pin:
+            return random.chance(0.9) ? 0.0f : 1.0f;
+        case Map::leash:
+            return random.chance(0.3) ? infinity : random.chance(0.1) ? 0 : random.of_any_size(1e-4f, 1);
+        case Map::backstop:
+            return random.chance(0.3) ? infinity : random.between(-0.001f, 0.1f);
+        case Map::backstop_radius:
+            return random.chance(0.3) ? infinity : random.of_any_size(1e-3f, 1e5f);
+        case Map::friction:
+            return random.between(0, 2);
+        case Map::thickness:
+            return random.unit() < 0.5 ? 1.0f : random.between(0, 1);
+        case Map::stiffness:
+            return random.of_any_size(0.1f, 10);
+    }
+    return 1;
+}
 
 std::uint64_t passes_of(const ClothSettings& settings) {
     const auto passes = std::visit(
@@ -243,6 +295,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.self_collision.mask = random.chance(0.8) ? ~0u : 1u;
     s.self_collision.distance = fields.zero_or_more(1e-3f, 0.1f);
     s.self_collision.friction = fields.zero_or_more(1e-2f, 2);
+    if (random.chance(0.5))
+        s.frame_inertia = {random.between(0, 1), random.chance(0.3) ? 1.0f : random.between(0, 1),
+                           random.between(0, 1)};
     s.self_collision.search = random.chance(0.2)   ? SelfCollisionSearch::shifted_grids
                               : random.chance(0.2) ? SelfCollisionSearch::sorted_sweep
                                                    : SelfCollisionSearch::exact;
@@ -255,6 +310,8 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);
+    if (random.chance(0.2)) s.restitution = random.between(0, 1);
+    if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);
     return drawn;
@@ -317,6 +374,18 @@ Drawn<Collider> random_collider(Random& random) {
             break;
         }
     }
+    draw_surface(random, fields, collider);
+    return finished(random, collider, extreme);
+}
+
+Drawn<Collider> random_instance(Random& random, std::size_t shape) {
+    const bool extreme = random.chance(0.1);
+    Fields fields(random, extreme);
+    Collider collider;
+    collider.shape = PlacedShape{.shape = {static_cast<std::uint32_t>(shape), 1},
+                                 .position = fields.vector(1),
+                                 .rotation = random.chance(0.5) ? Rotation{} : turned(random)};
+    draw_surface(random, fields, collider);
     return finished(random, collider, extreme);
 }
 
@@ -335,10 +404,17 @@ Drawn<Collider> random_move(Random& random, const Collider& from) {
         box->center = moved(random, box->center);
         if (random.chance(0.5)) box->rotation = turned(random);
         if (random.chance(0.1)) box->half_extents.y *= random.between(0.5f, 2);
+    } else if (auto* const placed = std::get_if<PlacedShape>(&to.shape)) {
+        placed->position = moved(random, placed->position);
+        if (random.chance(0.5)) placed->rotation = turned(random);
     } else {
         auto& plane = std::get<Plane>(to.shape);
         plane.offset += random.between(-0.5f, 0.5f);
         if (random.chance(0.2)) plane.normal = {-plane.normal.x, -plane.normal.y, -plane.normal.z};
+    }
+    if (random.chance(0.1)) {
+        Fields fields(random, false);
+        draw_surface(random, fields, to);
     }
     // It may have been out of all reason before.
     Drawn<Collider> drawn = finished(random, to, true);

@@ -14,8 +14,16 @@ namespace weft::fuzz {
 [[nodiscard]] Drawn<Collider> random_collider(Random& random);
 [[nodiscard]] Drawn<BodySettings> random_body(Random& random);
 [[nodiscard]] BodyState random_body_state(Random& random);
+/// An instance of the shape that was added as the so manieth; generations are the player's.
+[[nodiscard]] Drawn<Collider> random_instance(Random& random, std::size_t shape);
 /// The same kind of shape elsewhere, now and then far off.
 [[nodiscard]] Drawn<Collider> random_move(Random& random, const Collider& from);
+
+/// A rotation and a way, now and then a long one; or what is neither.
+[[nodiscard]] Drawn<Transform> random_transform(Random& random);
+/// Of those that a cloth may refuse for other maps and settings that it has: either.
+[[nodiscard]] Drawn<Map> random_map(Random& random);
+[[nodiscard]] float map_value(Random& random, Map map);
 
 /// Runs the blocks in the caller's thread, the last one first.
 [[nodiscard]] Executor backwards_executor();

@@ -21,6 +21,7 @@ struct PlannedCloth {
     ClothSettings settings;
     bool removed = false;
     std::vector<std::uint32_t> pinned;
+    bool may_have_maps = false;  ///< of mass or stiffness
 
     [[nodiscard]] std::uint64_t work() const {
         return removed ? 0 : mesh.positions.size() * passes_of(settings);
@@ -29,6 +30,11 @@ struct PlannedCloth {
 
 struct PlannedCollider {
     Collider collider;
+    bool removed = false;
+};
+
+struct PlannedShape {
+    OwnedShape shape;
     bool removed = false;
 };
 
@@ -71,6 +77,17 @@ class Author {
     void set_world_settings();
     void step();
     void start_trace();
+    void move_cloth();
+    void set_frame();
+    void set_map();
+    void set_skin();
+    void shift_origin();
+    void move_pins();
+    void add_shape();
+    void add_instance();
+    void deform_shape();
+    void remove_shape();
+    void save_or_restore();
 
     void add(decltype(Operation::call) call, Answer answer = Answer::accepted,
              std::size_t cloth = Operation::no_cloth) {
@@ -102,6 +119,8 @@ class Author {
     std::vector<PlannedCloth> cloths_;
     std::vector<PlannedCollider> colliders_;
     std::size_t bodies_ = 0;
+    std::vector<PlannedShape> shapes_;
+    std::size_t saves_ = 0;
 };
 
 void Author::add_operation() {
@@ -129,6 +148,17 @@ void Author::add_operation() {
         {8, &Author::set_cloth_settings},
         {6, &Author::set_world_settings},
         {1, &Author::start_trace},
+        {2, &Author::move_cloth},
+        {6, &Author::set_frame},
+        {6, &Author::set_map},
+        {8, &Author::set_skin},
+        {1, &Author::shift_origin},
+        {4, &Author::move_pins},
+        {4, &Author::add_shape},
+        {5, &Author::add_instance},
+        {5, &Author::deform_shape},
+        {1, &Author::remove_shape},
+        {4, &Author::save_or_restore},
     };
     std::uint32_t all = 0;
     for (const Choice& choice : choices) all += choice.weight;
@@ -137,6 +167,51 @@ void Author::add_operation() {
         if (drawn < choice.weight) return (this->*choice.add)();
         drawn -= choice.weight;
     }
+}
+
+void Author::move_cloth() {
+    const Drawn<Transform> by = random_transform(random_);
+    add(MoveCloth{by.value}, by.answer, any_of(cloths_));
+}
+
+void Author::set_frame() {
+    const std::size_t cloth = any_of(cloths_);
+    if (random_.chance(0.1)) return add(LeaveFrame{}, Answer::accepted, cloth);
+    const Drawn<Transform> pose = random_transform(random_);
+    add(SetFrame{pose.value}, pose.answer, cloth);
+}
+
+void Author::set_map() {
+    const std::size_t cloth = any_of(cloths_);
+    const Drawn<Map> map = random_map(random_);
+    std::vector<float> values;
+    if (!random_.chance(0.15))
+        for (std::size_t v = 0; v < cloths_[cloth].mesh.positions.size(); ++v)
+            values.push_back(map_value(random_, map.value));
+    Answer answer = map.answer;
+    if (!values.empty() && random_.chance(0.05)) {
+        values[random_.below(values.size())] = -20;
+        answer = Answer::refused;
+    }
+    cloths_[cloth].may_have_maps |= map.value == Map::mass || map.value == Map::stiffness;
+    add(SetMap{map.value, std::move(values)}, answer, cloth);
+}
+
+void Author::set_skin() {
+    const std::size_t cloth = any_of(cloths_);
+    SetSkin call;
+    const Vec3 by = random_.point(random_.chance(0.1) ? random_.of_any_size(1, 1e4f) : 0.1f);
+    const Vec3 normal{by.z, 1, by.x};
+    for (const Vec3& p : cloths_[cloth].mesh.positions) {
+        call.places.push_back({p.x + by.x, p.y + by.y, p.z + by.z});
+        call.normals.push_back(normal);
+    }
+    add(std::move(call), Answer::either, cloth);
+}
+
+void Author::shift_origin() {
+    const Vec3 to = random_.point(random_.chance(0.5) ? 10 : 500);
+    add(ShiftOrigin{to}, Answer::either);
 }
 
 void Author::add_cloth() {
@@ -173,8 +248,10 @@ void Author::set_cloth_settings() {
     PlannedCloth& cloth = cloths_[chosen];
     const Drawn<ClothSettings> settings =
         random_cloth_settings(random_, passes_left(cloth.mesh.positions.size(), work() - cloth.work()));
-    if (settings.answer != Answer::refused) cloth.settings = settings.value;
-    add(SetClothSettings{settings.value}, settings.answer, chosen);
+    const bool may_refuse = cloth.may_have_maps && settings.value.finite_elements.consistent_mass;
+    if (settings.answer != Answer::refused && !may_refuse) cloth.settings = settings.value;
+    add(SetClothSettings{settings.value},
+        settings.answer == Answer::accepted && may_refuse ? Answer::either : settings.answer, chosen);
 }
 
 /// One, the corners, a row, two rows, a column, the border, a part at random, all.
@@ -267,7 +344,8 @@ void Author::add_collider() {
 void Author::move_collider() {
     if (colliders_.empty()) return add_collider();
     const std::size_t chosen = any_of(colliders_);
-    if (random_.chance(0.05)) {  // another kind of shape, mostly
+    const bool is_instance = std::holds_alternative<PlacedShape>(colliders_[chosen].collider.shape);
+    if (!is_instance && random_.chance(0.05)) {  // another kind of shape, mostly
         const Drawn<Collider> other = random_collider(random_);
         const bool same = other.value.shape.index() == colliders_[chosen].collider.shape.index();
         return add(MoveCollider{chosen, other.value}, same ? Answer::either : Answer::refused);
@@ -335,6 +413,71 @@ void Author::step() {
     const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(least_step, greatest_step);
     for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt});
     if (random_.chance(0.03)) add(MoveWorld{});
+}
+
+void Author::move_pins() {
+    const std::size_t chosen = any_of(cloths_);
+    const PlannedCloth& cloth = cloths_[chosen];
+    if (cloth.pinned.empty()) return pin();
+    MovePins call;
+    const Vec3 by = random_.point(0.05f);
+    for (const std::uint32_t vertex : cloth.pinned) {
+        const Vec3& from = cloth.mesh.positions[vertex];
+        call.vertices.push_back(vertex);
+        call.targets.push_back({from.x + by.x, from.y + by.y, from.z + by.z});
+    }
+    Answer answer = Answer::either;
+    if (random_.chance(0.05)) {
+        call.targets.back().y = std::numeric_limits<float>::infinity();
+        answer = Answer::refused;
+    } else if (random_.chance(0.05)) {
+        call.targets.pop_back();
+        answer = Answer::refused;
+    }
+    add(std::move(call), answer, chosen);
+}
+
+void Author::add_shape() {
+    if (shapes_.size() >= 6) return;
+    const Drawn<OwnedShape> drawn = random_shape(random_);
+    shapes_.push_back({drawn.value, drawn.answer == Answer::refused});
+    add(AddShape{drawn.value}, drawn.answer);
+}
+
+/// Refused if the shape is not there.
+void Author::add_instance() {
+    if (shapes_.empty()) return add_shape();
+    if (colliders_.size() >= 12) return;
+    const std::size_t shape = any_of(shapes_);
+    const Drawn<Collider> collider = random_instance(random_, shape);
+    colliders_.push_back({collider.value, collider.answer == Answer::refused});
+    add(AddCollider{collider.value}, collider.answer == Answer::refused ? Answer::refused : Answer::either);
+}
+
+void Author::deform_shape() {
+    if (shapes_.empty()) return add_shape();
+    const std::size_t shape = any_of(shapes_);
+    const Drawn<std::vector<Vec3>> drawn = random_deformation(random_, shapes_[shape].shape);
+    const bool is_there = !shapes_[shape].removed;
+    add(DeformShape{shape, drawn.value},
+        drawn.answer == Answer::accepted && !is_there ? Answer::either : drawn.answer);
+}
+
+/// Refused if a collider is one of it.
+void Author::remove_shape() {
+    if (shapes_.empty()) return;
+    const std::size_t shape = any_of(shapes_);
+    add(RemoveShape{shape}, Answer::either);
+}
+
+void Author::save_or_restore() {
+    if (saves_ == 0 || random_.chance(0.4)) {
+        ++saves_;
+        return add(Save{});
+    }
+    const bool damaged = random_.chance(0.2);
+    add(Restore{random_.below(saves_), damaged, static_cast<std::uint32_t>(random_.next())},
+        damaged ? Answer::refused : Answer::either);
 }
 
 void Author::start_trace() {

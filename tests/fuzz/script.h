@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/fuzz/random.h"
+#include "tests/fuzz/random_shape.h"
 
 namespace weft::fuzz {
 
@@ -29,6 +30,10 @@ struct Pin {
 struct MovePin {
     std::uint32_t vertex;
     Vec3 target;
+};
+struct MovePins {
+    std::vector<std::uint32_t> vertices;
+    std::vector<Vec3> targets;
 };
 struct Unpin {
     std::vector<std::uint32_t> vertices;
@@ -79,13 +84,49 @@ struct StartTrace {
     std::size_t max_events;
 };
 struct MoveWorld {};
+struct MoveCloth {
+    Transform by;
+};
+struct SetFrame {
+    Transform pose;
+};
+struct LeaveFrame {};
+struct SetMap {
+    Map map;
+    std::vector<float> values;
+};
+/// The mesh as it was given, moved.
+struct SetSkin {
+    std::vector<Vec3> places, normals;
+};
+struct ShiftOrigin {
+    Vec3 to;
+};
+struct AddShape {
+    OwnedShape shape;
+};
+struct DeformShape {
+    std::size_t shape;  ///< its place among all that were added
+    std::vector<Vec3> vertices;
+};
+struct RemoveShape {
+    std::size_t shape;
+};
+struct Save {};
+struct Restore {
+    std::size_t save;  ///< its place among all of them
+    bool damaged;
+    std::uint32_t where;  ///< the byte, but for whole saves
+};
 
 struct Operation {
     static constexpr std::size_t no_cloth = ~std::size_t{0};
 
     std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
-                 Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld>
+                 Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, SetFrame,
+                 LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape,
+                 Save, Restore>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

@@ -89,7 +89,9 @@ static std::string text_of(const Plane& s) {
 
 std::string text_of(const Collider& collider) {
     return std::visit([](const auto& shape) { return text_of(shape); }, collider.shape) + ", friction " +
-           text_of(collider.friction);
+           text_of(collider.friction) + ", " +
+           braced("surface", {text_of(collider.thickness), text_of(collider.restitution),
+                              text_of(collider.layers), text_of(collider.is_trigger)});
 }
 
 static std::string text_of(const Fabric& f) {
@@ -109,11 +111,13 @@ static std::string text_of(const SelfCollision& s) {
                    text_of(s.search), text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
-    return braced("ClothSettings", {text_of(s.fabric), text_of(s.finite_elements),
-                                    std::visit([](const auto& method) { return text_of(method); }, s.method),
-                                    text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers),
-                                    text_of(s.self_collision), text_of(s.air_damping), text_of(s.thickness),
-                                    text_of(s.friction), text_of(s.collider_response)});
+    return braced("ClothSettings",
+                  {text_of(s.fabric), text_of(s.finite_elements),
+                   std::visit([](const auto& method) { return text_of(method); }, s.method),
+                   text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision),
+                   text_of(s.air_damping), text_of(s.thickness), text_of(s.friction), text_of(s.restitution),
+                   text_of(s.collider_mask), text_of(s.collider_response), text_of(s.frame_inertia.linear),
+                   text_of(s.frame_inertia.angular), text_of(s.frame_inertia.centrifugal)});
 }
 
 static std::string text_of(const Wind& w) {
@@ -223,6 +227,48 @@ static std::string text_of(const StartTrace& call) {
 }
 static std::string text_of(const MoveWorld&) {
     return "the World is moved from and back";
+}
+static std::string text_of(const MovePins& call) {
+    return "move_pins(" + text_of(call.vertices) + ")";
+}
+static std::string text_of(const AddShape& call) {
+    return "add_shape(kind " + std::to_string(static_cast<int>(call.shape.kind)) + ", " +
+           std::to_string(call.shape.vertices.size()) + " vertices, " +
+           std::to_string(call.shape.triangles.size()) + " triangles)";
+}
+static std::string text_of(const DeformShape& call) {
+    return "deform_shape(" + text_of(call.shape) + ", " + std::to_string(call.vertices.size()) + " vertices)";
+}
+static std::string text_of(const RemoveShape& call) {
+    return "remove_shape(" + text_of(call.shape) + ")";
+}
+static std::string text_of(const Save&) {
+    return "save()";
+}
+static std::string text_of(const Restore& call) {
+    return "restore(save " + text_of(call.save) + (call.damaged ? ", damaged)" : ")");
+}
+
+static std::string text_of(const Transform& t) {
+    return braced("Transform", {text_of(t.translation), text_of(t.rotation)});
+}
+static std::string text_of(const MoveCloth& call) {
+    return "move_cloth(" + text_of(call.by) + ")";
+}
+static std::string text_of(const SetFrame& call) {
+    return "set_frame(" + text_of(call.pose) + ")";
+}
+static std::string text_of(const LeaveFrame&) {
+    return "leave_frame()";
+}
+static std::string text_of(const SetMap& call) {
+    return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";
+}
+static std::string text_of(const SetSkin& call) {
+    return "set_skin(" + text_of(call.places.front()) + " ...)";
+}
+static std::string text_of(const ShiftOrigin& call) {
+    return "shift_origin(" + text_of(call.to) + ")";
 }
 
 std::string text_of(const Operation& operation) {

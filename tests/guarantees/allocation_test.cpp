@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "tests/guarantees/allocation_count.h"
 #include "tests/guarantees/method_cases.h"
@@ -92,6 +93,48 @@ TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
             EXPECT_EQ(run.world().state_hash(), hash);
         }
     }
+}
+
+/// A garment: pins, a skin and a frame, all told anew before each step, which takes no memory either.
+std::uint64_t hash_of_worn_cloth(int threads, std::uint64_t& allocations) {
+    constexpr std::uint32_t side = 40;
+    World world = World::create({.threads = threads}).value();
+    ClothSettings settings;
+    settings.frame_inertia = {0.5f, 0.2f, 0.5f};
+    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    const Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
+    const std::size_t n = mesh.positions.size();
+    const ClothId cloth = world.add_cloth(mesh, settings).value();
+    EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, -0.2f, 0}, 0.15f}}));
+    EXPECT_TRUE(world.set_map(cloth, Map::leash, std::vector<float>(n, 0.1f)));
+    EXPECT_TRUE(world.set_map(cloth, Map::backstop, std::vector<float>(n, 0.05f)));
+    EXPECT_TRUE(world.set_map(cloth, Map::friction, std::vector<float>(n, 0.7f)));
+    EXPECT_TRUE(world.set_map(cloth, Map::thickness, std::vector<float>(n, 0.5f)));
+    const std::vector<std::uint32_t> pins = {0, 5, side - 1};
+    EXPECT_TRUE(world.pin(cloth, pins));
+    std::vector<Vec3> places = mesh.positions, targets(3);
+    const std::vector<Vec3> normals(n, Vec3{0, 1, 0});
+    allocations = 0;
+    for (int step = 0; step < 40; ++step) {
+        const float x = 0.01f * static_cast<float>(step);
+        for (std::size_t v = 0; v < n; ++v) places[v] = {mesh.positions[v].x + x, mesh.positions[v].y, mesh.positions[v].z};
+        for (std::size_t k = 0; k < 3; ++k) targets[k] = places[pins[k]];
+        const std::uint64_t before = allocation_count();
+        const bool told = world.move_pins(cloth, pins, targets) && world.set_skin(cloth, places, normals) &&
+                          world.set_frame(cloth, {.translation = {x, 0, 0}, .rotation = {0, 0.1f * x, 0, 1}});
+        EXPECT_FALSE(has(world.step(1.0f / 60).flags, StepFlags::state_restored));
+        EXPECT_TRUE(told);
+        if (step > 0) allocations += allocation_count() - before;
+    }
+    return world.state_hash();
+}
+
+TEST(WornCloth, TakesNoMemoryAndHasTheSameBytesOnAnyThreads) {
+    std::uint64_t alone = 0, together = 0;
+    const std::uint64_t expected = hash_of_worn_cloth(1, alone);
+    EXPECT_EQ(hash_of_worn_cloth(3, together), expected);
+    EXPECT_EQ(alone, 0u);
+    EXPECT_EQ(together, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, MethodAllocation, testing::ValuesIn(test::method_cases()),

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/fuzz/snapshot.h"
@@ -219,6 +220,18 @@ std::vector<Call> other_calls() {
     add("measure_cloth", [mesh = LoweredSheet::mesh(false, side)](Scene& s) {
         return without_value(s.world.measure_cloth(mesh));
     });
+    add("add_prepared_cloth", [mesh = LoweredSheet::mesh(true, side), tethered](Scene& s) -> Answer {
+        auto prepared = PreparedCloth::create(mesh, tethered);
+        if (!prepared) return prepared.error();
+        const auto added = s.world.add_cloth(std::move(*prepared));
+        EXPECT_NE(added.ok(), prepared->has_cloth());
+        return without_value(added);
+    });
+    add("set_enabled", [](Scene& s) { return s.world.set_enabled(s.cloth, false); });
+    ClothSettings sleepy;
+    sleepy.sleep_speed = 1e-3f;
+    add(
+        "wake", [](Scene& s) { return s.world.wake(s.cloth); }, sleepy);
     add("remove_cloth",
         [](Scene& s) { return s.world.cloth(s.cloth) ? s.world.remove_cloth(s.cloth) : Answer(); });
     add("pin_row", [=](Scene& s) { return s.world.pin(s.cloth, row); });
@@ -267,6 +280,25 @@ std::vector<Call> other_calls() {
     calls.push_back({.name = "first_body",
                      .make = [](Scene& s) { return without_value(s.world.add_body({})); },
                      .bare = true});
+    const auto set_map = [](Map map, float value) {
+        return [=](Scene& s) {
+            return s.world.set_map(s.cloth, map, std::vector<float>(std::size_t{side} * side, value));
+        };
+    };
+    ClothSettings contact;
+    contact.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    add("set_map_mass", set_map(Map::mass, 2));
+    add("set_map_mass_contact", set_map(Map::mass, 2), contact);
+    add("set_map_stiffness", set_map(Map::stiffness, 0.5f));
+    add("set_map_pin", set_map(Map::pin, 0), tethered);
+    add("set_map_friction", set_map(Map::friction, 0.5f));
+    add("set_map_leash", set_map(Map::leash, 0.1f));
+    calls.push_back({.name = "first_leash", .make = set_map(Map::leash, 0.1f), .bare = true});
+    add("set_map_backstop", set_map(Map::backstop, 0.01f));
+    add("move_cloth", [](Scene& s) { return s.world.move_cloth(s.cloth, {.translation = {0, 1, 0}}); });
+    add("set_frame", [](Scene& s) { return s.world.set_frame(s.cloth, {.translation = {0, 1, 0}}); });
+    add("leave_frame", [](Scene& s) { return s.world.leave_frame(s.cloth); });
+    add("shift_origin", [](Scene& s) { return s.world.shift_origin({1, 0, 0}); });
     calls.push_back({.name = "first_collider",
                      .make = [](Scene& s) { return without_value(s.world.add_collider({.shape = Plane{}})); },
                      .bare = true});
@@ -327,6 +359,16 @@ TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {
     EXPECT_TRUE(load_obj(file)) << "the last one was written whole";
 }
 
+TEST(OutOfMemoryWithoutAWorld, DrawnMeshesAreAnswered) {
+    const Scene scene;
+    const ClothView& cloth = *scene.world.cloth(scene.cloth);
+    std::vector<Vec3> vertices;
+    for (const Vec4& p : cloth.positions) vertices.push_back({p.x, p.y, p.z});
+    expect_an_answer([&] {
+        return without_value(DrawnMesh::bind(cloth, {.vertices = vertices, .triangles = cloth.triangles}));
+    });
+}
+
 TEST(OutOfMemoryWithoutAWorld, ObjErrorsAreAnswered) {
     const std::filesystem::path file =
         std::filesystem::path(testing::TempDir()) / "weft_out_of_memory_bad.obj";
@@ -380,6 +422,11 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
         [&] {
             return scene.world.move_pin(scene.cloth, 0, {1e9f, 0, 0}).ok();
         },
+        [&] { return scene.world.move_cloth(scene.cloth, {.translation = {1e9f, 0, 0}}).ok(); },
+        [&] { return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok(); },
+        [&] { return scene.world.set_map(scene.cloth, Map::leash, std::vector<float>(3)).ok(); },
+        [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
+        [&] { return scene.world.shift_origin({1e9f, 0, 0}).ok(); },
         [&] {
             return scene.world.add_collider({.shape = Sphere{{}, -1}}).ok();
         },

@@ -87,6 +87,7 @@ void Simulation::remove_body(BodyId id) {
         cloth->state.shares = {};
         cloth->collected = {};
         cloth->body_buffers = {};
+        cloth->meets_bodies = false;
     });
     if (state.colliders.size() == 0) expect_colliders(0);
 }

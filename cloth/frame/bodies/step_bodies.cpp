@@ -126,6 +126,7 @@ bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
     bool any = false;
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
         if (any || state.bodies.find(slot.body) == nullptr) return;
+        if (slot.own.is_trigger || (slot.own.layers & cloth.settings.collider_mask) == 0) return;
         const MovingBody& body = bodies_->moving[number_of(slot.body)];
         const float way = 2 * h * body.now.head<3>().cast<float>().norm();
         any = overlap(box, grown(box_of(carried(slot.own, body.start), held_by(slot.own)), way)) ||
@@ -134,36 +135,48 @@ bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
     return any;
 }
 
-void Simulation::move_colliders(Worker& worker, const Substep& substep, bool meets_bodies) const {
-    worker.motions.clear();
+/// Before a step: whether it is attached to one, or one may come near it.
+bool Simulation::is_near_bodies(const Cloth& cloth, float dt) const {
+    if (!cloth.attached.empty()) return true;
+    constexpr float about = 0.05f;
+    bool any = false;
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        if (state.bodies.find(slot.body) == nullptr) move_collider(worker, substep, slot);
+        const BodySlot* const body = state.bodies.find(slot.body);
+        if (any || body == nullptr) return;
+        if (slot.own.is_trigger || (slot.own.layers & cloth.settings.collider_mask) == 0) return;
+        const Sphere own = ball_around(slot.own, held_by(slot.own));
+        const float arm = to_vector(own.center).norm() + own.radius;
+        const float fall = dt * body->settings.gravity_scale * to_vector(settings.gravity).norm();
+        const float speed = to_vector(body->state.velocity).norm() + std::abs(fall) +
+                            arm * to_vector(body->state.angular_velocity).norm();
+        any = overlap(grown({cloth.extent.lower, cloth.extent.upper},
+                            cloth.settings.thickness + slot.own.thickness + about + dt * speed),
+                      box_of(slot.current, held_by(slot.current)));
     });
-    if (!meets_bodies) return;
+    return any;
+}
+
+void Simulation::add_carried_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                                     const Substep& substep) const {
     bodies_->carried.clear();
     for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
         const MovingBody& body = bodies_->moving[k];
         state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+            if (slot.own.is_trigger || (slot.own.layers & mask) == 0) return;
             if (state.bodies.find(slot.body) == nullptr || number_of(slot.body) != k) return;
-            bodies_->carried.push_back({.motion = static_cast<std::uint32_t>(worker.motions.size()),
+            bodies_->carried.push_back({.motion = static_cast<std::uint32_t>(motions.size()),
                                         .body = static_cast<std::uint32_t>(k),
                                         .own = &slot.own});
-            move_collider(worker, substep, slot);
-            ColliderMotion& motion = worker.motions.back();
+            ColliderMotion& motion =
+                motions.emplace_back(ColliderMotion{slot.current, slot.current, settings.max_speed});
+            motion.held = held_by(slot.own);
+            if (motion.held != nullptr && motion.held->deforms_in(state.steps))
+                motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
             body.move(slot.own, motion);
             motion.body = static_cast<std::int32_t>(k);
         });
     }
-    bodies_->coupling.begin(bodies_->moving, bodies_->carried, worker.motions);
-}
-
-void Simulation::move_collider(Worker& worker, const Substep& substep, const ColliderSlot& slot) const {
-    ColliderMotion& motion = worker.motions.emplace_back(
-        ColliderMotion{blend(slot.current, slot.target, substep.begin()),
-                       blend(slot.current, slot.target, substep.end()), settings.max_speed});
-    motion.held = held_by(slot.target);
-    if (motion.held != nullptr && motion.held->deforms_in(state.steps))
-        motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+    bodies_->coupling.begin(bodies_->moving, bodies_->carried, motions);
 }
 
 /// The equation of a cloth that may meet bodies has them.
@@ -262,16 +275,20 @@ void Simulation::collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t 
 // Bodies first: what stands still has the last word.
 std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, float h,
                                               std::span<const Vec4> starts) {
-    const std::span<const ColliderMotion> motions = worker.motions;
+    const std::span<const ColliderMotion> motions = colliders_of(worker, cloth);
     std::uint32_t touching = 0;
     for (std::size_t end = motions.size(), begin = end; end > 0; end = begin) {
         const std::int32_t body = motions[end - 1].body;
         while (begin > 0 && motions[begin - 1].body == body) --begin;
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
         const std::uint32_t met = weft::collide(
-            worker.parallel, motions.subspan(begin, end - begin), cloth.settings.thickness,
-            cloth.settings.friction, h, std::as_const(cloth.state.held.normals).span(), starts,
-            cloth.state.positions.span(), cloth.state.velocities.span(), cloth.partial_counts.span());
+            worker.parallel, motions.subspan(begin, end - begin), side_of_cloth(cloth, h), h,
+            {.positions = cloth.state.positions.span(),
+             .velocities = cloth.state.velocities.span(),
+             .starts = starts,
+             .held = std::as_const(cloth.state.held.normals).span(),
+             .factors = cloth.worn.factors()},
+            cloth.partial_counts.span());
         touching += met;
         if (met == 0) continue;
         if (reports_contacts())

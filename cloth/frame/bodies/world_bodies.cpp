@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cloth/frame/validate.h"
-#include "cloth/frame/world_impl.h"
+#include "cloth/frame/world_calls.h"
 #include "engine/error_text.h"
 #include "engine/without_exceptions.h"
 

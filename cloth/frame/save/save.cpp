@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/save/parts.h"
 #include "cloth/frame/save/save_format.h"
 #include "cloth/frame/simulation.h"
 #include "engine/state_hash.h"
@@ -27,7 +28,6 @@ std::uint32_t kinds_of(const WorldState& state) {
     return kinds;
 }
 
-template <class Simulation>
 std::uint32_t attached_of(const Simulation& simulation) {
     std::size_t count = 0;
     simulation.state.colliders.for_each(
@@ -37,15 +37,12 @@ std::uint32_t attached_of(const Simulation& simulation) {
     return static_cast<std::uint32_t>(count);
 }
 
-/// visit(span) for all behind the save's head.
-template <class Simulation, class Visit>
-void for_each_saved(Simulation& simulation, const Visit& visit) {
-    for_each_part(simulation.state, visit);
-    simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        const ClothHead head(cloth->state);
-        visit(std::span(&head, 1));
-        for_each_part(std::as_const(cloth->state), visit);
+std::uint32_t deformable_of(const Simulation& simulation) {
+    std::uint32_t vertices = 0;
+    simulation.shapes.for_each([&](ShapeId, const std::unique_ptr<HeldShape>& shape) {
+        vertices += static_cast<std::uint32_t>(shape->deformable());
     });
+    return vertices;
 }
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
@@ -60,6 +57,8 @@ SaveHead head_of(const Simulation& simulation) {
             .bodies = static_cast<std::uint32_t>(simulation.state.bodies.size()),
             .attached = attached_of(simulation),
             .kinds = kinds_of(simulation.state),
+            .shapes = static_cast<std::uint32_t>(simulation.shapes.size()),
+            .deformable = deformable_of(simulation),
             .bytes = save_size(simulation)};
 }
 
@@ -92,6 +91,12 @@ Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
                            " colliders and vertices attached to bodies, this one has " +
                            std::to_string(here.attached));
     if (head.kinds != here.kinds) return other_world("its colliders are of other kinds, or in another order");
+    if (head.shapes != here.shapes)
+        return other_world("it has " + std::to_string(head.shapes) + " shapes, this one has " +
+                           std::to_string(here.shapes));
+    if (head.deformable != here.deformable)
+        return other_world("its triangle meshes have " + std::to_string(head.deformable) +
+                           " vertices, those here " + std::to_string(here.deformable));
     return {};
 }
 
@@ -110,15 +115,21 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
     if (saved.tangles != here.tangles)
         return differs("particles with contact", saved.tangles, here.tangles,
                        "; set the self-collision that it had");
+    if (saved.rest != here.rest)
+        return differs("times of rest", saved.rest, here.rest, "; set ClothSettings::sleep_speed as it was");
+    if (saved.skin != here.skin)
+        return differs("places and normals of its skin", saved.skin, here.skin,
+                       "; set the maps of leashes and backstops that it had");
     return {};
 }
 
-/// How many bytes a cloth's part has once it has other pins.
-std::size_t part_bytes(const ClothState& state, std::size_t pins) {
+/// How many bytes a cloth's part has once it has other pins and a frame, or none.
+std::size_t part_bytes(const ClothState& state, const ClothHead& head) {
     SaveSize size;
     for_each_part(state, size);
     const std::size_t a_pin = sizeof(Pin::particle) + 3 * sizeof(float);
-    return size.bytes() + a_pin * pins - a_pin * state.pins.size();
+    const std::size_t has = a_pin * state.pins.size() + (state.frame ? sizeof(FrameState) : 0);
+    return size.bytes() + a_pin * head.pins + head.frame * sizeof(FrameState) - has;
 }
 
 std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
@@ -127,29 +138,68 @@ std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
     return pins;
 }
 
+/// What of a saved cloth may be other than it is here.
+struct Saved {
+    std::vector<Pin> pins;
+    bool in_frame;
+};
+
+struct SavedDeformation {
+    std::vector<Vec3> vertices, displacements;
+    std::uint64_t step = 0;
+};
+
+/// Before anything is changed: whether each shape can take its part, and the memory for that.
+Result<std::vector<SavedDeformation>> prepare_shapes(Simulation& simulation, const SaveReader& reader) {
+    std::vector<SavedDeformation> read;
+    Result<void> checked;
+    simulation.shapes.for_each([&](ShapeId, std::unique_ptr<HeldShape>& shape) {
+        if (!checked) return;
+        ShapeHead head;
+        reader(std::span(&head, 1));
+        if (head.vertices != 0 && head.vertices != shape->deformable()) {
+            checked = other_world("its shape " + std::to_string(read.size()) + " has " +
+                                  std::to_string(head.vertices) + " vertices, the one here " +
+                                  std::to_string(shape->deformable()));
+            return;
+        }
+        SavedDeformation& made = read.emplace_back();
+        if (head.vertices == 0) return;
+        shape->prepare_deformation();
+        made.vertices.resize(head.vertices);
+        made.displacements.resize(head.displacements);
+        reader(std::span(made.vertices));
+        reader(std::span(made.displacements));
+        reader(std::span(&made.step, 1));
+    });
+    if (!checked) return checked.error();
+    return read;
+}
+
 /// Before anything is changed: whether each cloth can take its part, and what its pins will need.
-Result<std::vector<std::vector<Pin>>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
-    std::vector<std::vector<Pin>> pins;
+Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
+    std::vector<Saved> cloths;
     Result<void> checked;
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (!checked) return;
         ClothHead head;
         reader(std::span(&head, 1));
-        checked = check_cloth(pins.size(), head, ClothHead(cloth->state));
+        checked = check_cloth(cloths.size(), head, ClothHead(cloth->state));
         if (!checked) return;
-        pins.push_back(read_pins(reader.after(head.bytes_before_pins()), head.pins));
-        cloth->prepare_restore(pins.back());
-        reader.skip(part_bytes(cloth->state, head.pins));
+        cloths.push_back({read_pins(reader.after(head.bytes_before_pins()), head.pins), head.frame != 0});
+        cloth->prepare_restore(cloths.back().pins);
+        if (cloths.back().in_frame) cloth->seen_colliders.reserve(simulation.state.colliders.size());
+        reader.skip(part_bytes(cloth->state, head));
     });
     if (!checked) return checked.error();
-    return pins;
+    return cloths;
 }
 
 }  // namespace
 
 std::size_t save_size(const Simulation& simulation) {
     SaveSize size;
-    for_each_saved(simulation, size);
+    for_each_part(simulation, size);
     return sizeof(SaveHead) + size.bytes();
 }
 
@@ -158,7 +208,7 @@ Result<void> save(const Simulation& simulation, std::span<std::byte> to) {
     if (to.size() < head.bytes)
         return Error{ErrorCode::invalid_argument, "save needs " + std::to_string(head.bytes) + " bytes; " +
                                                       std::to_string(to.size()) + " were given"};
-    for_each_saved(simulation, SaveWriter(to.data() + sizeof head));
+    for_each_part(simulation, SaveWriter(to.data() + sizeof head));
     head.hash = hash_of(to.subspan(sizeof head, head.bytes - sizeof head));
     std::memcpy(to.data(), &head, sizeof head);
     return {};
@@ -174,17 +224,27 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
     if (auto checked = check_world(head, simulation); !checked) return checked;
     SaveSize of_world;
     for_each_part(std::as_const(simulation.state), of_world);
-    const SaveReader reader(saved.data() + sizeof head);
-    auto pins = prepare_cloths(simulation, reader.after(of_world.bytes()));
-    if (!pins) return pins.error();
+    const SaveReader reader(saved.data() + sizeof head), ahead = reader.after(of_world.bytes());
+    const auto deformations = prepare_shapes(simulation, ahead);
+    if (!deformations) return deformations.error();
+    const SaveReader of_cloths = ahead;
+    auto cloths = prepare_cloths(simulation, ahead);
+    if (!cloths) return cloths.error();
 
     // From here on nothing can fail.
     for_each_part(simulation.state, reader);
-    auto of_cloth = pins->begin();
+    auto of_shape = deformations->begin();
+    simulation.shapes.for_each([&](ShapeId, std::unique_ptr<HeldShape>& shape) {
+        shape->put_back({of_shape->vertices, of_shape->displacements, of_shape->step});
+        ++of_shape;
+    });
+    auto of_cloth = cloths->begin();
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        reader.skip(sizeof(ClothHead));
-        cloth->state.pins = std::move(*of_cloth++);
-        for_each_part(cloth->state, reader);
+        of_cloths.skip(sizeof(ClothHead));
+        cloth->state.pins = std::move(of_cloth->pins);
+        cloth->state.frame.reset();
+        if (of_cloth++->in_frame) cloth->state.frame.emplace();
+        for_each_part(cloth->state, of_cloths);
         simulation.state_has_changed(*cloth);
     });
     simulation.clear_contacts();

@@ -1,6 +1,7 @@
 #pragma once
-// How a save is laid out: a head, the World's own part, then a head and a part for each cloth, in the order
-// of their ids. Little-endian, without padding; the parts are as for_each_part() visits them.
+// How a save is laid out: a head, the World's own part, then a head and a part for each shape and for each
+// cloth, in the order of their ids. Little-endian, without padding; the parts are as for_each_part() visits
+// them.
 
 #include <array>
 #include <bit>
@@ -11,13 +12,14 @@
 #include <type_traits>
 
 #include "cloth/frame/state.h"
+#include "collision/shapes/held_shape.h"
 
 namespace weft {
 
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 2;
+inline constexpr std::uint32_t save_version = 5;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -28,10 +30,25 @@ struct SaveHead {
     std::uint32_t bodies = 0;
     std::uint32_t attached = 0;  ///< colliders and vertices, as attached_of() has them
     std::uint32_t kinds = 0;     ///< of the colliders' shapes, as kinds_of() has them
-    std::uint64_t bytes = 0;     ///< of the whole save
-    std::uint64_t hash = 0;      ///< of all behind the head
+    std::uint32_t shapes = 0;
+    std::uint32_t deformable = 0;  ///< vertices of all shapes
+    std::uint64_t bytes = 0;       ///< of the whole save
+    std::uint64_t hash = 0;        ///< of all behind the head
 };
 static_assert(std::has_unique_object_representations_v<SaveHead>);
+
+/// What of a shape's deformation there is: 0, or all of its vertices.
+struct ShapeHead {
+    std::uint32_t vertices = 0, displacements = 0;
+
+    ShapeHead() = default;
+    explicit ShapeHead(const HeldShape& shape) {
+        const HeldShape::Deformation deformation = shape.deformation();
+        vertices = static_cast<std::uint32_t>(deformation.vertices.size());
+        displacements = static_cast<std::uint32_t>(deformation.displacements.size());
+    }
+};
+static_assert(std::has_unique_object_representations_v<ShapeHead>);
 
 /// What of a cloth's state there is, in items. Pins may differ from what the cloth has; the rest may not.
 struct ClothHead {
@@ -40,6 +57,9 @@ struct ClothHead {
     std::uint32_t record = 0;   ///< of BDF2's last step
     std::uint32_t held = 0;     ///< by colliders
     std::uint32_t tangles = 0;  ///< remembered by contact
+    std::uint32_t rest = 0;     ///< 1: it may fall asleep
+    std::uint32_t skin = 0;     ///< places and normals of it
+    std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
 
     ClothHead() = default;
     explicit ClothHead(const ClothState& state)
@@ -47,7 +67,10 @@ struct ClothHead {
           particles(state.size()),
           record(static_cast<std::uint32_t>(state.record.displacements.size())),
           held(static_cast<std::uint32_t>(state.held.normals.size())),
-          tangles(static_cast<std::uint32_t>(state.tangles.size())) {}
+          tangles(static_cast<std::uint32_t>(state.tangles.size())),
+          rest(state.rest ? 1 : 0),
+          skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
+          frame(state.frame ? 1 : 0) {}
 
     /// Where for_each_part() visits the pins: behind positions, previous positions, velocities and normals.
     [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }
@@ -60,6 +83,10 @@ class SaveSize {
     template <class T, std::size_t extent>
     void operator()(std::span<T, extent> part) const {
         bytes_ += part.size_bytes();
+    }
+    template <class Head>
+    void head(const Head& head) const {
+        bytes_ += sizeof head;
     }
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
@@ -76,6 +103,10 @@ class SaveWriter {
         if (part.empty()) return;
         std::memcpy(to_, part.data(), part.size_bytes());
         to_ += part.size_bytes();
+    }
+    template <class Head>
+    void head(const Head& head) const {
+        (*this)(std::span(&head, 1));
     }
 
   private:

@@ -51,8 +51,9 @@ struct StepReport {
     StepFlags flags = StepFlags::none;
     std::uint64_t step = 0;  ///< steps taken since the World was made, this one included
     int substeps = 0;
-    std::uint32_t cloths = 0;
-    std::uint32_t particles = 0;
+    std::uint32_t cloths = 0;             ///< that are enabled
+    std::uint32_t sleeping_cloths = 0;    ///< of these, which were not stepped
+    std::uint32_t particles = 0;          ///< that were stepped
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider, in the last substep
     std::uint32_t self_contacts = 0;      ///< pairs that are close, in the last substep
     /// All that there were, in the whole step, for World::contacts() to choose from; 0 where
@@ -63,6 +64,10 @@ struct StepReport {
     /// have passed through cloth.
     std::uint32_t truncated_particles = 0;
     float pin_lag = 0;  ///< the farthest that a pin is from its target, stopped by cloth [m]
+    /// Particles that are beyond their leash or in their backstop, since cloth was in their way, by more than
+    /// 1e-6 m; and the farthest of them [m].
+    std::uint32_t limits_exceeded = 0;
+    float limit_lag = 0;
     /// By contact: places where an edge goes through a triangle, at the start of the last substep. Only a
     /// state that was given so has any, or one that was put back. They are let apart, which may take a
     /// second, and are more for a while on the way. Hooked folds can stay.

@@ -67,6 +67,15 @@ struct Tethers {
     float slack = 1.0f;  ///< times the length along the cloth, 1 to 1000
 };
 
+/// How much of its frame's motion a cloth feels, see World::set_frame: each from 0, nothing, to 1, all. At 1
+/// each a frame has no effect, and takes no time.
+struct FrameInertia {
+    float linear = 1;  ///< of the acceleration of the frame's origin
+    /// Of the acceleration of its turning (Euler's), and of what it does to what moves in it (Coriolis').
+    float angular = 1;
+    float centrifugal = 1;  ///< of what turning drives outwards
+};
+
 /// One cloth. All of it can be changed between steps.
 struct ClothSettings {
     Fabric fabric{};
@@ -82,7 +91,22 @@ struct ClothSettings {
     float air_damping = 0.2f;  ///< rate at which any velocity decays, shape and all [1/s], 0 to 1e6
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
+    /// Of the normal velocity with which a particle hits a collider, the part with which it leaves, 0 to 1;
+    /// the greater of this and the collider's own, see Collider::restitution.
+    float restitution = 0;
+    /// It meets colliders that have one of these bits in Collider::layers, whatever they are. 0: none, at no
+    /// cost.
+    std::uint32_t collider_mask = ~0u;
     ColliderResponse collider_response = ColliderResponse::contact;
+    /// False: no step moves it, nothing meets it, and it costs nothing; it stays where it is, and may be
+    /// pinned and set meanwhile. See World::set_enabled.
+    bool enabled = true;
+    /// Cloth of which no particle has been faster for half a second [m/s], 0 to 1000, falls asleep: it stands
+    /// still and costs next to nothing, until a pin or a collider near it moves, awake cloth comes near, the
+    /// wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together. Gusts let
+    /// none. A hundredth is little to see; 0: it never sleeps.
+    float sleep_speed = 0;
+    FrameInertia frame_inertia{};
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.

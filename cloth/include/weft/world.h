@@ -11,12 +11,15 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/debug_draw.h"
 #include "weft/error.h"
+#include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
 #include "weft/report.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"
+#include "weft/transform.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -50,6 +53,28 @@ struct ClothInfo {
     friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
 };
 
+/// A cloth made ready for a World that is to take it over at once: cooking takes a frame and more, and may be
+/// done on any thread, for many cloths at a time.
+class PreparedCloth {
+  public:
+    /// Errors are those of World::add_cloth.
+    [[nodiscard]] static Result<PreparedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
+    PreparedCloth(PreparedCloth&&) noexcept;
+    PreparedCloth& operator=(PreparedCloth&&) noexcept;
+    ~PreparedCloth();
+
+    /// No longer once a World has taken it over.
+    [[nodiscard]] bool has_cloth() const noexcept { return impl_ != nullptr; }
+    /// Error: it has no cloth. In a World with colliders, wind or contact reports it takes more bytes.
+    [[nodiscard]] Result<ClothInfo> info() const;
+
+  private:
+    friend class World;
+    struct Impl;
+    explicit PreparedCloth(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
 /// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
 /// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
 /// vertices.
@@ -80,12 +105,21 @@ class World {
     /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex
     /// or triangle.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
+    /// Takes it over, which costs what its memory for this World does: .1 ms for a garment. The same cloth as
+    /// by its mesh. Error: it has no cloth; with any, it keeps the one that it has.
+    Result<ClothId> add_cloth(PreparedCloth&& cloth);
     /// What cloth_info would say of it; nothing is added. Takes as long as add_cloth, and the memory
     /// meanwhile.
     [[nodiscard]] Result<ClothInfo> measure_cloth(const Mesh& mesh, const ClothSettings& settings = {}) const;
     Result<void> remove_cloth(ClothId id);
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
+    /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, the cloth goes on from rest
+    /// where it was left, and finds its way out of what has moved into it.
+    Result<void> set_enabled(ClothId id, bool on);
+    /// See ClothSettings::sleep_speed.
+    [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
+    Result<void> wake(ClothId id);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
     /// next call for the same cloth writes it anew. Copy it to keep it.
@@ -105,6 +139,53 @@ class World {
     /// All of them or, with an error, none. A vertex that is not pinned stays free.
     Result<void> unpin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> unpin(ClothId id, std::uint32_t vertex) { return unpin(id, {&vertex, 1}); }
+
+    /// Teleports the cloth, with its pins, their targets, its skin and its frame: it keeps its shape, and how
+    /// it moves within it, and gets no velocity. Its last positions go along, so that a blend of the two
+    /// shows no way. Colliders and other cloths stay; what it then crosses is let apart, what it is then
+    /// inside of puts it out. The rotation is about the World's origin. Errors: the rotation is none, or a
+    /// vertex would be out of the 100 km around the origin.
+    Result<void> move_cloth(ClothId id, const Transform& by);
+
+    /// For cloth on what moves: a character, a vehicle. The first call says where the cloth's frame is and
+    /// moves nothing; by each later one it goes there over the next step. A step in which it is not told where
+    /// to go it stands still. By ClothSettings::frame_inertia the cloth then feels the frame's acceleration:
+    /// all of it where each is 1, as cloth does that knows of no frame; none where each is 0, as though the
+    /// frame stood still, with gravity and wind as they are in the World.
+    ///
+    /// Before a step the cloth is carried by what of the frame's way it is not to feel (1 - linear of the way
+    /// of its origin, 1 - angular of its turn), its velocities turned with it: they, too, are without that
+    /// part. Pins are where they are told to be. Colliders go relative to the cloth as they do to the frame,
+    /// so that a body that moves with it rubs and pushes nothing. Cloths that touch want the same frame and
+    /// inertia: what one is carried across crosses, and is let apart. A turn in one step is the shorter way
+    /// round; a jump is move_cloth's. Errors: a rotation that is none, a place beyond 100 km.
+    Result<void> set_frame(ClothId id, const Transform& pose);
+    /// As before the first set_frame().
+    Result<void> leave_frame(ClothId id);
+
+    /// A number for each vertex, or none, which takes the map away. It is not saved. Errors: values of
+    /// another count than the mesh's vertices; a value out of the map's range, by its vertex; a backstop that
+    /// begins beyond the leash.
+    Result<void> set_map(ClothId id, Map map, std::span<const float> values);
+    /// Where each vertex would be if it were part of what the cloth is worn on, and the normal there, out of
+    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is; by
+    /// each later one it goes there over the next step. Of vertices that were welded the last counts. Normals
+    /// are needed by backstops only, else may be none. It takes no memory.
+    ///
+    /// A step ends with every free particle within its leash and out of its backstop, but for rounding; both
+    /// are smooth. They are in the equation of implicit methods, as colliders are, and come after colliders.
+    /// Pins come before them; so does by SelfCollisionMethod::contact, and by impact zones, that cloth does
+    /// not cross: StepReport::limits_exceeded says where that kept one. Errors name the vertex; or no map of
+    /// leashes or backstops is set.
+    Result<void> set_skin(ClothId id, std::span<const Vec3> places, std::span<const Vec3> normals);
+
+    /// Makes `to` the World's new origin: all that is in it, gusts too, gets coordinates less by that, and
+    /// nothing else changes. Single precision has steps of 8 mm at 100 km, and of 0.06 mm at 1 km. So keep
+    /// the World's origin near the camera, by whole metres whenever that is some 500 m away, and add the sum
+    /// of all `to`, in double precision, to what the World gives out. Poses and targets are then given less
+    /// that sum. Saves have coordinates by the origin that there was. Error: something would be out of the
+    /// 100 km around the new origin.
+    Result<void> shift_origin(const Vec3& to);
 
     /// Takes a copy of a shape, of which colliders are then placed (PlacedShape). Errors name the vertex, the
     /// triangle, or what is not closed.
@@ -173,8 +254,9 @@ class World {
     [[nodiscard]] const StepReport& report() const noexcept;
 
     /// What touched what in the last step, and how hard: the strongest that WorldSettings::contact_reports
-    /// has room for, of StepReport::contacts. Valid until the next step() or set_settings(). In the order of
-    /// cloths; of each first what it has with cloth, then with colliders by particle.
+    /// has room for, of StepReport::contacts; triggers', which have no strength, where there is room left.
+    /// Valid until the next step() or set_settings(). In the order of cloths; of each first what it has with
+    /// cloth, then with colliders by particle, then with triggers.
     ///
     /// Impulses are of the whole step. A particle and its colliders are one contact; a pair of features or
     /// particles is one for each substep in which it pushed: what a cloth got is the sum. With colliders it
@@ -193,6 +275,10 @@ class World {
     /// Chrome's trace event format, a track for each thread: opens in Perfetto and chrome://tracing.
     Result<void> write_trace(const std::filesystem::path& file) const;
 
+    /// Calls the canvas with what is asked for, as it is after the last step: it takes no memory, and as long
+    /// as it takes to draw. Only exceptions of the canvas leave it.
+    void debug_draw(const DebugCanvas& canvas, DebugParts parts) const;
+
     /// Of all that changes from step to step, pins and colliders included: the same for any number of
     /// threads, with the same binary.
     [[nodiscard]] std::uint64_t state_hash() const;
@@ -201,15 +287,16 @@ class World {
     /// by some steps, and for saved games. Steps that follow restore() give the bytes of those that followed
     /// save(), on any number of threads and any processor, whatever was done in between.
     ///
-    /// Meshes, shapes and settings are not in it. The World it is put back into, this one or one made later,
-    /// has the same cloths and colliders, in the order of their ids, and the host sets the settings that they
-    /// had. Pins may be others. A library that lays saves out otherwise refuses them by their version.
+    /// Meshes, shapes and settings are not in it, but for the vertices of deformed shapes. The World it is
+    /// put back into, this one or one made later, has the same cloths, shapes and colliders, in the order of
+    /// their ids, and the host sets the settings that they had. Pins may be others. A library that lays saves
+    /// out otherwise refuses them by their version.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Writes the first save_size() bytes. Error: `to` is shorter.
     Result<void> save(std::span<std::byte> to) const;
     /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none.
     /// Errors, by which nothing changes: a save that is damaged, of another version, or of a World with other
-    /// cloths or colliders, or settings by which they have another state.
+    /// cloths, shapes or colliders, or settings by which they have another state.
     Result<void> restore(std::span<const std::byte> saved);
 
   private:

@@ -87,41 +87,79 @@ struct Weight {
     std::uint32_t coarse;
     float value;
 };
-using Rows = std::vector<std::vector<Weight>>;
+
+/// Rows of weights, one after the other.
+struct Rows {
+    std::vector<std::size_t> offsets{0};
+    std::vector<Weight> weights;
+
+    [[nodiscard]] std::span<const Weight> row(std::uint32_t i) const {
+        return std::span(weights).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+    }
+    void end_row() { offsets.push_back(weights.size()); }
+};
+
+/// Adds up a row, whose nodes keep the order in which they came.
+class RowSum {
+  public:
+    explicit RowSum(std::uint32_t coarse) : places_(coarse, none) {}
+
+    void add(std::uint32_t coarse, float value) {
+        std::uint32_t& place = places_[coarse];
+        if (place == none) {
+            place = static_cast<std::uint32_t>(row_.size());
+            row_.push_back({coarse, value});
+        } else {
+            row_[place].value += value;
+        }
+    }
+    /// Appends the row over `divisor`, and begins another.
+    void move_to(Rows& rows, float divisor) {
+        for (const Weight& w : row_) {
+            rows.weights.push_back({w.coarse, w.value / divisor});
+            places_[w.coarse] = none;
+        }
+        rows.end_row();
+        row_.clear();
+    }
+
+  private:
+    static constexpr std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> places_;  // in the row, by coarse node
+    std::vector<Weight> row_;
+};
 
 /// One Jacobi sweep of the springs' Laplacian on the weights; kept nodes hold theirs.
-Rows smoothed(const SpringGraph& graph, const std::vector<bool>& is_kept, const Rows& rows) {
-    Rows result(rows.size());
+Rows smoothed(const SpringGraph& graph, const std::vector<bool>& is_kept, const Rows& rows, RowSum& sum) {
+    Rows result;
+    result.offsets.reserve(rows.offsets.size());
+    result.weights.reserve(2 * rows.weights.size());
+    const auto keep = [&](std::uint32_t i) {
+        const std::span<const Weight> row = rows.row(i);
+        result.weights.insert(result.weights.end(), row.begin(), row.end());
+        result.end_row();
+    };
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (is_kept[i]) {
-            result[i] = rows[i];
+        float stiffness = 0;
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e)
+            stiffness += graph.stiffness[e];
+        if (is_kept[i] || stiffness == 0) {
+            keep(i);
             continue;
         }
-        std::vector<Weight>& row = result[i];
-        float sum = 0;
-        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
-            const float stiffness = graph.stiffness[e];
-            sum += stiffness;
-            for (const Weight& w : rows[graph.neighbours[e]]) {
-                const auto at = std::ranges::find(row, w.coarse, &Weight::coarse);
-                if (at == row.end())
-                    row.push_back({w.coarse, stiffness * w.value});
-                else
-                    at->value += stiffness * w.value;
-            }
-        }
-        if (sum == 0)
-            row = rows[i];
-        else
-            for (Weight& w : row) w.value /= sum;
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e)
+            for (const Weight& w : rows.row(graph.neighbours[e]))
+                sum.add(w.coarse, graph.stiffness[e] * w.value);
+        sum.move_to(result, stiffness);
     }
     return result;
 }
 
 /// Keeps the largest weights of each row, scaled to sum 1, ascending by node.
-void store_rows(Rows& rows, Interpolation& interpolation) {
+void store_rows(const Rows& rows, Interpolation& interpolation) {
+    std::vector<Weight> row;
     for (std::uint32_t i = 0; i < interpolation.fine; ++i) {
-        std::vector<Weight>& row = rows[i];
+        row.assign(rows.row(i).begin(), rows.row(i).end());
         std::ranges::sort(row, [](const Weight& a, const Weight& b) {
             return std::pair(-a.value, a.coarse) < std::pair(-b.value, b.coarse);
         });
@@ -196,13 +234,16 @@ Coarsening coarsen(const SpringGraph& graph, const Components& components, float
         is_kept[p.kept[c]] = true;
         coarse_of[p.kept[c]] = c;
     }
-    Rows rows(graph.nodes());
+    Rows rows;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (voronoi.distance[i] == infinity) continue;  // nobody's
-        voronoi.owner[i] = coarse_of[voronoi.owner[i]];
-        rows[i] = {{voronoi.owner[i], 1.0f}};
+        if (voronoi.distance[i] != infinity) {  // else nobody's
+            voronoi.owner[i] = coarse_of[voronoi.owner[i]];
+            rows.weights.push_back({voronoi.owner[i], 1.0f});
+        }
+        rows.end_row();
     }
-    for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(graph, is_kept, rows);
+    RowSum sum(p.coarse);
+    for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(graph, is_kept, rows, sum);
     store_rows(rows, p);
     store_transpose(p);
     return {std::move(p), std::move(voronoi.owner), std::move(voronoi.distance)};

@@ -1,6 +1,7 @@
 #include "cloth/solvers/multigrid/galerkin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -22,15 +23,22 @@ struct Difference {
     float value;
 };
 
+struct RowDifference {
+    std::array<Difference, 2 * Interpolation::width> entries;
+    std::size_t size = 0;
+    [[nodiscard]] auto begin() { return entries.begin(); }
+    [[nodiscard]] auto end() { return entries.begin() + size; }
+};
+
 /// Row i minus row j of P, entries that are not 0.
-std::vector<Difference> row_difference(const Interpolation& p, const Link& link) {
-    std::vector<Difference> result;
+RowDifference row_difference(const Interpolation& p, const Link& link) {
+    RowDifference result;
     for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
         for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
             if (p.weights[e] == 0) continue;
             const auto at = std::ranges::find(result, p.nodes[e], &Difference::coarse);
             if (at == result.end())
-                result.push_back({p.nodes[e], sign * p.weights[e]});
+                result.entries[result.size++] = {p.nodes[e], sign * p.weights[e]};
             else
                 at->value += sign * p.weights[e];
         }
@@ -165,7 +173,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
             for (std::uint32_t t = touching.offsets[i]; t < touching.offsets[i + 1]; ++t) {
                 const std::uint32_t link = touching.links[t];
                 if (std::exchange(seen[link], c) == c) continue;
-                const std::vector<Difference> row = row_difference(p, links[link]);
+                RowDifference row = row_difference(p, links[link]);
                 const auto own = std::ranges::find(row, c, &Difference::coarse);
                 for (const Difference& other : row) {
                     const float factor = -own->value * other.value;

@@ -48,8 +48,10 @@ TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t trian
     const RestStrains rest = rest_strains(model, triangle);
     TriangleMembrane result;
     result.rest_lengths = rest.lengths;
-    const Eigen::Vector3d moduli(static_cast<double>(fabric.warp), static_cast<double>(fabric.weft),
-                                 static_cast<double>(fabric.shear));
+    const Eigen::Vector3d moduli =
+        stiffness_at(model, model.triangles[triangle]) *
+        Eigen::Vector3d(static_cast<double>(fabric.warp), static_cast<double>(fabric.weft),
+                        static_cast<double>(fabric.shear));
     const Eigen::Matrix3d c = rest.area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
     const double scale = std::max(1.0, least_bound * bound_of(c));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +66,8 @@ TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t trian
 TriangleStiffening triangle_stiffening(const CookedCloth& model, std::uint32_t triangle,
                                        const Fabric& fabric) {
     const RestStrains rest = rest_strains(model, triangle);
-    const auto stiffening = static_cast<double>(fabric.stiffening);
+    const double stiffening =
+        static_cast<double>(fabric.stiffening) * stiffness_at(model, model.triangles[triangle]);
     TriangleStiffening result;
     result.moduli = {rest.area * stiffening * static_cast<double>(fabric.warp),
                      rest.area * stiffening * static_cast<double>(fabric.weft)};

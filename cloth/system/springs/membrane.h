@@ -26,6 +26,7 @@
 #include <span>
 
 #include "cloth/mesh/cook.h"
+#include "cloth/mesh/stiffness_map.h"
 #include "weft/settings.h"
 
 namespace weft {
@@ -102,7 +103,7 @@ void for_each_stiffening_of_cell(const CookedCloth& model, const Fabric& fabric,
                                  const Add& add) {
     const std::uint32_t far = near + model.columns;
     const auto [a, b] = sides_of_cell(model, near);
-    const auto s = static_cast<double>(fabric.stiffening);
+    const double s = static_cast<double>(fabric.stiffening) * stiffness_of_cell(model, near);
     const double along_a = s * static_cast<double>(fabric.warp) * b / a / 2,
                  along_b = s * static_cast<double>(fabric.weft) * a / b / 2;
     add(near, near + 1, along_a);
@@ -119,9 +120,10 @@ void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, 
     const std::uint32_t far = near + model.columns;
     const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
     const auto [a, b] = sides_of_cell(model, near);
-    const double along_a = (moduli.warp * b / a - moduli.shear * a / b) / 2;
-    const double along_b = (moduli.weft * a / b - moduli.shear * b / a) / 2;
-    const double diagonal = moduli.shear * (a * a + b * b) / (2 * a * b);
+    const double factor = stiffness_of_cell(model, near);
+    const double along_a = factor * ((moduli.warp * b / a - moduli.shear * a / b) / 2);
+    const double along_b = factor * ((moduli.weft * a / b - moduli.shear * b / a) / 2);
+    const double diagonal = factor * (moduli.shear * (a * a + b * b) / (2 * a * b));
     add(near, near + 1, along_a, rest(near, near + 1));
     add(far, far + 1, along_a, rest(far, far + 1));
     add(near, far, along_b, rest(near, far));

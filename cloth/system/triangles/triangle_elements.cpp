@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "cloth/mesh/rest_elements.h"
+#include "cloth/mesh/stiffness_map.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/system/triangles/triangle_elements.cpp"
@@ -93,7 +94,8 @@ TriangleElements::TriangleElements(const CookedCloth& model)
         shape << sides.to1, sides.to2;
         const Eigen::Matrix2f gradients = shape.inverse();  // its rows are dphi_1/dX and dphi_2/dX
         const float values[] = {gradients(0, 0), gradients(0, 1), gradients(1, 0), gradients(1, 1),
-                                0.5f * std::abs(shape.determinant())};
+                                0.5f * std::abs(shape.determinant()) *
+                                    static_cast<float>(stiffness_at(model, model.triangles[t]))};
         for (std::size_t k = 0; k < 5; ++k) rest[k][t] = values[k];
     }
 }

@@ -53,9 +53,24 @@ struct PlacedShape {
     Rotation rotation{};  ///< of its axes from the World's
 };
 
+/// What of it two surfaces have together, and what a cloth's own has to do with it, each field says. All of
+/// it can be changed by moving or placing the collider: by moving, numbers go along with it over the step,
+/// and layers and triggers are what they are to be from its start.
 struct Collider {
     std::variant<Sphere, Capsule, Plane, TaperedCapsule, Box, PlacedShape> shape{};
     float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
+    float thickness = 0;    ///< distance kept from it, added to the cloth's own [m], from 0 to 10
+    /// Of the normal velocity with which a particle hits it, the part with which it leaves, from 0 to 1; the
+    /// greater of this and the cloth's own. What comes slower than twice what gravity adds in a substep does
+    /// not bounce, so that cloth comes to rest.
+    float restitution = 0;
+    /// A cloth meets it if its ClothSettings::collider_mask has a bit of these. One that it does not meet
+    /// takes it no time, and is not in its contacts.
+    std::uint32_t layers = 1;
+    /// No force, and not a byte of the motion; World::contacts() has one contact, without an impulse, for
+    /// each cloth of which a particle is nearer than the thickness when a step ends: the deepest. Where none
+    /// are reported it takes no time.
+    bool is_trigger = false;
 };
 
 /// What colliders do to cloth.
@@ -66,8 +81,8 @@ enum class ColliderResponse : std::uint8_t {
     /// Velocities alone are filtered, as solved and before positions follow them: of a particle inside a
     /// shape,
     /// what goes farther in is taken (Levin, CSC2549, 2020). Cheapest, and to compare with: cloth sinks in by
-    /// up to a step's way and is never pushed out, it slides without friction, `thickness` has no part in it,
-    /// and no contacts are reported.
+    /// up to a step's way and is never pushed out, it slides without friction, its own thickness has no part
+    /// in it, nothing bounces, and no contacts are reported.
     velocity_filter,
 };
 

@@ -25,8 +25,13 @@ render::FabricLook look_of(std::size_t cloth) {
     return {.front = front, .back = {paler(front.x), paler(front.y), paler(front.z)}};
 }
 
-/// Looks at all that there is at the start.
-render::OrbitCamera camera_at(const ContactScene& scene) {
+/// How a scene is looked at, against all that there is at its start.
+struct View {
+    float nearer = 1;  ///< by this factor: most of what is to be seen is smaller
+    float lower = 0;   ///< [m]
+};
+
+render::OrbitCamera camera_at(const ContactScene& scene, const View& view) {
     Vector3 lower = Vector3::Constant(1e9f), upper = -lower;
     for (const PlacedCloth& cloth : scene.cloths) {
         for (const Vec3& p : cloth.mesh.positions) {
@@ -38,15 +43,15 @@ render::OrbitCamera camera_at(const ContactScene& scene) {
     if (has_ground) lower.y() = std::min(lower.y(), 0.0f);
     const Vector3 middle = 0.5f * (lower + upper);
     const float height = has_ground ? 0.3f * upper.y() : middle.y();
-    return {.target = {middle.x(), height, middle.z()},
-            .distance = 1.5f * (upper - lower).norm(),
+    return {.target = {middle.x(), height - view.lower, middle.z()},
+            .distance = 1.5f * (upper - lower).norm() / view.nearer,
             .yaw = 0.6f,
             .pitch = 0.4f};
 }
 
 class ContactStage final : public Scene {
   public:
-    explicit ContactStage(SceneMaker maker) : maker_(std::move(maker)) {}
+    ContactStage(SceneMaker maker, const View& view) : maker_(std::move(maker)), view_(view) {}
 
     [[nodiscard]] WorldSettings world_settings() const override { return maker_.make(0).world; }
 
@@ -68,7 +73,7 @@ class ContactStage final : public Scene {
             colliders_.push_back(*id);
             if (!std::holds_alternative<Plane>(collider.shape)) content.drawn_colliders.push_back(*id);
         }
-        content.camera = camera_at(scene_);
+        content.camera = camera_at(scene_, view_);
         return content;
     }
 
@@ -112,33 +117,34 @@ class ContactStage final : public Scene {
     };
 
     SceneMaker maker_;
+    View view_;
     ContactScene scene_;
     std::vector<ClothId> cloths_;
     std::vector<ColliderId> colliders_;
 };
 
 /// Precondition: there is a scene of that name.
-std::unique_ptr<Scene> stage(std::string_view name) {
+std::unique_ptr<Scene> stage(std::string_view name, const View& view = {}) {
     std::vector<SceneMaker> makers = contact_scenes();
-    return std::make_unique<ContactStage>(*std::ranges::find(makers, name, &SceneMaker::name));
+    return std::make_unique<ContactStage>(*std::ranges::find(makers, name, &SceneMaker::name), view);
 }
 
 }  // namespace
 
 std::unique_ptr<Scene> make_folddrop_scene() {
-    return stage("folddrop");
+    return stage("folddrop", {.nearer = 1.6f, .lower = 0.1f});
 }
 std::unique_ptr<Scene> make_stack_scene() {
     return stage("stack 5 of cloths");
 }
 std::unique_ptr<Scene> make_layers_scene() {
-    return stage("stacked of cloths");
+    return stage("stacked of cloths", {.nearer = 1.7f});
 }
 std::unique_ptr<Scene> make_crumple_scene() {
-    return stage("crumple");
+    return stage("crumple", {.nearer = 1.8f, .lower = 0.15f});
 }
 std::unique_ptr<Scene> make_twist_scene() {
-    return stage("twist");
+    return stage("twist", {.nearer = 1.25f});
 }
 std::unique_ptr<Scene> make_gathered_scene() {
     return stage("gathered");
@@ -147,13 +153,13 @@ std::unique_ptr<Scene> make_yank_scene() {
     return stage("yank 10");
 }
 std::unique_ptr<Scene> make_meeting_scene() {
-    return stage("zero gravity of cloths");
+    return stage("zero gravity of cloths", {.nearer = 0.8f});
 }
 std::unique_ptr<Scene> make_hammock_scene() {
-    return stage("dropped on of cloths");
+    return stage("dropped on of cloths", {.nearer = 1.4f, .lower = -0.35f});
 }
 std::unique_ptr<Scene> make_tangled_scene() {
-    return stage("tangled hung");
+    return stage("tangled hung", {.nearer = 0.55f, .lower = 0.35f});
 }
 std::unique_ptr<Scene> make_crossed_scene() {
     return stage("crossed 20");

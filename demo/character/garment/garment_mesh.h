@@ -23,4 +23,7 @@ void drop_unfit_pattern(Mesh& mesh);
 /// of the topmost fiftieth where the mesh has no opening.
 [[nodiscard]] std::vector<std::uint32_t> highest_opening(const Mesh& mesh);
 
+/// Closed rows of border edges: a skirt has two, a shirt four.
+[[nodiscard]] std::size_t count_openings(const Mesh& mesh);
+
 }  // namespace weft::demo

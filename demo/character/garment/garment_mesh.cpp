@@ -1,4 +1,4 @@
-#include "demo/scenes/garment_mesh.h"
+#include "demo/character/garment/garment_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -136,6 +136,10 @@ void drop_unfit_pattern(Mesh& mesh) {
         }
     }
     if (!(on_pattern > 0.7f * in_space && on_pattern < 1.4f * in_space)) mesh.pattern.clear();
+}
+
+std::size_t count_openings(const Mesh& mesh) {
+    return connected_parts(border_edges(mesh)).size();
 }
 
 std::vector<std::uint32_t> highest_opening(const Mesh& mesh) {

@@ -1,0 +1,40 @@
+#pragma once
+// Lines on a host's canvas.
+
+#include <array>
+
+#include "engine/vector.h"
+#include "weft/collider.h"
+#include "weft/debug_draw.h"
+
+namespace weft {
+
+class HeldShape;
+
+class Pen {
+  public:
+    explicit Pen(const DebugCanvas& canvas) : canvas_(canvas) {}
+
+    void line(const Vector3& from, const Vector3& to, const Vec3& colour) const {
+        if (canvas_.line != nullptr) canvas_.line(canvas_.user, to_vec3(from), to_vec3(to), colour);
+    }
+    void text(const Vector3& at, const char* words, const Vec3& colour) const {
+        if (canvas_.text != nullptr) canvas_.text(canvas_.user, to_vec3(at), words, colour);
+    }
+    /// Three lines that cross, each so long.
+    void cross(const Vector3& at, float length, const Vec3& colour) const;
+    /// The edges of a box about the origin of a space.
+    void box(const Vector3& origin, const Matrix3& axes, const Vector3& half, const Vec3& colour) const;
+    void box(const Bounds& bounds, const Vec3& colour) const;
+    /// About `centre`, in the plane of u and v, which have its radius.
+    void circle(const Vector3& centre, const Vector3& u, const Vector3& v, const Vec3& colour) const;
+
+  private:
+    const DebugCanvas& canvas_;
+};
+
+/// `held`: of a PlacedShape. A plane is drawn around `about`.
+void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held, const Vector3& about,
+                   const Vec3& colour);
+
+}  // namespace weft

@@ -1,0 +1,200 @@
+// Which cloths a step takes: those that are enabled and awake. Cloth that has been still for a while sleeps
+// with all that it touches, until something near it moves, or the host changes what it feels.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "cloth/frame/simulation.h"
+#include "collision/shapes/moving_shapes.h"
+
+namespace weft {
+
+namespace {
+
+/// How long a cloth has to be still before it sleeps [s].
+constexpr float time_to_sleep = 0.5f;
+/// What is farther from a sleeping cloth than its thickness and this does not wake it [m].
+constexpr float wakes_within = 1e-3f;
+
+Bounds grown(const Survey& extent, float by) {
+    const Vec3 &lower = extent.lower, &upper = extent.upper;
+    return {{lower.x - by, lower.y - by, lower.z - by}, {upper.x + by, upper.y + by, upper.z + by}};
+}
+
+/// Where features of the cloth may meet others in a step; empty without features.
+Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
+    if (!cloth.features) return {{1, 1, 1}, {-1, -1, -1}};
+    const float way = (std::sqrt(cloth.extent.peak_speed_squared) + gravity.norm() * dt) * dt;
+    return grown(cloth.extent, cloth.as_body().radius + way);
+}
+
+bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+/// By its pins, its skin or its frame.
+bool is_moved_by_host(const Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
+    if (std::ranges::any_of(state.pins, moves)) return true;
+    if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
+        return true;
+    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
+           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
+}
+
+bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
+    const Collider& collider = motion.end;
+    if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        return may_meet(start, end, Pace{dt, max_speed},
+                        Reach{cloth.settings.thickness + motion.end.thickness, wakes_within},
+                        BlockPaths{grown(cloth.extent, 0), 0})
+            .has_value();
+    });
+}
+
+bool moves(const ColliderMotion& motion) {
+    const auto differs = [&]<class Shape>(const Shape& end) {
+        static_assert(std::is_trivially_copyable_v<Shape>);
+        return std::memcmp(&end, std::get_if<Shape>(&motion.start.shape), sizeof end) != 0;
+    };
+    return motion.rate > 0 || std::visit(differs, motion.end.shape);
+}
+
+}  // namespace
+
+void Simulation::choose_present(float dt) {
+    present_.clear();
+    report.sleeping_cloths = 0;
+    bool any_can_sleep = false;
+    cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
+        cloth->id = id;
+        if (!cloth->settings.enabled) return;
+        present_.push_back(cloth.get());
+        any_can_sleep |= cloth->state.rest.has_value();
+    });
+    if (!any_can_sleep) return;
+    disturb(dt);
+    sleep_and_wake(dt);
+    const auto sleeping = std::ranges::partition(present_, [](const Cloth* c) { return !c->is_asleep(); });
+    report.sleeping_cloths = static_cast<std::uint32_t>(sleeping.size());
+    present_.erase(sleeping.begin(), sleeping.end());
+}
+
+/// Cloths near a collider that moves in this step, and all where the air is gusty, are not still.
+void Simulation::disturb(float dt) {
+    const Wind& wind = settings.wind;
+    const bool gusts = air_is_on() && wind.gust > 0 && !to_vector(wind.velocity).isZero(0);
+    const auto for_all = [&](const auto& disturbed) {
+        for (Cloth* cloth : present_)
+            if (cloth->state.rest && disturbed(*cloth)) cloth->wake();
+    };
+    if (gusts) return for_all([](const Cloth&) { return true; });
+    for_all(is_moved_by_host);
+    if (bodies_) for_all([&](const Cloth& cloth) { return is_near_bodies(cloth, dt); });
+    Worker worker{serial_, motions_[0], contact_reports_.of_thread(0)};
+    move_colliders(worker, ~0u, Substep{0, 1, dt});
+    for (const ColliderMotion& motion : worker.motions) {
+        if (!moves(motion)) continue;
+        for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, settings.max_speed); });
+    }
+}
+
+// Cloths that may touch sleep together and wake together, so that none lies on what only seems to be still.
+void Simulation::sleep_and_wake(float dt) {
+    boxes_.clear();
+    for (const Cloth* cloth : present_) boxes_.push_back(reach_of(*cloth, to_vector(settings.gravity), dt));
+    finder_.find(boxes_,
+                 [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
+    const std::span<const std::uint32_t> first_of = finder_.first_of();
+    still_for_.assign(present_.size(), std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        float& least = still_for_[first_of[i]];
+        least = std::min(least, present_[i]->still_for());
+    }
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        Cloth& cloth = *present_[i];
+        const bool is_to_sleep = still_for_[first_of[i]] >= time_to_sleep;
+        if (is_to_sleep && !cloth.is_asleep()) cloth.fall_asleep();
+        if (!is_to_sleep && cloth.is_asleep()) cloth.wake();
+    }
+}
+
+void Simulation::count_still_time(Cloth& cloth, float dt) {
+    if (!cloth.state.rest) return;
+    const float limit = cloth.settings.sleep_speed;
+    float& still_for = cloth.state.rest->still_for;
+    const bool is_still = !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
+    still_for = is_still ? still_for + dt : 0.0f;
+}
+
+void Simulation::wake_all() noexcept {
+    cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->wake(); });
+}
+
+void Simulation::wake_near(const Collider& collider) noexcept {
+    ColliderMotion motion{collider, collider, settings.max_speed};
+    motion.held = held_by(collider);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->is_asleep() && is_near(motion, *cloth, 1, settings.max_speed)) cloth->wake();
+    });
+}
+
+void Simulation::wake_near(const Cloth& gone) noexcept {
+    if (!gone.features) return;
+    const Bounds bounds = reach_of(gone, Vector3::Zero(), 0);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (!cloth->features || !cloth->is_asleep()) return;
+        const Bounds other = reach_of(*cloth, Vector3::Zero(), 0);
+        const auto meet = [](float a, float b, float c, float d) { return a <= d && c <= b; };
+        if (meet(bounds.lower.x, bounds.upper.x, other.lower.x, other.upper.x) &&
+            meet(bounds.lower.y, bounds.upper.y, other.lower.y, other.upper.y) &&
+            meet(bounds.lower.z, bounds.upper.z, other.lower.z, other.upper.z))
+            cloth->wake();
+    });
+}
+
+bool Cloth::is_asleep() const noexcept {
+    return state.rest && state.rest->asleep != 0;
+}
+
+float Cloth::still_for() const noexcept {
+    return state.rest ? state.rest->still_for : 0.0f;
+}
+
+void Cloth::wake() noexcept {
+    if (state.rest) *state.rest = {};
+}
+
+void Cloth::set_enabled(bool on) noexcept {
+    if (on == settings.enabled) return;
+    settings.enabled = on;
+    wake();
+    if (!on) stand_still();
+    // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
+    if (features) state.may_cross = 1;
+    if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
+    std::ranges::copy(std::as_const(state.skin.target_places).span(), state.skin.places.data());
+    std::ranges::copy(std::as_const(state.skin.target_normals).span(), state.skin.normals.data());
+}
+
+// It stays where it is drawn, and when it wakes it begins from rest.
+void Cloth::fall_asleep() noexcept {
+    state.rest->asleep = 1;
+    stand_still();
+}
+
+void Cloth::stand_still() noexcept {
+    std::ranges::copy(std::as_const(state.positions).span(), state.previous_positions.data());
+    std::ranges::fill(state.velocities.span(), Vec4{});
+    state.record.h = 0;
+    extent.peak_speed_squared = 0;
+}
+
+}  // namespace weft

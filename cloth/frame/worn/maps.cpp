@@ -1,0 +1,105 @@
+// Maps per vertex, as a cloth takes them over. Where memory runs out nothing has changed.
+
+#include <algorithm>
+#include <utility>
+
+#include "cloth/frame/cloth.h"
+#include "cloth/frame/make_solver.h"
+
+namespace weft {
+
+void Cloth::set_map(Map map, AlignedBuffer<float>&& values) {
+    if (map == Map::mass)
+        set_masses(std::move(values));
+    else if (map == Map::stiffness)
+        set_stiffness(std::move(values));
+    else
+        set_worn_map(map, std::move(values));
+}
+
+/// For the model as it now is, with all that its steps need.
+std::unique_ptr<Solver> Cloth::make_other_solver() const {
+    std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
+    made->reserve_pins(state.pins.size());
+    if (has_features(settings.self_collision) && !has_zones(settings.self_collision))
+        made->reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
+    return made;
+}
+
+void Cloth::take_other_solver(std::unique_ptr<Solver>&& made) noexcept {
+    solver = std::move(made);
+    solver->prepare(settings);
+    set_inverse_masses();
+    solver->inverse_masses_changed(state.positions.span());
+}
+
+void Cloth::set_masses(AlignedBuffer<float>&& values) {
+    const AlignedBuffer<float>& before = areas_without_map.size() > 0 ? areas_without_map : model.rest_area;
+    AlignedBuffer<float> areas(model.particle_count), kept;
+    std::ranges::copy(before.span(), areas.data());
+    if (values.size() > 0) {
+        kept = AlignedBuffer<float>(model.particle_count);
+        std::ranges::copy(before.span(), kept.data());
+        for (std::uint32_t i = 0; i < model.particle_count; ++i) areas[i] *= values[i];
+    }
+    std::swap(model.rest_area, areas);
+    try {
+        take_other_solver(make_other_solver());
+    } catch (...) {
+        std::swap(model.rest_area, areas);
+        throw;
+    }
+    areas_without_map = std::move(kept);
+}
+
+void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
+    std::swap(model.stiffness, values);
+    try {
+        take_other_solver(make_other_solver());
+    } catch (...) {
+        std::swap(model.stiffness, values);
+        throw;
+    }
+}
+
+void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
+    AlignedBuffer<float>& present = *worn.values_of(map);
+    std::swap(present, values);
+    SkinState skin;
+    std::optional<ContactBuffers> made;
+    const auto room = [&](bool needed, const AlignedBuffer<Vec4>& has) {
+        return AlignedBuffer<Vec4>(needed && has.size() == 0 ? model.particle_count : 0);
+    };
+    try {
+        worn.reserve(model.particle_count);
+        const bool has_backstop = worn.backstop.size() > 0;
+        skin.places = room(worn.has_limits(), state.skin.places);
+        skin.target_places = room(worn.has_limits(), state.skin.places);
+        skin.normals = room(has_backstop, state.skin.normals);
+        skin.target_normals = room(has_backstop, state.skin.normals);
+        made = make_contacts(has_colliders_);
+    } catch (...) {
+        std::swap(present, values);
+        if (!worn.has_limits()) worn.reserve(model.particle_count);  // none: frees
+        throw;
+    }
+
+    // From here on nothing can fail.
+    if (skin.places.size() > 0) {
+        state.skin.places = std::move(skin.places);
+        state.skin.target_places = std::move(skin.target_places);
+    }
+    if (skin.normals.size() > 0) {
+        state.skin.normals = std::move(skin.normals);
+        state.skin.target_normals = std::move(skin.target_normals);
+        state.skin.known = 0;  // till normals are told
+    }
+    if (worn.backstop.size() == 0) {
+        state.skin.normals = {};
+        state.skin.target_normals = {};
+    }
+    if (!worn.has_limits()) state.skin = {};
+    take_contacts(std::move(made), has_colliders_);
+}
+
+}  // namespace weft

@@ -1,0 +1,162 @@
+// What of a step belongs to frames that carry cloths, and to the limits of worn cloth.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloth/frame/simulation.h"
+#include "cloth/mesh/coordinates.h"
+
+namespace weft {
+
+namespace {
+
+/// Whether rounding at its place can take the gap that features are kept at.
+bool rounds_gaps_away(const Cloth& cloth) {
+    const Vec3 &lower = cloth.extent.lower, &upper = cloth.extent.upper;
+    const float farthest = std::max({-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z});
+    constexpr float step = 0x1p-22f;
+    return step * farthest > 0.125f * cloth.as_body().floor;
+}
+
+/// Round the cloth where it is and where it is carried to.
+Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
+    const Eigen::AlignedBox3d here(to_vector(cloth.extent.lower).cast<double>(),
+                                   to_vector(cloth.extent.upper).cast<double>());
+    Eigen::AlignedBox3d box = here;
+    if (!cloth.carried || here.isEmpty()) return box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.extend(cloth.carried->by.turn *
+                       here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
+                   cloth.carried->by.shift);
+    return box;
+}
+
+bool stays_within_reach(const Cloth& cloth) {
+    const Eigen::AlignedBox3d box = box_over_carry(cloth);
+    return box.isEmpty() ||
+           box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= double{runaway_distance};
+}
+
+/// Whether features of one may be carried across those of the other.
+bool may_be_carried_across(const Cloth& a, const Cloth& b) {
+    const auto reach = static_cast<double>(a.as_body().radius + b.as_body().radius);
+    return box_over_carry(a).exteriorDistance(box_over_carry(b)) <= reach;
+}
+
+bool are_carried_alike(const Cloth& a, const Cloth& b) {
+    if (a.carried.has_value() != b.carried.has_value()) return false;
+    return !a.carried ||
+           (a.carried->by.turn == b.carried->by.turn && a.carried->by.shift == b.carried->by.shift);
+}
+
+bool is_moved(const Cloth& cloth) {
+    return cloth.carried && cloth.carried->moves;
+}
+
+}  // namespace
+
+// Cloth that is carried across another, or so far off that rounding can make features cross, may cross
+// something then.
+void Simulation::plan_carries(float dt) {
+    bool any = false;
+    for (Cloth* cloth : present_) {
+        cloth->carried.reset();
+        if (!cloth->state.frame) continue;
+        cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
+        if (!is_moved(*cloth)) continue;
+        any = true;
+        if (stays_within_reach(*cloth)) continue;
+        cloth->carried.reset();
+        cloth->solver_failed = true;  // guard() stops it where it is
+    }
+    if (!any) return;
+    for (Cloth* cloth : present_)
+        if (is_moved(*cloth) && cloth->features && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
+    if (!together_) return;
+    for (Cloth* cloth : present_) {
+        if (!is_moved(*cloth) || !cloth->features) continue;
+        for (const Cloth* other : present_)
+            if (other != cloth && other->features && !are_carried_alike(*cloth, *other) &&
+                may_be_carried_across(*cloth, *other))
+                cloth->state.may_cross = 1;
+    }
+}
+
+/// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
+void Simulation::fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                              const Substep& substep, const Carried* carried) const {
+    motions.clear();
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
+        if (bodies_ && state.bodies.find(slot.body) != nullptr) return;
+        const Collider from =
+            carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
+        ColliderMotion& motion =
+            motions.emplace_back(ColliderMotion{blend(from, slot.target, substep.begin()),
+                                                blend(from, slot.target, substep.end()), settings.max_speed});
+        motion.held = held_by(slot.target);
+        if (motion.held != nullptr && motion.held->deforms_in(state.steps))
+            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+    });
+}
+
+void Simulation::move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const {
+    fill_motions(worker.motions, mask, substep, nullptr);
+}
+
+void Simulation::see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const {
+    if (cloth.carried)
+        fill_motions(cloth.seen_colliders, cloth.settings.collider_mask, substep, &*cloth.carried);
+    else
+        move_colliders(worker, cloth.settings.collider_mask, substep);
+    if (cloth.meets_bodies)
+        add_carried_motions(colliders_of(worker, cloth), cloth.settings.collider_mask, substep);
+}
+
+void Simulation::begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part) {
+    const bool has_own = cloth.worn.any();
+    if (has_own)
+        cloth.worn.begin(cloth.state.skin, part.end(), part.h * static_cast<float>(part.count),
+                         cloth.settings.thickness);
+    if (!cloth.contacts) return;
+    cloth.contacts->begin(colliders_in_equation(worker, cloth), cloth.state.held,
+                          has_own ? &cloth.worn : nullptr);
+}
+
+void Simulation::hold_worn(Worker& worker, Cloth& cloth) {
+    if (!cloth.worn.is_holding()) return;
+    const auto timer = timed(Stage::limits);
+    cloth.worn.hold(worker.parallel, cloth.state.positions.span(), cloth.state.velocities.span());
+}
+
+/// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
+void Simulation::end_worn(Worker& worker, Cloth& cloth) {
+    cloth.limit_lag = {};
+    if (cloth.worn.is_holding() && cloth.features && !cloth.restored)
+        cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
+    SkinState& skin = cloth.state.skin;
+    if (skin.known != 0) {
+        std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());
+        std::ranges::copy(std::as_const(skin.target_normals).span(), skin.normals.data());
+    }
+    if (cloth.carried) leave_start_behind(worker.parallel, *cloth.carried, cloth.state);
+}
+
+void Simulation::set_frame(Cloth& cloth, const Transform& pose) {
+    if (!cloth.state.frame) {
+        cloth.seen_colliders.reserve(state.colliders.size());
+        cloth.state.frame = FrameState{.pose = pose, .target = pose};
+    }
+    cloth.state.frame->target = pose;
+}
+
+void Simulation::move(Cloth& cloth, const RigidMotion& by) {
+    move_all(parallel, by, cloth.state);
+    cloth.state.may_cross = cloth.features ? 1 : 0;
+    // A step begins with the triangles' normals that the last one ended with.
+    update_normals(parallel, cloth);
+    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+}
+
+}  // namespace weft

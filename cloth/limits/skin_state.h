@@ -1,0 +1,22 @@
+#pragma once
+// What of limits changes from step to step.
+
+#include <cstdint>
+
+#include "engine/aligned_buffer.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Where particles' skin is now and at the end of the next step; empty without limits.
+struct SkinState {
+    AlignedBuffer<Vec4> places, target_places;    ///< [m], w 0
+    AlignedBuffer<Vec4> normals, target_normals;  ///< of unit length, w 0; empty without backstops
+    std::uint32_t known = 0;                      ///< whether the host has said where it is
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return places.bytes() + target_places.bytes() + normals.bytes() + target_normals.bytes();
+    }
+};
+
+}  // namespace weft

@@ -1,0 +1,78 @@
+#pragma once
+// Limits of cloth that is worn: a leash round each particle's place on the skin, and a backstop behind it.
+// Both hold at the end of a substep whatever came before, and are in the equation, too, as surfaces that
+// particles press on: else only what they hold would know of them, and be drawn into them by what it carries.
+//
+// With place p and normal n at the substep's end, a particle x is kept where
+//     |x - p| <= leash   and   |x - c| >= r,   c = p - (offset + r) n;   r infinite: n . (x - p) >= -offset.
+// p itself, or the point of the leash before it, is always there: offset >= -leash.
+
+#include <cstdint>
+#include <span>
+
+#include "cloth/limits/skin_state.h"
+#include "cloth/system/contacts.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+#include "engine/vector.h"
+#include "weft/maps.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// By how much limits had to give way.
+struct LimitLag {
+    std::uint32_t particles = 0;
+    float most = 0;  ///< [m]
+};
+
+/// The limits of one cloth, with its maps for contact.
+class WornLimits final : public OwnSurfaces {
+  public:
+    // Of each particle; empty: the map is not set.
+    AlignedBuffer<float> leash, backstop, backstop_radius;  ///< [m]
+    AlignedBuffer<float> friction, thickness;               ///< factors
+
+    [[nodiscard]] bool has_limits() const noexcept { return leash.size() > 0 || backstop.size() > 0; }
+    /// Beside colliders, in the equation.
+    [[nodiscard]] bool any() const noexcept {
+        return has_limits() || friction.size() > 0 || thickness.size() > 0;
+    }
+    /// The map's values; null: it is none of these.
+    [[nodiscard]] AlignedBuffer<float>* values_of(Map map) noexcept;
+    /// What else the limits need, or no more of it. May throw.
+    void reserve(std::uint32_t particles);
+
+    /// A substep begins, or a part of one, of a step of dt seconds: it ends after that part of the step.
+    /// `thickness` is the cloth's [m].
+    void begin(const SkinState& skin, float end, float dt, float cloth_thickness) noexcept;
+    /// Whether there are limits, and the host has said where the skin is.
+    [[nodiscard]] bool is_holding() const noexcept { return has_limits() && is_known_; }
+    [[nodiscard]] ParticleFactors factors() const noexcept { return {thickness.span(), friction.span()}; }
+
+    bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept override;
+    [[nodiscard]] bool holds(std::uint32_t particle) const noexcept override {
+        return by_limit_.size() > 0 && by_limit_[particle] != 0;
+    }
+    /// The substep ends: puts back what is beyond, and takes the velocity at which it goes on there.
+    void hold(Parallel& parallel, std::span<Vec4> positions, std::span<Vec4> velocities) const;
+    /// At the end of the step.
+    [[nodiscard]] LimitLag lag(Parallel& parallel, std::span<const Vec4> positions) noexcept;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return leash.bytes() + backstop.bytes() + backstop_radius.bytes() + friction.bytes() +
+               thickness.bytes() + by_limit_.bytes() + partials_.bytes();
+    }
+
+  private:
+    struct Bounds;
+    [[nodiscard]] Bounds bounds_of(std::uint32_t particle) const noexcept;
+
+    AlignedBuffer<std::uint8_t> by_limit_;  // whether a limit is what the particle is nearest to
+    AlignedBuffer<LimitLag> partials_;      // by block
+    std::span<const Vec4> places_, targets_, normals_, target_normals_;
+    float end_ = 1, per_second_ = 0, cloth_thickness_ = 0;
+    bool is_known_ = false;
+};
+
+}  // namespace weft

@@ -1,0 +1,109 @@
+#include "demo/character/body/binding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace weft::demo {
+namespace {
+
+constexpr float least_distance = 0.01f;  // below it a limb is as near as can be [m]
+
+/// Of the point's foot on the axis, from 0 at the end a to 1 at b.
+float part_along(const TaperedCapsule& capsule, const Vector3& point) {
+    const Vector3 a = to_vector(capsule.a), axis = to_vector(capsule.b) - a;
+    return std::clamp((point - a).dot(axis) / std::max(axis.squaredNorm(), 1e-12f), 0.0f, 1.0f);
+}
+
+Error misfit(std::size_t point, const std::string& what) {
+    return {ErrorCode::invalid_argument, "point " + std::to_string(point) + " " + what};
+}
+
+}  // namespace
+
+Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint) {
+    std::vector<std::uint32_t> order(weight_of_joint.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&](std::uint32_t j) { return weight_of_joint[j]; });
+    Bond bond;
+    float sum = 0;
+    const std::size_t kept = std::min(most, order.size());
+    for (std::size_t k = 0; k < kept; ++k) sum += weight_of_joint[order[k]];
+    for (std::size_t k = 0; k < most; ++k) {
+        const std::uint32_t joint = order[std::min(k, kept - 1)];
+        bond.joints[k] = joint;
+        bond.weights[k] = k < kept ? weight_of_joint[joint] / sum : 0;
+        bond.local[k] = pose.rotations[joint].conjugate() * (point - pose.positions[joint]);
+    }
+    return bond;
+}
+
+Binding Binding::to_nearest(const Body& body, const Pose& pose, std::span<const Vec3> points,
+                            Blending blending) {
+    std::vector<TaperedCapsule> capsules;
+    body.place(pose, 1, capsules);
+    Binding binding;
+    std::vector<float> weights(pose.positions.size());
+    for (const Vec3& p : points) {
+        const Vector3 point = to_vector(p);
+        std::ranges::fill(weights, 0.0f);
+        for (std::size_t limb = 0; limb < capsules.size(); ++limb) {
+            const float distance =
+                std::max(distance_to(capsules[limb], point).distance, 0.0f) + least_distance;
+            const float weight = 1e-8f / (distance * distance * distance * distance);
+            const float t = part_along(capsules[limb], point);
+            weights[body.limbs()[limb].a.joint] += (1 - t) * weight;
+            weights[body.limbs()[limb].b.joint] += t * weight;
+        }
+        if (blending == Blending::rigid) {
+            const auto greatest = std::ranges::max_element(weights) - weights.begin();
+            std::ranges::fill(weights, 0.0f);
+            weights[static_cast<std::size_t>(greatest)] = 1;
+        }
+        binding.bonds_.push_back(bond(pose, point, weights));
+    }
+    return binding;
+}
+
+Result<Binding> Binding::by_weights(const Pose& pose, std::span<const Vec3> points,
+                                    std::span<const std::uint32_t> joints, std::span<const float> weights) {
+    if (joints.size() != most * points.size() || weights.size() != most * points.size())
+        return Error{ErrorCode::invalid_argument, std::to_string(joints.size()) + " joints and " +
+                                                      std::to_string(weights.size()) + " weights for " +
+                                                      std::to_string(points.size()) +
+                                                      " points; each needs four of both"};
+    Binding binding;
+    std::vector<float> of_joint(pose.positions.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::ranges::fill(of_joint, 0.0f);
+        float sum = 0;
+        for (std::size_t k = most * i; k < most * (i + 1); ++k) {
+            if (!(weights[k] >= 0 && weights[k] <= 1e6f))
+                return misfit(i,
+                              "has a weight of " + std::to_string(weights[k]) + "; it must be from 0 to 1");
+            if (joints[k] >= of_joint.size())
+                return misfit(i, "hangs on joint " + std::to_string(joints[k]) + "; the skeleton has " +
+                                     std::to_string(of_joint.size()));
+            of_joint[joints[k]] += weights[k];
+            sum += weights[k];
+        }
+        if (!(sum > 1e-6f))
+            return misfit(i, "has weights that sum to " + std::to_string(sum) + "; it needs 1");
+        binding.bonds_.push_back(bond(pose, to_vector(points[i]), of_joint));
+    }
+    return binding;
+}
+
+void Binding::place(const Pose& pose, std::span<Vec3> to) const {
+    for (std::size_t i = 0; i < bonds_.size(); ++i) {
+        const Bond& bond = bonds_[i];
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t k = 0; k < most && bond.weights[k] > 0; ++k)
+            sum += bond.weights[k] * pose.at(bond.joints[k], bond.local[k]);
+        to[i] = to_vec3(sum);
+    }
+}
+
+}  // namespace weft::demo

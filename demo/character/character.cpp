@@ -1,0 +1,155 @@
+#include "demo/character/character.h"
+
+#include <utility>
+
+#include "demo/character/garment/fitting.h"
+#include "demo/character/garment/garment_file.h"
+#include "demo/character/garment/gltf_file.h"
+#include "demo/character/motion/generated_walk.h"
+#include "demo/character/motion/live_motion.h"
+#include "demo/character/motion/recorded_motion.h"
+#include "demo/export/write_back.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr double growing = 1.0;                      // into a garment that has to be fitted [s]
+constexpr double standing = 0.3, blending_in = 0.9;  // [s]
+
+Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
+    if (file.empty()) return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>());
+    if (std::filesystem::is_fifo(file)) {
+        auto live = LiveMotion::open(file);
+        if (!live) return live.error();
+        return std::unique_ptr<Motion>(std::move(*live));
+    }
+    auto recording = read_bvh(file);
+    if (!recording) return recording.error();
+    return std::unique_ptr<Motion>(std::make_unique<RecordedMotion>(std::move(*recording)));
+}
+
+Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& skeleton, const Body& body) {
+    if (!settings.garment.empty()) return read_garment(settings.garment);
+    Pose pose;
+    place_joints(skeleton, body.stance(skeleton, Fit().arms), pose);
+    Garment dress = make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
+    if (settings.drawn > 0) dress.fine = make_dress(body, pose, settings.drawn).mesh;
+    return dress;
+}
+
+bool is_gltf(const std::filesystem::path& file) {
+    return file.extension() == ".gltf" || file.extension() == ".glb";
+}
+
+}  // namespace
+
+/// Who comes with a skeleton, a motion and weights of their own, and stands as the file has them.
+Result<Character> Character::create_skinned(const CharacterSettings& settings) {
+    if (!settings.motion.empty())
+        return Error{
+            ErrorCode::invalid_argument,
+            settings.garment.string() + " has a motion of its own; leave out " + settings.motion.string()};
+    auto read = read_gltf(settings.garment);
+    if (!read) return read.error();
+    auto body = Body::create(read->recording.skeleton);
+    if (!body) return Error{body.error().code, settings.garment.string() + ": " + body.error().message};
+    Fit fit;
+    std::vector<std::uint32_t> joints;
+    std::vector<float> weights;
+    for (const std::uint32_t vertex : read->garment.fixed) {
+        fit.held.push_back(read->garment.mesh.positions[vertex]);
+        joints.insert(joints.end(), &read->joints[4 * vertex], &read->joints[4 * vertex] + 4);
+        weights.insert(weights.end(), &read->weights[4 * vertex], &read->weights[4 * vertex] + 4);
+    }
+    Pose pose;
+    place_joints(read->recording.skeleton, read->rest, pose);
+    auto binding = Binding::by_weights(pose, fit.held, joints, weights);
+    if (!binding)
+        return Error{binding.error().code, settings.garment.string() + ": fixed " + binding.error().message};
+    Performance performance(std::make_unique<RecordedMotion>(std::move(read->recording)), read->rest,
+                            standing, blending_in, settings.speed, settings.ahead);
+    Character character(std::move(*body), std::move(performance), std::move(read->garment), std::move(fit),
+                        settings);
+    character.binding_ = std::move(*binding);
+    character.follow(0);
+    return character;
+}
+
+Result<Character> Character::create(const CharacterSettings& settings) {
+    if (is_gltf(settings.garment)) return create_skinned(settings);
+    auto motion = make_motion(settings.motion);
+    if (!motion) return motion.error();
+    const Skeleton& skeleton = (*motion)->skeleton();
+    auto body = Body::create(skeleton);
+    if (!body) return Error{body.error().code, settings.motion.string() + ": " + body.error().message};
+    auto garment = make_garment(settings, skeleton, *body);
+    if (!garment) return garment.error();
+    auto fitted = fit(skeleton, *body, *garment);
+    if (!fitted) return Error{fitted.error().code, settings.garment.string() + ": " + fitted.error().message};
+    Performance performance(std::move(*motion), body->stance(skeleton, fitted->arms),
+                            standing + (fitted->inside > 0 ? growing : 0), blending_in, settings.speed,
+                            settings.ahead);
+    return Character(std::move(*body), std::move(performance), std::move(*garment), std::move(*fitted),
+                     settings);
+}
+
+Character::Character(Body body, Performance performance, Garment garment, Fit fit,
+                     const CharacterSettings& settings)
+    : body_(std::move(body)),
+      performance_(std::move(performance)),
+      garment_(std::move(garment)),
+      fit_(std::move(fit)),
+      settings_(settings),
+      fitting_(fit_.inside > 0 ? growing : 0),
+      targets_(garment_.fixed.size()) {
+    Pose stance;
+    place_joints(performance_.skeleton(), performance_.stance(), stance);
+    binding_ = Binding::to_nearest(body_, stance, fit_.held);
+    for (std::vector<Vec3>* positions : {&garment_.mesh.positions, &garment_.fine.positions}) {
+        for (Vec3& p : *positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
+    }
+    follow(0);
+}
+
+void Character::follow(double time) {
+    angles_ = performance_.at(time);
+    angles_.root += to_vector(settings_.place);
+    place_joints(performance_.skeleton(), angles_, pose_);
+    const float growth = growth_at(time, fitting_);
+    body_.place(pose_, fit_.girth * growth, capsules_);
+    binding_.place(pose_, targets_);
+    if (growth == 1) return;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        const Vector3 start = to_vector(garment_.mesh.positions[garment_.fixed[i]]);
+        targets_[i] = to_vec3(start + smooth_step(time / fitting_) * (to_vector(targets_[i]) - start));
+    }
+}
+
+Result<void> Character::enter(World& world) {
+    const auto cloth = world.add_cloth(garment_.mesh, settings_.cloth);
+    if (!cloth) return cloth.error();
+    cloth_ = *cloth;
+    if (auto pinned = world.pin(cloth_, garment_.fixed); !pinned) return pinned;
+    for (const TaperedCapsule& capsule : capsules_) {
+        const auto collider = world.add_collider({.shape = capsule});
+        if (!collider) return collider.error();
+        colliders_.push_back(*collider);
+    }
+    return {};
+}
+
+void Character::before_step(World& world, double time, float dt) {
+    follow(time + static_cast<double>(dt));
+    for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
+        (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
+    (void)world.move_pins(cloth_, garment_.fixed, targets_);
+}
+
+void Character::write_back(const World& world, std::span<Vec3> vertices) const {
+    const auto view = world.cloth(cloth_);
+    if (!view) return;
+    for (std::size_t i = 0; i < garment_.fixed.size(); ++i) vertices[garment_.fixed[i]] = targets_[i];
+    demo::write_back(*view, vertices);
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,71 @@
+#pragma once
+// Somebody dressed, in a World: a motion, the body that follows it, and the garment on the body.
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "demo/character/body/binding.h"
+#include "demo/character/garment/fitting.h"
+#include "demo/character/motion/motion.h"
+#include "weft/world.h"
+
+namespace weft::demo {
+
+struct CharacterSettings {
+    std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
+    std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
+    std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
+    std::uint32_t drawn = 0;        ///< vertices of a finer dress to draw over it, about; 0: none
+    double speed = 1;               ///< of the motion, times its own
+    Vec3 place{};                   ///< on the ground [m]
+    double ahead = 0;               ///< how far into the motion it starts [s]
+    ClothSettings cloth{};
+};
+
+class Character {
+  public:
+    /// Reads what the settings name. Error: what cannot be read, or who cannot be dressed, and why.
+    [[nodiscard]] static Result<Character> create(const CharacterSettings& settings);
+
+    /// Adds cloth, pins and colliders. Error: the World's; what was added before it stays.
+    [[nodiscard]] Result<void> enter(World& world);
+    /// Moves colliders and pins to where they are at the end of the step from `time` to `time + dt` [s].
+    void before_step(World& world, double time, float dt);
+
+    /// The garment's vertices as they are drawn and written: those that are simulated from the World, fixed
+    /// ones where the body has them. Precondition: one for each of the garment's mesh.
+    void write_back(const World& world, std::span<Vec3> vertices) const;
+
+    [[nodiscard]] ClothId cloth() const { return cloth_; }
+    [[nodiscard]] const Garment& garment() const { return garment_; }
+    [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
+    /// As they are at the end of the step that before_step prepared.
+    [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
+    [[nodiscard]] const Fit& fitted() const { return fit_; }
+    [[nodiscard]] const Body& body() const { return body_; }
+    [[nodiscard]] const Pose& pose() const { return pose_; }
+    [[nodiscard]] double dressed_after() const { return fitting_; }  ///< when the fitting is over [s]
+
+  private:
+    Character(Body body, Performance performance, Garment garment, Fit fit,
+              const CharacterSettings& settings);
+    static Result<Character> create_skinned(const CharacterSettings& settings);
+    void follow(double time);
+
+    Body body_;
+    Performance performance_;
+    Garment garment_;
+    Fit fit_;
+    CharacterSettings settings_;
+    double fitting_ = 0;
+    Binding binding_;
+    Pose pose_;
+    JointAngles angles_;
+    std::vector<TaperedCapsule> capsules_;
+    std::vector<Vec3> targets_;
+    ClothId cloth_;
+    std::vector<ColliderId> colliders_;
+};
+
+}  // namespace weft::demo

@@ -1,0 +1,283 @@
+#include "demo/character/garment/gltf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "demo/character/garment/gltf_data.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
+
+class GltfReader {
+  public:
+    explicit GltfReader(tinygltf::Model model) : model_(std::move(model)) {}
+
+    Result<SkinnedCharacter> read() {
+        if (model_.skins.empty() || model_.skins.front().joints.empty())
+            return Error{ErrorCode::malformed_file, "there is no skin with joints; a character needs one"};
+        if (auto sound = check_nodes(); !sound) return sound.error();
+        place_nodes();
+        make_skeleton();
+        if (auto motion = read_motion(); !motion) return motion.error();
+        if (auto mesh = read_meshes(); !mesh) return mesh.error();
+        return std::move(character_);
+    }
+
+  private:
+    using Affine = Eigen::Affine3f;
+
+    /// Parents that go round would have no end.
+    Result<void> check_nodes() {
+        parents_ = gltf_parents(model_);
+        for (std::size_t n = 0; n < parents_.size(); ++n) {
+            std::size_t steps = 0;
+            for (auto at = static_cast<int>(n); at >= 0; at = parents_[static_cast<std::size_t>(at)]) {
+                if (++steps > parents_.size())
+                    return Error{ErrorCode::malformed_file,
+                                 "node " + std::to_string(n) + " is its own ancestor"};
+            }
+        }
+        for (const int joint : skin().joints) {
+            if (joint < 0 || static_cast<std::size_t>(joint) >= parents_.size())
+                return Error{ErrorCode::malformed_file,
+                             "the skin has joint " + std::to_string(joint) + "; there is no such node"};
+        }
+        return {};
+    }
+
+    void place_nodes() {
+        places_ = gltf_places(model_);
+        at_rest_ = gltf_globals(places_, parents_);
+    }
+
+    [[nodiscard]] const tinygltf::Skin& skin() const { return model_.skins.front(); }
+    [[nodiscard]] std::size_t depth(int node) const {
+        std::size_t found = 0;
+        for (; node >= 0; node = parents_[static_cast<std::size_t>(node)]) ++found;
+        return found;
+    }
+    static Quaternion rotation_of(const Affine& global) {
+        Matrix3 axes = global.linear();
+        for (int i = 0; i < 3; ++i) axes.col(i).normalize();
+        return Quaternion(axes).normalized();
+    }
+
+    /// Parents first; turned so that nothing is turned at rest.
+    void make_skeleton() {
+        nodes_ = skin().joints;
+        std::ranges::stable_sort(nodes_, {}, [&](int node) { return depth(node); });
+        for (std::size_t j = 0; j < nodes_.size(); ++j) joint_of_node_[nodes_[j]] = j;
+        Skeleton& skeleton = character_.recording.skeleton;
+        for (std::size_t j = 0; j < nodes_.size(); ++j) {
+            int parent = parents_[static_cast<std::size_t>(nodes_[j])];
+            while (parent >= 0 && !joint_of_node_.contains(parent))
+                parent = parents_[static_cast<std::size_t>(parent)];
+            const std::size_t above = parent < 0 ? 0 : joint_of_node_[parent];
+            const Vector3 place = at_rest_[static_cast<std::size_t>(nodes_[j])].translation();
+            const Vector3 from = at_rest_[static_cast<std::size_t>(nodes_[above])].translation();
+            skeleton.joints.push_back({model_.nodes[static_cast<std::size_t>(nodes_[j])].name,
+                                       j == 0 ? -1 : static_cast<int>(above),
+                                       j == 0 ? Vector3(Vector3::Zero()) : Vector3(place - from)});
+        }
+        character_.rest = JointAngles::at_rest(skeleton);
+        character_.rest.root = at_rest_[static_cast<std::size_t>(nodes_.front())].translation();
+    }
+
+    Result<void> read_motion() {
+        const auto animation = GltfAnimation::create(model_);
+        if (!animation) return animation.error();
+        Recording& recording = character_.recording;
+        recording.frame_time = 1 / frame_rate;
+        const auto frames = static_cast<std::size_t>(
+                                std::floor(std::min(animation->duration(), longest_animation) * frame_rate)) +
+                            1;
+        for (std::size_t f = 0; f < frames; ++f) {
+            std::vector<NodePlace> places = places_;
+            animation->pose(static_cast<double>(f) / frame_rate, places);
+            recording.frames.push_back(angles_of(gltf_globals(places, parents_)));
+        }
+        return {};
+    }
+
+    [[nodiscard]] JointAngles angles_of(const std::vector<Affine>& globals) const {
+        JointAngles angles = character_.rest;
+        std::vector<Quaternion> turned;
+        for (std::size_t j = 0; j < nodes_.size(); ++j) {
+            const auto node = static_cast<std::size_t>(nodes_[j]);
+            turned.push_back(rotation_of(globals[node]) * rotation_of(at_rest_[node]).conjugate());
+            const int parent = character_.recording.skeleton.joints[j].parent;
+            angles.rotations[j] =
+                parent < 0 ? turned[j]
+                           : Quaternion(turned[static_cast<std::size_t>(parent)].conjugate() * turned[j]);
+        }
+        angles.root = globals[static_cast<std::size_t>(nodes_.front())].translation();
+        return angles;
+    }
+
+    Result<void> read_meshes() {
+        Garment& garment = character_.garment;
+        garment.stands_ready = true;
+        bool any_free = false;
+        for (const tinygltf::Node& node : model_.nodes) {
+            if (node.skin != 0 || node.mesh < 0 ||
+                static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
+                continue;
+            for (const tinygltf::Primitive& primitive :
+                 model_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+                const bool has_material =
+                    primitive.material >= 0 &&
+                    static_cast<std::size_t>(primitive.material) < model_.materials.size();
+                if (!has_material) continue;
+                const tinygltf::Material& material =
+                    model_.materials[static_cast<std::size_t>(primitive.material)];
+                const bool free = material.name.ends_with("Free");
+                if (!free && !material.name.starts_with("Garment")) continue;
+                if (free && !any_free) take_colour(material);
+                any_free = any_free || free;
+                if (auto read = read_primitive(primitive, material.name, free); !read) return read;
+            }
+        }
+        if (any_free) return {};
+        return Error{ErrorCode::invalid_mesh,
+                     "no primitive of a mesh with the first skin has a material that ends in \"Free\"; name "
+                     "so what is simulated"};
+    }
+
+    void take_colour(const tinygltf::Material& material) {
+        const std::vector<double>& colour = material.pbrMetallicRoughness.baseColorFactor;
+        if (colour.size() >= 3)
+            character_.garment.colour = {static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                                         static_cast<float>(colour[2])};
+    }
+
+    Result<std::vector<double>> attribute(const tinygltf::Primitive& primitive, const char* name,
+                                          int components, const std::string& of) const {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end())
+            return Error{ErrorCode::malformed_file, "the primitive of material " + of + " has no " + name};
+        return gltf_numbers(model_, found->second, components);
+    }
+
+    Result<void> read_primitive(const tinygltf::Primitive& primitive, const std::string& name, bool free) {
+        const auto positions = attribute(primitive, "POSITION", 3, name);
+        if (!positions) return positions.error();
+        const auto joints = attribute(primitive, "JOINTS_0", 4, name);
+        if (!joints) return joints.error();
+        const auto weights = attribute(primitive, "WEIGHTS_0", 4, name);
+        if (!weights) return weights.error();
+        const std::size_t vertices = positions->size() / 3;
+        if (joints->size() != 4 * vertices || weights->size() != 4 * vertices)
+            return Error{ErrorCode::malformed_file,
+                         "the primitive of material " + name + " has " + std::to_string(weights->size() / 4) +
+                             " weights and " + std::to_string(joints->size() / 4) + " joints for " +
+                             std::to_string(vertices) + " positions"};
+        if (auto triangles = read_triangles(primitive, name, vertices); !triangles) return triangles;
+        const auto inverse_binds = skin().inverseBindMatrices < 0
+                                       ? Result<std::vector<double>>(std::vector<double>())
+                                       : gltf_numbers(model_, skin().inverseBindMatrices, 16);
+        if (!inverse_binds) return inverse_binds.error();
+        for (std::size_t v = 0; v < vertices; ++v) {
+            if (!free)
+                character_.garment.fixed.push_back(
+                    static_cast<std::uint32_t>(character_.garment.mesh.positions.size()));
+            if (auto added = add_vertex(*positions, *joints, *weights, *inverse_binds, v); !added)
+                return added;
+        }
+        return {};
+    }
+
+    Result<void> read_triangles(const tinygltf::Primitive& primitive, const std::string& name,
+                                std::size_t vertices) {
+        std::vector<double> indices;
+        if (primitive.indices >= 0) {
+            auto read = gltf_numbers(model_, primitive.indices, 1);
+            if (!read) return read.error();
+            indices = std::move(*read);
+        } else {
+            for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<double>(v));
+        }
+        if ((primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) || indices.size() % 3 != 0)
+            return Error{ErrorCode::malformed_file,
+                         "the primitive of material " + name + " is not of triangles"};
+        const std::size_t first = character_.garment.mesh.positions.size();
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            Triangle triangle{};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double index = indices[i + c];
+                if (!(index >= 0 && index < static_cast<double>(vertices)))
+                    return Error{ErrorCode::malformed_file,
+                                 "the primitive of material " + name + " has index " + std::to_string(index) +
+                                     "; it has " + std::to_string(vertices) + " vertices"};
+                triangle[c] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(index));
+            }
+            character_.garment.mesh.triangles.push_back(triangle);
+        }
+        return {};
+    }
+
+    /// Where the skin has it while the nodes are at rest.
+    Result<void> add_vertex(const std::vector<double>& positions, const std::vector<double>& joints,
+                            const std::vector<double>& weights, const std::vector<double>& inverse_binds,
+                            std::size_t vertex) {
+        const Vector3 bound(static_cast<float>(positions[3 * vertex]),
+                            static_cast<float>(positions[3 * vertex + 1]),
+                            static_cast<float>(positions[3 * vertex + 2]));
+        Vector3 place = Vector3::Zero();
+        float sum = 0;
+        for (std::size_t k = 4 * vertex; k < 4 * vertex + 4; ++k) {
+            const auto weight = static_cast<float>(weights[k]);
+            if (!(joints[k] < static_cast<double>(skin().joints.size())))
+                return Error{ErrorCode::malformed_file,
+                             "vertex " + std::to_string(vertex) + " hangs on joint " +
+                                 std::to_string(static_cast<int>(joints[k])) + "; the skin has " +
+                                 std::to_string(skin().joints.size())};
+            const auto joint = static_cast<std::size_t>(joints[k]);
+            const int node = skin().joints[joint];
+            Eigen::Matrix4f inverse = Eigen::Matrix4f::Identity();
+            for (std::size_t i = 0; i < 16 && 16 * joint + 15 < inverse_binds.size(); ++i)
+                inverse(static_cast<int>(i % 4), static_cast<int>(i / 4)) =
+                    static_cast<float>(inverse_binds[16 * joint + i]);
+            place += weight * (at_rest_[static_cast<std::size_t>(node)] * (Affine(inverse) * bound));
+            sum += weight;
+            character_.joints.push_back(static_cast<std::uint32_t>(joint_of_node_[node]));
+            character_.weights.push_back(weight);
+        }
+        character_.garment.mesh.positions.push_back(to_vec3(sum > 0 ? Vector3(place / sum) : bound));
+        return {};
+    }
+
+    tinygltf::Model model_;
+    std::vector<int> parents_, nodes_;  // nodes_: of the skeleton's joints
+    std::map<int, std::size_t> joint_of_node_;
+    std::vector<NodePlace> places_;
+    std::vector<Affine> at_rest_;
+    SkinnedCharacter character_;
+};
+
+}  // namespace
+
+Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file))
+        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a glTF file"};
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    tinygltf::Model model;
+    std::string errors, warnings;
+    const bool binary = file.extension() == ".glb";
+    const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &errors, &warnings, file.string())
+                               : loader.LoadASCIIFromFile(&model, &errors, &warnings, file.string());
+    if (!loaded)
+        return Error{ErrorCode::malformed_file,
+                     file.string() + ": " + (errors.empty() ? "is no glTF file" : errors)};
+    auto character = GltfReader(std::move(model)).read();
+    if (!character) return Error{character.error().code, file.string() + ": " + character.error().message};
+    return character;
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,200 @@
+#include "demo/character/motion/bvh.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <utility>
+
+namespace weft::demo {
+namespace {
+
+constexpr std::size_t most_joints = 1024, most_frames = 1'000'000;
+constexpr float tallest = 10;  // [m]
+
+/// What a number of a frame means to its joint: 0 to 2 a position along x, y, z, 3 to 5 a rotation about
+/// them.
+struct Channel {
+    std::size_t joint;
+    int kind;
+};
+
+constexpr std::array<const char*, 6> channel_names{"Xposition", "Yposition", "Zposition",
+                                                   "Xrotation", "Yrotation", "Zrotation"};
+
+class BvhWords {
+  public:
+    BvhWords(std::ifstream& stream, std::string file) : stream_(stream), file_(std::move(file)) {}
+
+    /// The next word; empty at the end of the file.
+    const std::string& next() {
+        word_.clear();
+        int c = stream_.get();
+        for (; c != EOF && std::isspace(c) != 0; c = stream_.get()) line_ += c == '\n';
+        for (; c != EOF && std::isspace(c) == 0; c = stream_.get()) word_ += static_cast<char>(c);
+        if (c != EOF) stream_.unget();
+        return word_;
+    }
+    [[nodiscard]] Error error(const std::string& wanted) const {
+        const std::string found = word_.empty() ? "the file ends" : "\"" + word_.substr(0, 40) + "\" stands";
+        return {ErrorCode::malformed_file,
+                file_ + ":" + std::to_string(line_) + ": " + found + " where " + wanted + " must stand"};
+    }
+    [[nodiscard]] Result<void> expect(const char* word) {
+        if (next() == word) return {};
+        return error(std::string("\"") + word + "\"");
+    }
+    [[nodiscard]] Result<double> number(const std::string& what) {
+        next();
+        double value = 0;
+        const char* const end = word_.data() + word_.size();
+        const auto [read, code] = std::from_chars(word_.data(), end, value);
+        if (code != std::errc{} || read != end || !(std::abs(value) <= 1e9))
+            return error(what + ", a finite number,");
+        return value;
+    }
+    [[nodiscard]] Result<std::size_t> count(const char* what, std::size_t least, std::size_t most) {
+        const auto value = number(what);
+        if (!value) return value.error();
+        if (*value >= static_cast<double>(least) && *value <= static_cast<double>(most) &&
+            *value == std::floor(*value))
+            return static_cast<std::size_t>(*value);
+        return error(std::string(what) + ", a whole number from " + std::to_string(least) + " to " +
+                     std::to_string(most) + ",");
+    }
+    [[nodiscard]] const std::string& word() const { return word_; }
+
+  private:
+    std::ifstream& stream_;
+    std::string file_, word_;
+    int line_ = 1;
+};
+
+Quaternion about_axis(int axis, double degrees) {
+    const double half = degrees * std::numbers::pi / 360;
+    Quaternion q(static_cast<float>(std::cos(half)), 0, 0, 0);
+    q.vec()[axis] = static_cast<float>(std::sin(half));
+    return q;
+}
+
+class BvhParser {
+  public:
+    explicit BvhParser(BvhWords words) : words_(std::move(words)) {}
+
+    Result<Recording> parse() {
+        if (auto found = words_.expect("HIERARCHY"); !found) return found.error();
+        if (auto found = words_.expect("ROOT"); !found) return found.error();
+        if (auto read = read_joint(-1, false); !read) return read.error();
+        if (auto read = read_motion(); !read) return read.error();
+        shrink_from_centimetres();
+        return std::move(recording_);
+    }
+
+  private:
+    /// From behind the word that opens it to its closing brace.
+    Result<void> read_joint(int parent, bool is_end) {
+        std::vector<Joint>& joints = recording_.skeleton.joints;
+        if (joints.size() == most_joints)
+            return words_.error("the last of " + std::to_string(most_joints) + " joints");
+        const auto self = static_cast<int>(joints.size());
+        if (words_.next().empty()) return words_.error("the joint's name");
+        joints.push_back({is_end ? std::string() : words_.word(), parent, Vector3::Zero()});
+        if (auto found = words_.expect("{"); !found) return found;
+        if (auto found = words_.expect("OFFSET"); !found) return found;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value = words_.number("an offset");
+            if (!value) return value.error();
+            joints.back().offset[axis] = static_cast<float>(*value);
+        }
+        if (!is_end) {
+            if (auto read = read_channels(static_cast<std::size_t>(self)); !read) return read;
+        }
+        for (;;) {
+            const std::string word = words_.next();
+            if (word == "}") return {};
+            if (is_end || (word != "JOINT" && word != "End"))
+                return words_.error("\"JOINT\", \"End\" or \"}\"");
+            if (auto read = read_joint(self, word == "End"); !read) return read;
+        }
+    }
+
+    Result<void> read_channels(std::size_t joint) {
+        if (auto found = words_.expect("CHANNELS"); !found) return found;
+        const auto count = words_.count("the number of channels", 0, 6);
+        if (!count) return count.error();
+        for (std::size_t c = 0; c < *count; ++c) {
+            words_.next();
+            int kind = 0;
+            while (kind < 6 && words_.word() != channel_names[static_cast<std::size_t>(kind)]) ++kind;
+            if (kind == 6) return words_.error("a channel, Xposition to Zrotation,");
+            channels_.push_back({joint, kind});
+        }
+        return {};
+    }
+
+    Result<void> read_motion() {
+        if (auto found = words_.expect("MOTION"); !found) return found;
+        if (auto found = words_.expect("Frames:"); !found) return found;
+        const auto frames = words_.count("the number of frames", 1, most_frames);
+        if (!frames) return frames.error();
+        if (auto found = words_.expect("Frame"); !found) return found;
+        if (auto found = words_.expect("Time:"); !found) return found;
+        const auto time = words_.number("the time of a frame");
+        if (!time) return time.error();
+        if (!(*time >= 1e-4 && *time <= 10)) return words_.error("the time of a frame, 0.0001 to 10 s,");
+        recording_.frame_time = *time;
+        for (std::size_t frame = 0; frame < *frames; ++frame) {
+            if (auto read = read_frame(frame); !read) return read;
+        }
+        return {};
+    }
+
+    Result<void> read_frame(std::size_t frame) {
+        JointAngles angles = JointAngles::at_rest(recording_.skeleton);
+        angles.root = recording_.skeleton.joints.front().offset;
+        for (const Channel& channel : channels_) {
+            const std::string& name = recording_.skeleton.joints[channel.joint].name;
+            const auto value =
+                words_.number("frame " + std::to_string(frame + 1) + "'s " +
+                              channel_names[static_cast<std::size_t>(channel.kind)] + " of " + name);
+            if (!value) return value.error();
+            if (channel.kind >= 3) {
+                Quaternion& q = angles.rotations[channel.joint];
+                q = (q * about_axis(channel.kind - 3, *value)).normalized();
+            } else if (channel.joint == 0) {
+                angles.root[channel.kind] = static_cast<float>(*value);
+            }
+        }
+        recording_.frames.push_back(std::move(angles));
+        return {};
+    }
+
+    void shrink_from_centimetres() {
+        Pose pose;
+        place_joints(recording_.skeleton, JointAngles::at_rest(recording_.skeleton), pose);
+        Vector3 lower = pose.positions[0], upper = lower;
+        for (const Vector3& p : pose.positions) {
+            lower = lower.cwiseMin(p);
+            upper = upper.cwiseMax(p);
+        }
+        if ((upper - lower).maxCoeff() <= tallest) return;
+        for (Joint& joint : recording_.skeleton.joints) joint.offset *= 0.01f;
+        for (JointAngles& frame : recording_.frames) frame.root *= 0.01f;
+    }
+
+    BvhWords words_;
+    std::vector<Channel> channels_;
+    Recording recording_;
+};
+
+}  // namespace
+
+Result<Recording> read_bvh(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a BVH file"};
+    return BvhParser(BvhWords(stream, file.string())).parse();
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,127 @@
+// Somebody walks, in a dress or in a garment from an OBJ file; and a crowd of them.
+
+#include "demo/character/character.h"
+
+#include <array>
+
+#include "demo/character/garment/wear.h"
+#include "demo/scene.h"
+#include "demo/scenes/measures.h"
+#include "demo/study/contact/crossings.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr std::uint32_t crowd_rows = 4, crowd_columns = 5;
+constexpr float crowd_spacing = 1.3f;             // [m]
+constexpr std::uint32_t particles_of_many = 800;  // of each, in a crowd
+constexpr std::uint32_t drawn_vertices = 30000;   // of a dress
+constexpr std::array<Vec3, 4> crowd_colours{
+    {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
+
+/// Has the garment's finer mesh, if there is one, drawn in place of its cloth.
+Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
+    if (garment.fine.positions.empty()) return {};
+    const auto view = world.cloth(cloth.id);
+    if (!view) return view.error();
+    auto drawn = DrawnMesh::bind(*view, {.vertices = garment.fine.positions,
+                                         .triangles = garment.fine.triangles,
+                                         .texcoords = garment.fine.texcoords});
+    if (!drawn) return drawn.error();
+    cloth.fine = garment.fine;
+    cloth.drawn = std::make_shared<const DrawnMesh>(std::move(*drawn));
+    return {};
+}
+
+class Walkers final : public Scene {
+  public:
+    Walkers(std::uint32_t rows, std::uint32_t columns) : rows_(rows), columns_(columns) {}
+
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind.velocity = {0, 0, -1.2f};  // who walks on the spot has the air come at them
+        settings.wind.gust = 0.2f;
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        if (auto ground = world.add_collider({.shape = Plane{}}); !ground) return ground.error();
+        SceneContent content;
+        for (std::uint32_t number = 0; number < rows_ * columns_; ++number) {
+            auto made = Character::create(settings_of(number, options));
+            if (!made) return made.error();
+            Character& character = walkers_.emplace_back(std::move(*made));
+            if (auto entered = character.enter(world); !entered) return entered.error();
+            const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
+            SceneCloth& cloth = content.cloths.emplace_back(
+                SceneCloth{character.cloth(), character.garment().mesh, {.front = colour}});
+            if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
+            content.drawn_colliders.insert(content.drawn_colliders.end(), character.colliders().begin(),
+                                           character.colliders().end());
+        }
+        const float size = 0.5f * crowd_spacing * static_cast<float>(rows_ + columns_ - 2);
+        content.camera = {.target = {0, 0.85f, 0},
+                          .distance = 3.0f + 1.6f * size,
+                          .yaw = 0.6f,
+                          .pitch = is_crowd() ? 0.3f : 0.08f};
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        for (Character& character : walkers_) character.before_step(world, time, dt);
+    }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        Checks checks;
+        study::TriangleSoup soup;
+        for (const Character& character : walkers_) {
+            const auto view = world.cloth(character.cloth());
+            if (!view) return view.error();
+            checks.finite(*view);
+            soup.add(*view);
+            // Triangles of fewer particles are chords of rounder limbs.
+            const float kept = is_crowd() ? 0.015f : 0.005f;
+            const auto wear = WearMeter(character.garment().mesh, kept).measure(*view, character.capsules());
+            checks.at_most("triangles inside the body", static_cast<float>(wear.inside), 0);
+            checks.at_most("the 99th percentile of stretch", wear.stretch_99, 1.04f);
+        }
+        if (soup.finite())
+            checks.at_most("triangles that cross", static_cast<float>(study::count_crossings(soup).all), 0);
+        return checks.result();
+    }
+
+  private:
+    [[nodiscard]] bool is_crowd() const { return rows_ * columns_ > 1; }
+
+    [[nodiscard]] CharacterSettings settings_of(std::uint32_t number, const SceneOptions& options) const {
+        CharacterSettings settings;
+        settings.motion = options.motion;
+        settings.garment = options.garment;
+        settings.particles = options.particles / (rows_ * columns_);
+        if (settings.particles == 0 && is_crowd()) settings.particles = particles_of_many;
+        const auto from_middle = [](std::uint32_t at, std::uint32_t count) {
+            return crowd_spacing * (static_cast<float>(at) - 0.5f * static_cast<float>(count - 1));
+        };
+        settings.place = {from_middle(number % columns_, columns_), 0, from_middle(number / columns_, rows_)};
+        settings.ahead = 0.137 * number;
+        if (!is_crowd() && options.particles == 0) settings.drawn = drawn_vertices;
+        settings.cloth.fabric.areal_density = 0.16f;
+        settings.cloth.self_collision.enabled = true;
+        settings.cloth.self_collision.method = SelfCollisionMethod::contact;
+        return settings;
+    }
+
+    std::uint32_t rows_, columns_;
+    std::vector<Character> walkers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_character_scene() {
+    return std::make_unique<Walkers>(1, 1);
+}
+std::unique_ptr<Scene> make_crowd_scene() {
+    return std::make_unique<Walkers>(crowd_rows, crowd_columns);
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,233 @@
+// Patches of surfaces that lie in no plane or in several pieces, and which of them are passed over.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "collision/contact/surface_order.h"
+#include "pair_list_reference.h"
+
+namespace weft::test {
+namespace {
+
+/// How many patches a search looks at the features of.
+std::size_t wanted_patches(const ContactScene& scene) {
+    const ContactBody& body = scene.bodies[0];
+    const ContactMesh& mesh = *body.mesh;
+    const std::vector<SearchedBody> bodies = {{.mesh = &mesh,
+                                               .first = 0,
+                                               .reach = body.reach,
+                                               .layer = 1,
+                                               .mask = ~0u,
+                                               .meets_itself = true,
+                                               .first_vertex_group = 0,
+                                               .first_triangle_group = 0,
+                                               .first_edge_group = 0,
+                                               .first_block = 0,
+                                               .first_neighbours = 0}};
+    const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
+    std::vector<PatchBlock> blocks;
+    for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
+        blocks.push_back({0, first, std::min(patches - first, PatchBlock::most)});
+    const auto no_boxes = [](std::size_t count) {
+        AlignedBuffer<Boxes> boxes(count);
+        for (std::size_t k = 0; k < 16 * count; ++k)
+            set_box(boxes[k / 16], static_cast<std::uint32_t>(k % 16),
+                    {{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}});
+        return boxes;
+    };
+    FeatureBoxes boxes{.vertices = {},
+                       .triangles = {},
+                       .edges = {},
+                       .patches = no_boxes(blocks.size()),
+                       .blocks = no_boxes(1),
+                       .groups = no_boxes(1),
+                       .strains = AlignedBuffer<PatchStrain>(16 * blocks.size()),
+                       .calm = AlignedBuffer<std::uint8_t>(mesh.flat_rest().pairs()),
+                       .wanted = AlignedBuffer<std::uint8_t>(16 * blocks.size())};
+    const PairSearch search{bodies, blocks, &boxes, scene.positions.data(), scene.motions.data()};
+    for (std::uint32_t b = 0; b < blocks.size(); ++b)
+        set_box(boxes.blocks[0], b, place_patches(search, b, boxes));
+    set_box(boxes.groups[0], 0, {{-1e30f, -1e30f, -1e30f}, {1e30f, 1e30f, 1e30f}});
+    for (std::uint32_t b = 0; b < blocks.size(); ++b) want_features(search, b, boxes);
+    return static_cast<std::size_t>(std::ranges::count(boxes.wanted.span(), std::uint8_t{1}));
+}
+
+/// A sheet on a cylinder, turning by so much an edge.
+ContactScene rolled(std::uint32_t side, float turn) {
+    return sheet(side, 0.3f * edge, grid_positions(side, side, [&](float u, float v) {
+                     const float radius = edge / turn, angle = turn * u;
+                     return Vec4{radius * std::sin(angle), radius * std::cos(angle), edge * v, 0};
+                 }));
+}
+
+constexpr std::uint32_t around = 40, along = 16;
+
+/// A tube, pressed together until its sides are `gap` edges apart.
+std::vector<Vec4> tube(float gap) {
+    return grid_positions(along, around, [&](float u, float v) {
+        const float angle = 2 * std::numbers::pi_v<float> * u / float(around),
+                    radius = edge * float(around) / 6.28f;
+        return Vec4{radius * std::cos(angle), 0.5f * gap * edge * std::sin(angle), edge * v, 0};
+    });
+}
+std::vector<Triangle> tube_triangles(std::uint32_t first = 0) {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t r = 0; r + 1 < along; ++r)
+        for (std::uint32_t c = 0; c < around; ++c) {
+            const std::uint32_t a = first + r * around + c, b = first + r * around + (c + 1) % around;
+            triangles.push_back({a, a + around, b});
+            triangles.push_back({b, a + around, b + around});
+        }
+    return triangles;
+}
+
+/// The vertices that each patch owns.
+std::vector<std::vector<std::uint32_t>> owned(const ContactMesh& mesh) {
+    std::vector<std::vector<std::uint32_t>> vertices;
+    for (const ContactPatch& patch : mesh.patches()) {
+        const auto slots =
+            mesh.vertex_slots().corners[0].span().subspan(patch.vertices.first, patch.vertices.count);
+        vertices.emplace_back(slots.begin(), slots.end());
+    }
+    return vertices;
+}
+
+/// Three sheets that are one mesh, of 81, 91 and 12 vertices, and a roof that lies in no plane.
+struct Sheets {
+    std::vector<Vec4> rest;
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> starts;
+
+    explicit Sheets(float apart, bool with_roof) {
+        const auto add = [&](std::uint32_t rows, std::uint32_t columns, const auto& shape) {
+            const auto first = static_cast<std::uint32_t>(rest.size());
+            starts.push_back(first);
+            for (const Vec4& p : grid_positions(rows, columns, shape)) rest.push_back(p);
+            for (const Triangle& t : grid_triangles(rows, columns, first)) triangles.push_back(t);
+        };
+        const auto flat_at = [&](float y) {
+            return [=](float u, float v) { return Vec4{edge * u, edge * y, edge * v, 0}; };
+        };
+        add(9, 9, flat_at(0));
+        add(13, 7, flat_at(apart));
+        add(4, 3, flat_at(2 * apart));
+        if (with_roof)
+            add(11, 10, [&](float u, float v) {
+                return Vec4{0.8f * edge * u, edge * (3 * apart + 2 * std::abs(u - 4.5f)), edge * v, 0};
+            });
+    }
+    [[nodiscard]] std::size_t sheet_of(std::uint32_t vertex) const {
+        return static_cast<std::size_t>(std::ranges::upper_bound(starts, vertex) - starts.begin());
+    }
+};
+
+TEST(CalmPatches, ASheetMayTurnByARightAngleFromPatchToPatch) {
+    EXPECT_EQ(wanted_patches(rolled(16, 0.01f)), 0u);
+    EXPECT_EQ(wanted_patches(rolled(16, 0.12f)), 0u);
+    EXPECT_GT(wanted_patches(rolled(16, 0.5f)), 8u);
+    expect_same_pairs(rolled(16, 0.12f));
+    expect_same_pairs(rolled(16, 0.5f));
+}
+
+TEST(CalmPatches, WhatIsCrushedOrStretchedFarIsLookedAt) {
+    for (const float width : {0.4f, 30.0f}) {
+        std::vector<Vec4> now = flat(16, 16);
+        for (Vec4& p : now) p.x *= width;
+        EXPECT_GT(wanted_patches(sheet(16, 0.3f * edge, now)), 0u) << width;
+    }
+    ContactScene at_rest = sheet(16, 0.3f * edge, flat(16, 16));
+    EXPECT_EQ(wanted_patches(at_rest), 0u);
+    at_rest.motions[100] = {0, 0.5f * edge, 0, 0};
+    EXPECT_GT(wanted_patches(at_rest), 0u);
+    EXPECT_LT(wanted_patches(at_rest), 16u);
+}
+
+TEST(CalmPatches, PatchesLieAlongTheSurface) {
+    const std::vector<Vec4> rest = tube(0.0f);
+    const ContactMesh mesh(rest, tube_triangles());
+    std::size_t count = 0;
+    for (const std::vector<std::uint32_t>& vertices : owned(mesh)) {
+        count += vertices.size();
+        for (const std::uint32_t i : vertices)
+            for (const std::uint32_t j : vertices) {
+                const auto [least, most] = std::minmax({i % around, j % around});
+                // Where the tube is pressed flat its sides bunch; its other side is 20 away.
+                EXPECT_LE(std::min(most - least, around + least - most), 12u);
+                EXPECT_LE(std::max(i, j) / around - std::min(i, j) / around, 7u);
+            }
+    }
+    EXPECT_EQ(count, rest.size());
+}
+
+TEST(CalmPatches, OrderAlongSurfaceKeepsPiecesTogether) {
+    const Sheets sheets(0, true);
+    std::vector<std::uint32_t> vertices(sheets.rest.size());
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    const ContactMesh mesh(sheets.rest, sheets.triangles);
+    std::vector<std::uint32_t> order = vertices;
+    order_along_surface(order, mesh.edges(), sheets.rest);
+    std::size_t mixed = 0;
+    for (std::size_t at = 0; at < order.size(); at += 16) {
+        const std::span<const std::uint32_t> patch =
+            std::span(order).subspan(at, std::min<std::size_t>(16, order.size() - at));
+        EXPECT_TRUE(std::ranges::is_sorted(patch));
+        mixed += sheets.sheet_of(patch.front()) != sheets.sheet_of(patch.back());
+    }
+    EXPECT_LE(mixed, 3u);
+    std::ranges::sort(order);
+    EXPECT_EQ(order, vertices);
+    order_along_surface({}, {}, {});
+}
+
+TEST(CalmPatches, TubesAsReference) {
+    const std::vector<Vec4> rest = tube(0.5f);
+    for (const float gap : {12.0f, 0.5f, 0.1f}) {
+        ContactScene scene;
+        scene.add(rest, tube(gap), tube_triangles(), 0.3f * edge);
+        scene.jitter(0.02f * edge);
+        expect_same_pairs(scene, gap < 0.2f ? 100 : 0);
+        scene.add_motions(random_vectors(rest.size(), 0.2f * edge, 3));
+        expect_same_pairs(scene);
+    }
+    ContactScene crumpled;
+    crumpled.add(rest, smoothly(rest, 0.8f, 2), tube_triangles(), 0.3f * edge);
+    expect_same_pairs(crumpled);
+}
+
+TEST(CalmPatches, SeveralSheetsInOneMeshAsReference) {
+    for (const bool with_roof : {false, true})
+        for (const float apart : {0.2f, 30.0f}) {
+            const Sheets sheets(apart, with_roof);
+            for (const float strength : {0.0f, 0.3f, 0.8f}) {
+                ContactScene scene;
+                std::vector<Vec4> now = sheets.rest;
+                for (Vec4& p : now) {
+                    const float y = p.y;
+                    p = smoothly(p, strength, 5);
+                    p.y += 0.01f * y;
+                }
+                scene.add(sheets.rest, now, sheets.triangles, 0.3f * edge);
+                expect_same_pairs(scene, 100);
+            }
+        }
+}
+
+TEST(CalmPatches, SheetsOfOneMeshAreCalmEachForItself) {
+    std::vector<Vec4> rest = flat(16, 16);
+    for (const Vec4& p : flat(16, 16)) rest.push_back({p.x + 1, p.y, p.z, 0});
+    std::vector<Triangle> triangles = grid_triangles(16, 16);
+    for (const Triangle& t : grid_triangles(16, 16, 256)) triangles.push_back(t);
+    ContactScene scene;
+    scene.add(rest, rest, triangles, 0.3f * edge);
+    EXPECT_EQ(wanted_patches(scene), 0u);
+    for (std::size_t i = 256; i < rest.size(); ++i) scene.positions[i].x -= 1 - 0.3f * edge;
+    EXPECT_GT(wanted_patches(scene), 0u);
+    expect_same_pairs(scene, 100);
+}
+
+}  // namespace
+}  // namespace weft::test

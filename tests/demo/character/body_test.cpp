@@ -1,0 +1,154 @@
+// A body of capsules from a skeleton's proportions.
+
+#include "demo/character/body/body.h"
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "demo/character/motion/generated_walk.h"
+
+namespace weft::demo {
+namespace {
+
+/// The least distance from any of many balls along the axis.
+float distance_by_balls(const TaperedCapsule& capsule, const Vector3& point) {
+    float least = 1e9f;
+    constexpr int balls = 4000;
+    for (int i = 0; i <= balls; ++i) {
+        const float t = static_cast<float>(i) / balls;
+        const Vector3 centre = to_vector(capsule.a) + t * (to_vector(capsule.b) - to_vector(capsule.a));
+        const float radius = capsule.radius_a + t * (capsule.radius_b - capsule.radius_a);
+        least = std::min(least, (point - centre).norm() - radius);
+    }
+    return least;
+}
+
+TEST(TaperedCapsuleDistance, IsThatOfItsBalls) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> coordinate(-1, 1), radius(0.05f, 0.6f);
+    const auto any_point = [&] { return Vec3{coordinate(random), coordinate(random), coordinate(random)}; };
+    for (int i = 0; i < 300; ++i) {
+        const TaperedCapsule capsule{
+            .a = any_point(), .b = any_point(), .radius_a = radius(random), .radius_b = radius(random)};
+        const Vector3 point = to_vector(any_point());
+        const SurfaceDistance found = distance_to(capsule, point);
+        EXPECT_NEAR(found.distance, distance_by_balls(capsule, point), 2e-4f) << i;
+        EXPECT_NEAR(found.normal.norm(), 1, 1e-5f);
+        // Along the normal the distance grows as fast as the way.
+        EXPECT_NEAR(distance_to(capsule, point + 0.01f * found.normal).distance, found.distance + 0.01f,
+                    1e-4f);
+    }
+}
+
+TEST(BodyJoints, AreFoundByTheNamesOfThreeSources) {
+    const auto renamed = [](const std::vector<std::pair<std::string, std::string>>& names) {
+        Skeleton skeleton = plain_skeleton();
+        for (Joint& joint : skeleton.joints) {
+            for (const auto& [from, to] : names) {
+                if (joint.name == from) joint.name = to;
+            }
+        }
+        return skeleton;
+    };
+    const Skeleton mixamo = renamed({{"Hips", "mixamorig:Hips"},
+                                     {"Chest", "mixamorig:Spine2"},
+                                     {"Spine", "mixamorig:Spine"},
+                                     {"LeftToes", "mixamorig:LeftToeBase"},
+                                     {"RightToes", "RightToe_Base"}});
+    const Skeleton cmu = renamed({{"Chest", "thorax"},
+                                  {"Neck", "lowerneck"},
+                                  {"LeftArm", "lhumerus"},
+                                  {"LeftForeArm", "lradius"},
+                                  {"LeftHand", "lwrist"},
+                                  {"LeftUpLeg", "lfemur"},
+                                  {"LeftLeg", "ltibia"},
+                                  {"LeftFoot", "lfoot"},
+                                  {"LeftToes", "ltoes"}});
+    const auto plain = find_body_joints(plain_skeleton());
+    ASSERT_TRUE(plain.ok()) << plain.error().message;
+    for (const Skeleton& skeleton : {mixamo, cmu}) {
+        const auto found = find_body_joints(skeleton);
+        ASSERT_TRUE(found.ok()) << found.error().message;
+        EXPECT_EQ(found->of_part, plain->of_part);
+        EXPECT_EQ(found->spine, plain->spine);
+    }
+    EXPECT_EQ(plain_skeleton().joints[plain->spine].name, "Spine");
+    EXPECT_EQ(std::set<std::size_t>(plain->of_part.begin(), plain->of_part.end()).size(),
+              plain->of_part.size());
+}
+
+TEST(BodyJoints, ThatAreMissingAreNamed) {
+    Skeleton skeleton = plain_skeleton();
+    for (Joint& joint : skeleton.joints) {
+        if (joint.name == "LeftLeg" || joint.name == "RightHand") joint.name = "nub";
+    }
+    const auto body = Body::create(skeleton);
+    ASSERT_FALSE(body.ok());
+    for (const char* name : {"ltibia", "leftleg", "rightknee", "righthand", "rwrist"})
+        EXPECT_EQ(body.error().message.find(name) != std::string::npos, std::string(name) != "rightknee")
+            << body.error().message;
+}
+
+TEST(Body, OfBonesWithoutLengthIsRefusedByName) {
+    Skeleton skeleton = plain_skeleton();
+    skeleton.joints[*skeleton.find("LeftFoot")].offset.setZero();
+    const auto body = Body::create(skeleton);
+    ASSERT_FALSE(body.ok());
+    EXPECT_NE(body.error().message.find("LeftLeg and LeftFoot"), std::string::npos) << body.error().message;
+}
+
+TEST(Body, IsOnePieceAndTheSameOnBothSides) {
+    const Skeleton skeleton = plain_skeleton();
+    const auto body = Body::create(skeleton);
+    ASSERT_TRUE(body.ok()) << body.error().message;
+    Pose pose;
+    place_joints(skeleton, body->stance(skeleton, 45), pose);
+    std::vector<TaperedCapsule> capsules, smaller;
+    body->place(pose, 1, capsules);
+    body->place(pose, 0.5f, smaller);
+    EXPECT_GE(capsules.size(), 15u);
+    EXPECT_LE(capsules.size(), 22u);
+    for (const TaperedCapsule& one : capsules) {
+        int touching = 0, mirrored = 0;
+        for (const TaperedCapsule& other : capsules) {
+            const bool same = &one == &other;
+            touching += !same && (distance_to(other, to_vector(one.a)).distance < 0 ||
+                                  distance_to(other, to_vector(one.b)).distance < 0);
+            const auto mirror = [](const Vec3& p) { return Vector3(-p.x, p.y, p.z); };
+            mirrored +=
+                (mirror(other.a) - to_vector(one.a)).norm() + (mirror(other.b) - to_vector(one.b)).norm() <
+                    1e-4f &&
+                std::abs(one.radius_a - other.radius_a) < 1e-5f;
+        }
+        EXPECT_GE(touching, 1);
+        EXPECT_EQ(mirrored, 1);
+    }
+    for (std::size_t i = 0; i < capsules.size(); ++i)
+        EXPECT_FLOAT_EQ(smaller[i].radius_a, 0.5f * capsules[i].radius_a);
+}
+
+TEST(Body, StandsInItsStance) {
+    const Skeleton skeleton = plain_skeleton();
+    const auto body = Body::create(skeleton);
+    ASSERT_TRUE(body.ok());
+    Pose pose;
+    place_joints(skeleton, body->stance(skeleton, 30), pose);
+    const auto at = [&](Part part) { return pose.positions[body->joints()[part]]; };
+    const Vector3 arm = (at(Part::left_hand) - at(Part::left_arm)).normalized();
+    EXPECT_NEAR(arm.y(), -0.5f, 1e-3f);
+    EXPECT_GT(arm.x(), 0.8f);
+    EXPECT_LT((at(Part::right_hand) - at(Part::right_arm)).x(), 0);
+    EXPECT_LT((at(Part::left_foot) - at(Part::left_thigh)).normalized().y(), -0.999f);
+    std::vector<TaperedCapsule> capsules;
+    body->place(pose, 1, capsules);
+    float lowest = 1;
+    for (const TaperedCapsule& c : capsules)
+        lowest = std::min({lowest, c.a.y - c.radius_a, c.b.y - c.radius_b});
+    EXPECT_NEAR(lowest, 0, 0.02f) << "on the ground";
+}
+
+}  // namespace
+}  // namespace weft::demo
