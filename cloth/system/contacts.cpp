@@ -327,6 +327,8 @@ void Contacts::bounce_block(const StepEquation& equation, float least, const Blo
         const std::uint32_t i = range.begin + k;
         Vec4& normal = held_->normals[i];
         if (!(normal.w > 0) || !(near.surfaces.w[k] < reach)) continue;
+        // A body would not feel it.
+        if (body_buffers_ != nullptr && body_buffers_->pressed[i] >= 0) continue;
         const Vector3 n = xyz(normal), of_surface(near.motions.x[k], near.motions.y[k], near.motions.z[k]);
         const float before = n.dot(of_surface - xyz(equation.velocities[i]));
         const float wanted = before > least ? near.motions.w[k] * before : 0.0f;

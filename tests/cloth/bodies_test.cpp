@@ -267,5 +267,45 @@ TEST(Bodies, MoveAlikeOnAnyNumberOfThreads) {
     EXPECT_EQ(hash_of(5), one);
 }
 
+TEST(Bodies, WakeTheClothThatTheyFallOnAndLetItNotSleepUnderThem) {
+    SheetAndBody scene({.side = 9, .cloth = {.air_damping = 2, .sleep_speed = 0.05f}}, Held::border);
+    const BodySettings falling = scene.world.body_settings(scene.body).value();
+    ASSERT_TRUE(scene.world.set_body_state(scene.body, {.position = {0, 3, 0}}));
+    BodySettings hanging = falling;
+    hanging.gravity_scale = 0;
+    ASSERT_TRUE(scene.world.set_body_settings(scene.body, hanging));
+    scene.steps(300);
+    ASSERT_EQ(scene.world.step(body_step).sleeping_cloths, 1u);
+    ASSERT_TRUE(scene.world.set_body_settings(scene.body, falling));
+    scene.steps(300);
+    EXPECT_GT(scene.state().position.y, -0.5f) << "it fell through";
+    scene.steps(600);
+    EXPECT_EQ(scene.world.step(body_step).sleeping_cloths, 0u);
+    EXPECT_NEAR(mean_force(scene.world, 0, 60).y(), 9.81f, 0.2f);
+}
+
+TEST(Bodies, FallThroughClothThatTheirCollidersAreNotFor) {
+    SheetAndBody scene({.side = 9, .cloth = {.collider_mask = 2}}, Held::border);
+    scene.steps(60);
+    const float fallen = 0.5f * 9.81f;
+    EXPECT_NEAR(scene.state().position.y, 0.3f - fallen, 0.05f * fallen);
+    EXPECT_EQ(to_vector(scene.world.body_impulses()[0].linear).norm(), 0);
+}
+
+TEST(Bodies, MoveWithTheOrigin) {
+    SheetAndBody here({.side = 9}, Held::border), there({.side = 9}, Held::border);
+    here.steps(20);
+    there.steps(20);
+    ASSERT_TRUE(there.world.shift_origin({4, -8, 2}));
+    EXPECT_NEAR(there.state().position.y, here.state().position.y + 8, 1e-5f);
+    here.steps(60);
+    there.steps(60);
+    EXPECT_NEAR(there.state().position.x, here.state().position.x - 4, 1e-3f);
+    EXPECT_NEAR(there.state().position.y, here.state().position.y + 8, 1e-3f);
+    EXPECT_NEAR(there.state().position.z, here.state().position.z - 2, 1e-3f);
+    ASSERT_TRUE(there.world.shift_origin({-4, 8, -2}));
+    EXPECT_FALSE(there.world.shift_origin({1e6f, 0, 0}));
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -209,6 +209,10 @@ Result<void> World::shift_origin(const Vec3& to) {
             if (valid) valid = weft::validate(moved(slot.current, motion));
             if (valid) valid = weft::validate(moved(slot.target, motion));
         });
+        simulation.state.bodies.for_each([&](BodyId, const BodySlot& slot) {
+            const Vector3 there = to_vector(slot.state.position) - to_vector(to);
+            if (valid) valid = validate_point("BodyState::position", to_vec3(there));
+        });
         if (!valid) return valid;
         simulation.parallel.lend([&] { simulation.shift_origin(to); });
         return {};
