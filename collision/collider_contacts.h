@@ -25,8 +25,8 @@ struct ColliderMotion {
     const HeldShape* held = nullptr;  ///< of a PlacedShape
     float rate = 0;          ///< steps of the host a second, where what is held deforms in this one [1/s]
     std::int32_t body = -1;  ///< the number of the body that carries it; -1: none
-    Vector3 centre{}, velocity{},
-        spin{};  ///< of the body at the end [m], [m/s], [rad/s]: a ball's ends have no spin
+    /// Of the body at the end [m], [m/s], [rad/s]: a ball's ends have no spin.
+    Vector3 centre = Vector3::Zero(), velocity = Vector3::Zero(), spin = Vector3::Zero();
 };
 
 /// Error: a value outside its range in collider.h.
