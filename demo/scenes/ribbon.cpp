@@ -10,7 +10,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float width = 0.1f, length = 2.4f;  // [m]
+constexpr float ribbon_width = 0.1f, length = 2.4f;  // [m]
 constexpr double speed = 0.5;                 // at which the top is lowered [m/s]
 constexpr float start_height = 0.02f;         // of the lower end [m]
 constexpr float hold_height = 0.4f;           // where the top stops [m]
@@ -30,11 +30,11 @@ class Ribbon final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 1000 : options.particles, width, length);
+        const GridSize grid = grid_size(options.particles == 0 ? 1000 : options.particles, ribbon_width, length);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {-0.5f * width, start_height + length, 0},
-                                .u = {width, 0, 0},
+                                .origin = {-0.5f * ribbon_width, start_height + length, 0},
+                                .u = {ribbon_width, 0, 0},
                                 .v = {0, -length, 0}});
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);

@@ -5,6 +5,9 @@
 // Cloth that has attached vertices, or is within 5 cm of a collider that a body carries, never sleeps, however
 // still both are. Cloth in a frame (World::set_frame) meets bodies where they are in the World. Contact in the
 // equation has no restitution on what a body carries. World::shift_origin moves bodies too.
+//
+// A free body that lies on cloth which hangs from attached vertices alone works its way to the side, and off:
+// pin cloth that is to hold one.
 
 #include <cstdint>
 
