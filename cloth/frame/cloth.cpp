@@ -1,6 +1,7 @@
 #include "cloth/frame/cloth.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
@@ -170,7 +171,19 @@ std::optional<FeatureBuffers> Cloth::make_features(const SelfCollision& of) cons
         return std::nullopt;
     std::unique_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
     const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get(), .by_zones = has_zones(of)};
-    return std::optional<FeatureBuffers>(std::in_place, std::move(made), body);
+    return std::optional<FeatureBuffers>(std::in_place, std::move(made), body, core_count_);
+}
+
+// By powers of two, so that colliders that come one by one do not each make all anew.
+std::optional<FeatureContact> Cloth::make_room_for_cores(std::size_t count) const {
+    if (!features || features->room_for_cores() >= count) return std::nullopt;
+    const ContactCloth body{.mesh = contact_mesh.get(), .by_zones = has_zones(settings.self_collision)};
+    return std::optional<FeatureContact>(std::in_place, std::span(&body, 1), std::bit_ceil(count));
+}
+
+void Cloth::take_room_for_cores(std::optional<FeatureContact>&& made, std::size_t count) noexcept {
+    core_count_ = count;
+    if (made) features = std::move(made);
 }
 
 void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept {
@@ -235,7 +248,10 @@ ContactCloth Cloth::as_body() const {
             .layer = settings.self_collision.layers,
             .mask = settings.self_collision.mask,
             .by_zones = has_zones(settings.self_collision),
-            .restitution = settings.self_collision.restitution};
+            .restitution = settings.self_collision.restitution,
+            .thickness = settings.thickness,
+            .collider_friction = settings.friction,
+            .edge = model.info.mean_edge};
 }
 
 void Cloth::make_contact_mesh() {

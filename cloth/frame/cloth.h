@@ -48,9 +48,9 @@ struct ContactBuffers {
 /// Memory for features that meet.
 struct FeatureBuffers {
     /// `made`: a mesh of features, if the cloth has none. The body has that, or the one that it has.
-    FeatureBuffers(std::unique_ptr<const ContactMesh>&& made, const ContactCloth& body)
+    FeatureBuffers(std::unique_ptr<const ContactMesh>&& made, const ContactCloth& body, std::size_t cores)
         : mesh(std::move(made)),
-          contact(std::span(&body, 1)),
+          contact(std::span(&body, 1), cores),
           substep_start(body.mesh->particles()),
           tangles(body.mesh->particles()) {}
 
@@ -113,6 +113,13 @@ struct Cloth {
         return AlignedBuffer<Vec4>(any_colliders ? model.particle_count : 0);
     }
     void take_part_start(AlignedBuffer<Vec4>&& made) noexcept { part_start = std::move(made); }
+    /// With room for the cores of so many colliders; none if the cloth needs none, or has it.
+    [[nodiscard]] std::optional<FeatureContact> make_room_for_cores(std::size_t count) const;
+    void take_room_for_cores(std::optional<FeatureContact>&& made, std::size_t count) noexcept;
+    /// Such a collider has come where it may cross what was there.
+    void expect_crossings(const Collider& collider) noexcept {
+        if (features && core_of(collider, model.info.mean_edge) != nullptr) state.may_cross = 1;
+    }
 
     /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
     /// May run out of memory; then nothing has changed.
@@ -182,6 +189,7 @@ struct Cloth {
 
   private:
     bool has_colliders_ = false;
+    std::size_t core_count_ = 0;
 
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,

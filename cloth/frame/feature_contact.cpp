@@ -9,45 +9,39 @@ namespace weft {
 
 namespace {
 
-// Bodies' particles begin at whole groups of a system's rows.
-constexpr std::uint32_t group = 16;
-constexpr std::uint32_t whole_groups(std::uint32_t particles) {
-    return (particles + group - 1) / group * group;
-}
-
-// Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
-// the way out becomes speed, with which they would bounce.
-constexpr float parted_in_a_step = 0.2f;
-
 // Room for crossings: one a particle, and at least so many.
 constexpr std::size_t least_crossings = 1024;
 
 }  // namespace
 
-FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
+FeatureContact::FeatureContact(std::span<const ContactCloth> bodies, std::size_t cores)
+    : room_for_cores_(cores) {
     cloths_.reserve(bodies.size());
-    bodies_.reserve(bodies.size());
-    ranges_.reserve(bodies.size());
+    cores_.reserve(cores);
+    bodies_.reserve(bodies.size() + cores);
+    ranges_.reserve(bodies.size() + cores);
     restitutions_.reserve(bodies.size());
     for (const ContactCloth& body : bodies) add(body);
     std::size_t particles = 0;
     for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
     const std::size_t pairs = room_for_pairs(particles);
+    reserve_cores(particles);
+    particles += given_.size();
     finder_.reserve(bodies_);
     pairs_ = PairList(pairs);
     rows_.reserve(particles, pairs);
-    settler_.reserve(particles, bodies.size(), pairs);
+    settler_.reserve(particles, bodies.size() + cores, pairs);
     const std::size_t crossings = std::max(least_crossings, particles);
     crossings_ = CrossingList(crossings);
     tangles_.reserve(
-        {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
+        {.bodies = bodies.size() + cores, .particles = particles, .pairs = pairs, .crossings = crossings});
     rows_.untangling().reserve(crossings);
     memory_ = AlignedBuffer<TangleMemory>(particles);
     exempt_ = AlignedBuffer<std::uint8_t>(pairs);
     laws_ = AlignedBuffer<PairLaw>(pairs);
     wanted_ = AlignedBuffer<float>(pairs);
     narrowing_.reserve(pairs);
-    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies_.size();
     partials_ = AlignedBuffer<float>(blocks);
     holders_ = AlignedBuffer<Holder>(blocks);
     for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
@@ -59,6 +53,7 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
 
 void FeatureContact::begin() noexcept {
     cloths_.clear();
+    cores_.clear();
     bodies_.clear();
     ranges_.clear();
     restitutions_.clear();
@@ -156,6 +151,12 @@ void FeatureContact::make_laws(Parallel& parallel) {
             const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
                                        !(pairs_.shapes[k].normal.w > 0) ||
                                        (a == b && are_near_at_rest(pair, of_a));
+            if (is_core(a) || is_core(b)) {
+                const auto [law, wanted] = law_with_core(pair, pairs_.shapes[k], std::min(a, b), std::max(a, b));
+                laws_[k] = is_left_alone ? PairLaw{} : law;
+                wanted_[k] = wanted;
+                continue;
+            }
             const float radius =
                 0.5f * (cloths_[a].radius + cloths_[b].radius) * (is_at_border ? of_borders : 1);
             const float gap = std::min(pairs_.shapes[k].normal.w, radius);
@@ -182,8 +183,10 @@ void FeatureContact::set_fixed_base(Parallel& parallel, std::size_t body, std::s
 }
 
 void FeatureContact::make_rows(Parallel& parallel, float gamma) {
+    set_base_of_cores(gamma);
     rows_.untangling().begin(tangles_.rows(), base_.span(), gamma);
     rows_.begin(parallel, pairs_, laws_.span(), base_.span(), gamma);
+    if (!cores_.empty()) rows_.give(first_given_, std::as_const(given_).span());
 }
 
 void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
@@ -237,7 +240,7 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes() + zones_.bytes() + colliding_.bytes();
+           partials_.bytes() + holders_.bytes() + given_.bytes() + core_radii_.bytes() + zones_.bytes() + colliding_.bytes();
 }
 
 }  // namespace weft

@@ -14,6 +14,7 @@
 #include "collision/contact/tangles.h"
 #include "collision/impact_zones/impact_zones.h"
 #include "collision/rest_filter.h"
+#include "collision/shapes/cores.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
@@ -29,6 +30,16 @@ struct ContactCloth {
     std::uint32_t layer = 1, mask = ~0u;
     bool by_zones = false;  ///< its collisions are resolved by impact zones, where nothing else is near
     float restitution = 0;  ///< of these
+    float thickness = 0;    ///< colliders' cores are kept so far outside their balls [m]
+    float collider_friction = 0;  ///< multiplied by the collider's own
+    float edge = 0;         ///< mean length at rest: what is thin against it has a core [m]
+};
+
+/// Colliders over a substep, of which cores are met.
+struct MetColliders {
+    std::span<const ColliderMotion> motions = {};
+    float h = 0;      ///< of the substep [s]
+    float margin = 0; ///< how far a particle may go in it at most [m]
 };
 
 /// Where a body is expected to go in a substep.
@@ -67,13 +78,17 @@ class FeatureContact {
         return std::max(least_pairs, pairs_per_particle * particles);
     }
 
-    /// Takes the memory for these bodies, and for any part of them. May throw.
-    explicit FeatureContact(std::span<const ContactCloth> bodies);
+    /// Takes the memory for these bodies, and for any part of them, with the cores of so many colliders. May
+    /// throw.
+    explicit FeatureContact(std::span<const ContactCloth> bodies, std::size_t cores = 0);
+    [[nodiscard]] std::size_t room_for_cores() const noexcept { return room_for_cores_; }
 
     /// A substep begins: bodies are added, all among those there is room for, and placed, with the way that
     /// they are expected to go. Then finds what is near what.
     void begin() noexcept;
     void add(const ContactCloth& body);
+    /// When all have been placed: those colliders that have a core and may be met, as far as there is room.
+    void add_cores(const MetColliders& colliders);
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                const ExpectedMotion& expected);
     /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
@@ -83,6 +98,10 @@ class FeatureContact {
     /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
     [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }
     [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body) const;
+    /// Whether it is of a collider's core.
+    [[nodiscard]] bool is_given(std::uint32_t particle) const noexcept {
+        return !cores_.empty() && particle >= first_given_;
+    }
     [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
 
     /// The bodies' bases in the equation; then the rows.
@@ -119,6 +138,7 @@ class FeatureContact {
     struct Reach {
         float ContactCloth::*of_cloth;
         float of_borders = 1;  ///< see PairFinder::find
+        bool is_for_cut = true;
     };
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
@@ -128,8 +148,36 @@ class FeatureContact {
     [[nodiscard]] std::span<const std::uint32_t> find_colliding_pairs();
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
     struct Change;
-    [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
-    [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }
+    [[nodiscard]] Change change_of_motion(Parallel& parallel);
+    [[nodiscard]] float spare_reach(std::uint32_t particle) const;
+    void set_reach_of_cores(const Reach& reach);
+    [[nodiscard]] Island island() const {
+        const std::span<const ParticleRange> all = ranges_;
+        return {.particles = all.first(cloths_.size()),
+                .positions = start_.span(),
+                .given = all.subspan(cloths_.size())};
+    }
+    /// A collider whose core is met.
+    struct Core {
+        CommonMotion motion;
+        float friction;
+        float way;     // of its farthest particle [m]
+        float radius;  // the largest [m]
+    };
+    void reserve_cores(std::size_t particles);
+    void set_base_of_cores(float gamma);
+    void add_core(const ColliderMotion& motion, const ContactMesh& mesh, float h);
+    [[nodiscard]] bool is_core(std::size_t body) const noexcept { return body >= cloths_.size(); }
+    struct CoreLaw {
+        PairLaw law;
+        float wanted;  // what it is projected to [m]
+    };
+    [[nodiscard]] CoreLaw law_with_core(const FeaturePair& pair, const PairShape& shape, std::size_t cloth,
+                                        std::size_t core) const;
+    [[nodiscard]] const Core* leading_core() const;
+    void split(Parallel& parallel, const Core* leading);
+    [[nodiscard]] float reach_for_cut() const;
+    [[nodiscard]] float greatest_floor() const;
 
     /// Share of the radius that features have which are nearest at a border: mostly others beside them are
     /// nearer, and have the force. They are three in four.
@@ -137,8 +185,21 @@ class FeatureContact {
     /// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
     static constexpr float projected_gap = 0.5f;
     static constexpr std::uint32_t projections = 4;
+    /// Features that start nearer than the radius are pushed out by this part of what is missing, and not at
+    /// once: the way out becomes speed, with which they would bounce.
+    static constexpr float parted_in_a_step = 0.2f;
+    /// Bodies' particles begin at whole groups of a system's rows.
+    static constexpr std::uint32_t group = 16;
+    static constexpr std::uint32_t whole_groups(std::uint32_t particles) {
+        return (particles + group - 1) / group * group;
+    }
 
     std::vector<ContactCloth> cloths_;
+    std::vector<Core> cores_;  // bodies after the cloths
+    std::size_t room_for_cores_ = 0;
+    std::uint32_t first_given_ = 0;     // particle of these
+    AlignedBuffer<Vec4> given_;         // their velocities [m/s]
+    AlignedBuffer<float> core_radii_;
     std::vector<ContactBody> bodies_;
     std::vector<ParticleRange> ranges_;
     std::vector<float> restitutions_;

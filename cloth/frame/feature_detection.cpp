@@ -10,7 +10,8 @@
 namespace weft {
 
 void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach) {
-    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*(reach.of_cloth);
+    for (std::size_t k = 0; k < cloths_.size(); ++k) bodies_[k].reach = cloths_[k].*(reach.of_cloth);
+    set_reach_of_cores(reach);
     finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders);
 }
 
@@ -19,7 +20,7 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
 // nothing nearer, and a garment that turns has ten times as many pairs with it.
 void FeatureContact::detect(Parallel& parallel) {
     const auto search = [&] {
-        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders, false});
         has_all_near_ = !pairs_.overflowed;
     };
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
@@ -40,11 +41,10 @@ struct FeatureContact::Change {
 };
 
 /// Whether each motion ends near the way that was searched: see PairNarrowing.
-FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
+FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel) {
     constexpr float with_rounding = 0.49f, never = -1;
     const auto find_block = [&](const BlockRange& range) {
-        const float slack =
-            with_rounding * (of_borders * cloths_[body_of(bodies_, range.begin)].radius - reach);
+        const float slack = with_rounding * spare_reach(range.begin);
         float longest = 0;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
@@ -56,22 +56,26 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, floa
         return longest;
     };
     const auto add = [&](float a, float b) { return std::min(a, b) < 0 ? never : std::max(a, b); };
-    const float longest = reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, find_block, add);
+    const std::span<const ParticleRange> all = ranges_;
+    const float longest = reduce_ranges(parallel, all, partials_.span(), 0.0f, find_block, add);
     return {longest >= 0, longest};
 }
 
 // Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
 void FeatureContact::find_for_cut(Parallel& parallel) {
-    settler_.split(parallel, island(), displacements_.span());
+    const Core* const leading = leading_core();
+    split(parallel, leading);
     if (std::exchange(has_all_near_, false)) {
-        float reach = 0;
-        for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
-        const Change change = change_of_motion(parallel, reach);
+        const Change change = change_of_motion(parallel);
         if (change.is_covered) {
-            narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
+            narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach_for_cut(), change.longest,
+                              pairs_);
             return;
         }
     }
+    find(parallel, settler_.relative(), {&ContactCloth::floor});
+    if (leading != nullptr || leading_core() == nullptr) return;
+    split(parallel, leading_core());
     find(parallel, settler_.relative(), {&ContactCloth::floor});
 }
 
@@ -83,10 +87,13 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
     Island all = island();
     all.is_pinned = holder_ == Holder::pin;
-    all.is_free = holder_ == Holder::none && !is_pushed;
+    all.is_free = holder_ == Holder::none && !is_pushed && cores_.empty();
     const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
-                                                {.floor = least_floor}, displacements_.span());
-    is_uncertain_ = result.uncertain > 0;
+                                                {.floor = least_floor,
+                                                 .first_given = cores_.empty() ? ~0u : first_given_,
+                                                 .cores = std::as_const(core_radii_).span()},
+                                                displacements_.span());
+    is_uncertain_ = result.uncertain + result.passed > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,
             .pin_lag = result.pinned_lag,
@@ -97,7 +104,7 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
 // Rounding can take the gap of a pair that is not listed, even where all move alike.
 FeatureCounts FeatureContact::stand_still() {
     FeatureCounts counts{.lost = 1, .overflowed = true};
-    for (const ParticleRange& range : ranges_) {
+    for (const ParticleRange& range : island().particles) {
         std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});
         counts.truncated += range.count;
     }

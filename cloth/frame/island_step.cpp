@@ -2,6 +2,7 @@
 // that lets nothing through.
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -144,11 +145,21 @@ void Simulation::place_features(Worker& worker, FeatureContact& space, std::span
     }
 }
 
+/// Of colliders that are in the equation of all.
+void Simulation::place_cores(const Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                             float h) const {
+    if (space.room_for_cores() == 0 || worker.motions.empty() || space.uses_zones() ||
+        !std::ranges::all_of(cloths, [](const Cloth* cloth) { return meets_in_equation(cloth->settings); }))
+        return;
+    space.add_cores({worker.motions, h, h * settings.max_speed});
+}
+
 void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                                float h) {
     const auto timer = timed(Stage::self_search);
     place_features(
         worker, space, cloths, [](const Cloth& cloth) { return cloth.state.positions.span(); }, h);
+    place_cores(worker, space, cloths, h);
     if (!space.uses_zones()) space.detect(worker.parallel);
 }
 
@@ -180,6 +191,7 @@ void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, fl
 void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, float dt,
                                 const Substep& substep) {
     FeatureContact& space = *together_;
+    move_colliders(worker, substep);
     find_features(worker, space, island, substep.h);
     const auto first =
         std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
@@ -329,21 +341,29 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
     sum.pin_lag = std::max(sum.pin_lag, counts.pin_lag);
     sum.overflowed |= counts.overflowed;
     if constexpr (looks_for_new_crossings) sum.crossed |= space.crosses_anew(worker.parallel);
-    for (std::size_t k = 0; k < cloths.size(); ++k)
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
         space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
                         cloths[k]->state.velocities.span());
+        // Colliders' cores were not looked at.
+        if (counts.truncated > 0 && space.room_for_cores() > 0) cloths[k]->state.may_cross = 1;
+    }
 }
 
-std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const SelfCollision& of,
-                                                          const ContactMesh* mesh) {
+std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const SelfCollision& of) {
     std::vector<ContactCloth> bodies;
+    float edge = 0;
+    const auto add = [&](const Cloth& cloth, const SelfCollision& by) {
+        bodies.push_back({.mesh = cloth.contact_mesh.get(), .by_zones = has_zones(by)});
+        edge = std::max(edge, cloth.model.info.mean_edge);
+    };
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        if (cloth.get() != changed && cloth->features)
-            bodies.push_back(
-                {.mesh = cloth->contact_mesh.get(), .by_zones = has_zones(cloth->settings.self_collision)});
+        if (cloth.get() != changed && cloth->features) add(*cloth, cloth->settings.self_collision);
     });
-    if (mesh != nullptr) bodies.push_back({.mesh = mesh, .by_zones = has_zones(of)});
-    return bodies.size() < 2 ? nullptr : std::make_unique<FeatureContact>(bodies);
+    if (changed != nullptr && has_features(of)) add(*changed, of);
+    if (bodies.size() < 2) return nullptr;
+    const std::size_t cores = count_cores(edge);
+    if (changed == nullptr && together_->room_for_cores() >= cores) return nullptr;  // it serves
+    return std::make_unique<FeatureContact>(bodies, cores == 0 ? 0 : std::bit_ceil(cores));
 }
 
 }  // namespace weft

@@ -117,6 +117,20 @@ void Simulation::share_out_impulses(FeatureContact& space, std::span<Cloth* cons
     }
 }
 
+/// Each particle of the cloth's side has its part of it, as if the collider had touched it.
+void Simulation::log_push_of_core(FeatureContact& space, std::span<Cloth* const> cloths,
+                                  const PairRows::Push& push, float ratio) {
+    for (std::uint32_t c = 0; c < 4; ++c) {
+        const std::uint32_t corner = push.pair.corners[c];
+        if (space.is_given(corner)) continue;
+        std::size_t k = cloths.size() - 1;
+        while (space.first(k) > corner) --k;
+        if (cloths[k]->state.positions[corner - space.first(k)].w > 0)
+            add_impulse(*cloths[k], corner - space.first(k),
+                        ratio * push.shape.weight(c) * push.impulse);
+    }
+}
+
 // Settled, so that what was projected and cut is in it; since it was solved the rows have stayed.
 void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) {
     float ratio = 0;
@@ -148,6 +162,10 @@ void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Clot
     space.rows().for_each_push([&](const PairRows::Push& push) {
         const std::uint32_t a = main_corner(push, 0, push.corners_of_a);
         const std::uint32_t b = main_corner(push, push.corners_of_a, 4);
+        if (space.is_given(a) || space.is_given(b)) {
+            log_push_of_core(space, cloths, push, ratio);
+            return;
+        }
         const std::size_t of_a = body_of(a), of_b = body_of(b);
         const Contact contact{.cloth = cloths[of_a]->id,
                               .other_cloth = cloths[of_b]->id,

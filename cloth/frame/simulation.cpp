@@ -92,8 +92,7 @@ void Simulation::apply(const WorldSettings& changed) {
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth();
     if (!cloth->features) return cloths.insert(std::move(cloth));
-    std::unique_ptr<FeatureContact> together =
-        make_together(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
+    std::unique_ptr<FeatureContact> together = make_together(cloth.get(), cloth->settings.self_collision);
     const ClothId id = cloths.insert(std::move(cloth));
     together_ = std::move(together);
     return id;
@@ -106,7 +105,7 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     std::unique_ptr<FeatureContact> together;
     try {
         if (!cloth.features) cloth.make_contact_mesh();
-        together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
+        together = make_together(&cloth, of);
         cloth.apply(changed);
     } catch (...) {
         cloth.drop_contact_mesh();
@@ -132,23 +131,39 @@ void Simulation::expect_colliders(std::size_t count) {
     reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
     ForCloths<AlignedBuffer<Vec4>> starts;
+    ForCloths<std::optional<FeatureContact>> spaces;
+    std::unique_ptr<FeatureContact> together;
     if (count > 0) {
         contacts.reserve(cloths.size());
         starts.reserve(cloths.size());
+        spaces.reserve(cloths.size());
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
             contacts.emplace_back(cloth.get(), cloth->make_contacts(true));
             if (cloth->part_start.size() == 0) starts.emplace_back(cloth.get(), cloth->make_part_start(true));
+            spaces.emplace_back(cloth.get(),
+                                cloth->make_room_for_cores(count_cores(cloth->model.info.mean_edge)));
         });
+        if (together_) together = make_together(nullptr);
     }
 
     // From here on nothing can fail.
     for (auto& [cloth, made] : contacts) cloth->take_contacts(std::move(made), true);
     for (auto& [cloth, made] : starts) cloth->take_part_start(std::move(made));
+    for (auto& [cloth, made] : spaces)
+        cloth->take_room_for_cores(std::move(made), count_cores(cloth->model.info.mean_edge));
+    if (together) together_ = std::move(together);
     if (count == 0)
         cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) {
             cloth->take_contacts(std::nullopt, false);
             cloth->take_part_start({});
         });
+}
+
+std::size_t Simulation::count_cores(float edge) const {
+    std::size_t count = 0;
+    state.colliders.for_each(
+        [&](ColliderId, const ColliderSlot& slot) { count += core_of(slot.target, edge) != nullptr ? 1 : 0; });
+    return count;
 }
 
 void Simulation::reserve_collider_ids(bool reported) {
@@ -179,6 +194,8 @@ void Simulation::prepare(Cloth& cloth) {
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
     cloth.take_part_start(cloth.make_part_start(any_colliders));
+    const std::size_t cores = count_cores(cloth.model.info.mean_edge);
+    cloth.take_room_for_cores(cloth.make_room_for_cores(cores), cores);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);
 }

@@ -50,6 +50,11 @@ struct Simulation {
 
     /// Makes or frees what so many colliders need.
     void expect_colliders(std::size_t count);
+    /// A collider has been put there.
+    void expect_crossings(const Collider& collider) noexcept {
+        cloths.for_each(
+            [&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->expect_crossings(collider); });
+    }
     /// Takes a cloth over, with what no step may make.
     ClothId add(std::unique_ptr<Cloth>&& cloth);
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
@@ -86,11 +91,12 @@ struct Simulation {
 
     /// Makes room for one cloth more, so that no step needs to.
     void reserve_cloth();
-    /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
-    /// unless that is null. Null: no two have any.
-    /// Of all that have features; for the one that changes, or comes, by these settings and this mesh.
-    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed, const SelfCollision& of,
-                                                                const ContactMesh* mesh);
+    /// Room for contact between all cloths that have features, the one that changes, or comes, by these
+    /// settings. Null: no two have any.
+    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed,
+                                                                const SelfCollision& of = {});
+    /// Of colliders, against cloth with such edges [m].
+    [[nodiscard]] std::size_t count_cores(float edge) const;
     void begin(float dt);
     void step_together(float dt);
     void step_each(float dt);
@@ -108,6 +114,8 @@ struct Simulation {
     template <class StartOf>
     void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                         const StartOf& start_of, float h) const;
+    void place_cores(const Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                     float h) const;
     void find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths, float h);
     void join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
                        StepEquation& equation);
@@ -157,6 +165,8 @@ struct Simulation {
     static void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before);
     static void find_missing_impulses(const SolverStep& step, Cloth& cloth);
     static void share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths);
+    static void log_push_of_core(FeatureContact& space, std::span<Cloth* const> cloths,
+                                 const PairRows::Push& push, float ratio);
     static void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths);
     static void log_avoidance(Worker& worker, Cloth& cloth, float h);
     void find_touched_colliders(Worker& worker, Cloth& cloth) const;

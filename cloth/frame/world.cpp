@@ -298,6 +298,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
             simulation.state.colliders.erase(id);
             throw;
         }
+        simulation.expect_crossings(collider);
         return id;
     });
 }
@@ -307,8 +308,10 @@ Result<void> World::move_collider(ColliderId id, const Collider& target) {
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {
-    return with_collider(impl_->simulation, id, place,
-                         [&](ColliderSlot& slot) { slot = {.current = place, .target = place}; });
+    return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
+        slot = {.current = place, .target = place};
+        impl_->simulation.expect_crossings(place);
+    });
 }
 
 Result<void> World::remove_collider(ColliderId id) {

@@ -35,6 +35,7 @@ void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const P
     list_ = &list;
     base_positions_ = base_positions;
     gamma_ = gamma;
+    given_ = {};
     choose(parallel, laws);
     incidence_.build(parallel, std::as_const(pairs_).span().first(size_), {});
     const PairSources sources{numbers_.data(), &list, laws.data(), base_positions.data()};
@@ -92,9 +93,11 @@ void PairRows::take(Parallel& parallel, std::uint32_t first, std::span<const Vec
 void PairRows::linearise(Parallel& parallel) {
     untangling_.linearise();
     const PairStiffness stiffness{gamma_, spring_per_mass};
+    take_given(true);
     parallel.ranges(size_, [&](const BlockRange& range) {
         linearise_groups(stiffness, taken_.data(), range, groups_.data(), shares_.data());
     });
+    take_given(false);
     parallel.ranges(incidence_.rows(), [&](const BlockRange& range) {
         for (std::uint32_t r = range.begin; r < range.end; ++r) {
             const bool is_free = base_positions_[incidence_.particle(r)].w > 0;
@@ -105,7 +108,17 @@ void PairRows::linearise(Parallel& parallel) {
     });
 }
 
+void PairRows::take_given(bool moving) {
+    if (given_.empty()) return;
+    const RowRange rows = rows_of(first_given_, given_.size());
+    for (std::uint32_t r = rows.begin; r < rows.end; ++r) {
+        const std::uint32_t i = incidence_.particle(r);
+        taken_[i] = moving ? given_[i - first_given_] : Vec4{};
+    }
+}
+
 void PairRows::begin_sweeps() {
+    take_given(true);
     for (std::uint32_t k = 0; k < size_; ++k) products_[k] = {};
 }
 

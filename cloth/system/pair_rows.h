@@ -33,6 +33,12 @@ class PairRows {
     /// without a radius have no row, and cost nothing from here on.
     void begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
                std::span<const Vec4> base_positions, float gamma);
+    /// After that: particles from `first` on are of no cloth, and go at these velocities whatever is solved,
+    /// to base + gamma velocity.
+    void give(std::uint32_t first, std::span<const Vec4> velocities) noexcept {
+        first_given_ = first;
+        given_ = velocities;
+    }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0 && untangling_.empty(); }
     /// Rows of what crosses: they are in all that follows.
     [[nodiscard]] UntanglingRows& untangling() noexcept { return untangling_; }
@@ -145,6 +151,8 @@ class PairRows {
         }
     }
     [[nodiscard]] Push push_of(std::uint32_t k) const;
+    /// What is of no cloth has its velocities, or none where a vector's changes are asked for.
+    void take_given(bool moving);
     void choose(Parallel& parallel, std::span<const PairLaw> laws);
     /// The first row of the incidence whose particle is not below this one.
     [[nodiscard]] std::uint32_t first_row(std::uint32_t particle) const;
@@ -157,6 +165,8 @@ class PairRows {
     const PairList* list_ = nullptr;
     std::span<const Vec4> base_positions_;
     float gamma_ = 0;
+    std::uint32_t first_given_ = 0;
+    std::span<const Vec4> given_;
     std::uint32_t size_ = 0;                // pairs that have a row
     AlignedBuffer<std::uint32_t> numbers_;  // of these in the list, ascending
     AlignedBuffer<FeaturePair> pairs_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "collision/patches.h"
 
@@ -105,9 +106,19 @@ ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const T
     : particles_(static_cast<std::uint32_t>(rest_positions.size())) {
     std::ranges::copy_if(triangles, std::back_inserter(triangles_), has_three_corners);
     edges_ = unique_edges(triangles_);
-    find_corners();
+    share_out(rest_positions, order_of_vertices(rest_positions, triangles_));
+}
 
-    const std::vector<std::uint32_t> vertices = order_of_vertices(rest_positions, triangles_);
+ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const Edge> edges)
+    : particles_(static_cast<std::uint32_t>(rest_positions.size())), edges_(edges.begin(), edges.end()) {
+    std::vector<std::uint32_t> vertices(particles_);
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    order_in_patches(vertices, rest_positions);
+    share_out(rest_positions, vertices);
+}
+
+void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices) {
+    find_corners();
     std::vector<std::uint32_t> cluster_of(rest_positions.size());
     for (std::uint32_t k = 0; k < vertices.size(); ++k)
         cluster_of[vertices[k]] = k / ContactPatch::most_vertices;

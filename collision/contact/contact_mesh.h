@@ -48,6 +48,8 @@ class ContactMesh {
     /// Precondition: triangles name rest_positions. These, if not finite, count as the origin: they decide
     /// how long a search takes and nothing else.
     ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles);
+    /// Of points and edges alone, which have a part in it without triangles. Precondition: edges ascend.
+    ContactMesh(std::span<const Vec4> rest_positions, std::span<const Edge> edges);
 
     [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
     [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_; }
@@ -70,6 +72,7 @@ class ContactMesh {
     [[nodiscard]] const FlatRest& flat_rest() const noexcept { return flat_rest_; }
 
   private:
+    void share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices);
     FeatureSlots<1> share_corners();
     void find_corners();
 

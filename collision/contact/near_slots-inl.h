@@ -183,6 +183,7 @@ struct SearchedPatch {
 };
 
 inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
+    if (a.is_given || b.is_given) return a.is_given != b.is_given;
     return &a == &b ? a.meets_itself : masks_allow(a.layer, a.mask, b.layer, b.mask);
 }
 

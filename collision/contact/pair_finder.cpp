@@ -44,7 +44,7 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
     for (const ContactBody& body : bodies) {
         const ContactMesh& mesh = *body.mesh;
         const auto index = static_cast<std::uint32_t>(bodies_.size());
-        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
+        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself, body.is_given,
                            groups.vertices, groups.triangles, groups.edges,
                            static_cast<std::uint32_t>(blocks_.size())});
         groups.vertices += mesh.vertex_slots().groups();
@@ -71,8 +71,11 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
               no_boxes((groups + 15) / 16),
               AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
               AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
-    room_ = AlignedBuffer<FeaturePair>(blocks * kept);
-    crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
+    // Of given bodies all pairs are found by others' blocks, which come before.
+    const auto searching = static_cast<std::size_t>(
+        std::ranges::count_if(blocks_, [&](const PatchBlock& b) { return !bodies_[b.body].is_given; }));
+    room_ = AlignedBuffer<FeaturePair>(searching * kept);
+    crossing_room_ = AlignedBuffer<Crossing>(searching * kept_crossings);
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -95,9 +98,10 @@ void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::
         const std::uint32_t here = std::min(blocks_at_a_time, blocks - first);
         parallel.blocks(here, [&](std::uint32_t k) {
             const std::uint32_t block = first + k;
+            if (is_calm_[block] != 0) return;
             FoundPairs pairs = room_of(block);
             pairs.vertex_triangle.enough = pairs.edge_edge.enough = capacity + 1;
-            if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+            find_pairs(search, block, pairs);
             block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
         });
         for (const BlockPairs& block : std::span(block_pairs_).subspan(first, here))
@@ -116,13 +120,16 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     };
     place(parallel, search);
     parallel.blocks(blocks, [&](std::uint32_t block) {
+        block_crossings_[block] = 0;
+        if (is_calm_[block] != 0) return;
         Found<Crossing> crossings{room_of_block(block)};
-        if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
+        weft::find_crossings(search, block, crossings);
         block_crossings_[block] = crossings.count;
     });
 
     std::uint64_t count = 0;
     for (std::uint32_t block = 0; block < blocks; ++block) {  // few: most blocks have none
+        if (block_crossings_[block] == 0) continue;
         const std::span<Crossing> to = part_of(found.crossings.span(), count, block_crossings_[block]);
         count += block_crossings_[block];
         Found<Crossing> again{to};
@@ -173,6 +180,7 @@ void PairFinder::number(PairList& found) {
 
 void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {
     const BlockPairs& here = block_pairs_[block];
+    if (here.vertex_triangle + here.edge_edge == 0) return;
     const std::span<FeaturePair> vertex_triangle =
         part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
     const std::span<FeaturePair> edge_edge =

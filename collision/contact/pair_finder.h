@@ -22,12 +22,14 @@ struct ContactBody {
     std::uint32_t layer = 1;   ///< bits: which layers it is in
     std::uint32_t mask = ~0u;  ///< bits: which layers it meets; two bodies meet if both masks allow it
     bool meets_itself = true;
+    /// Where its particles go is given: it meets all bodies that are not such, and nothing else.
+    bool is_given = false;
 };
 
 class PairFinder {
   public:
     /// Takes the memory that searches of these bodies need, or of a part of them, whatever their reach and
-    /// positions.
+    /// positions. Given ones come last, here and in searches.
     void reserve(std::span<const ContactBody> bodies);
 
     /// Lists every pair of features that share no vertex, of bodies that may meet, with

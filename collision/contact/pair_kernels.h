@@ -25,7 +25,7 @@ struct SearchedBody {
     std::uint32_t first;  ///< its first particle
     float reach;          ///< [m]
     std::uint32_t layer, mask;
-    bool meets_itself;
+    bool meets_itself, is_given;
     /// Where the boxes of its vertices, triangles and edges begin.
     std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
     std::uint32_t first_block;

@@ -47,14 +47,22 @@ void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pai
 
 void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
                     CommonMotionKind most) {
-    common_ = fit_.fit(parallel, island.particles, island.positions, displacements, most);
-    take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
+    split_by(parallel, fit_.fit(parallel, island.particles, island.positions, displacements, most), island,
+             displacements);
+}
+
+void Settler::split_by(Parallel& parallel, const CommonMotion& motion, const Island& island,
+                       std::span<const Vec4> displacements) {
+    common_ = motion;
+    for (const std::span<const ParticleRange> ranges : {island.particles, island.given})
+        take_out(parallel, common_, ranges, island.positions, displacements, relative_.span());
 }
 
 SettleResult Settler::settle(Parallel& parallel, const Island& island, const PairList& pairs,
                              std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
                              std::span<Vec4> displacements) {
     SettleResult result;
+    first_given_ = settings.first_given;
     truncation_.cut(parallel, island.positions, relative_.span(), pairs, exempt, settings);
     result.sweeps = truncation_.sweeps();
     result.list_was_incomplete = truncation_.list_was_incomplete();
@@ -62,7 +70,7 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     given_back_ = mean_loss(parallel, island, displacements);
     for (int round = 0; pairs.size > 0 && !result.list_was_incomplete; ++round) {
         place_ends(parallel, island, displacements);
-        const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result.uncertain);
+        const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result);
         if (to_hold == 0) break;
         if (round == most_rounds_of_rounding) {
             result.uncertain += to_hold;
@@ -109,32 +117,37 @@ Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<c
 }
 
 void Settler::place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    for_ranges(parallel, island.particles, [&](const BlockRange& block) {
+    const auto place_block = [&](const BlockRange& block) {
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
             const Vector3 x = xyz(island.positions[i]);
             const float tau = truncation_.fractions()[i];
             set_xyz(ends_[i], x + (give_back(common_, x, xyz(displacements[i]), tau) + given_back_));
         }
-    });
+    };
+    for_ranges(parallel, island.particles, place_block);
+    for_ranges(parallel, island.given, place_block);
 }
 
 // The certificate again, of the ends as rounded. Along (A^-1)^T n the map's image of a gap is as wide as the
 // gap was along n.
 std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pairs,
-                                         std::uint32_t& uncertain) {
+                                         SettleResult& result) {
     const Matrix3 to_ends = common_.inverse.transpose();
     const auto stands_still = [&](const FeaturePair& pair) {
         return std::ranges::all_of(pair.corners,
-                                   [&](std::uint32_t i) { return truncation_.fractions()[i] <= 0; });
+                                   [&](std::uint32_t i) { return i >= first_given_ || truncation_.fractions()[i] <= 0; });
     };
     const auto find_block = [&](const BlockRange& block) {
         Failures failures;
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
             held_[k] = 0;
             const float kept = truncation_.kept_gap(k);
-            if (!(kept > 0) || truncation_.is_left_out(k)) continue;
+            const bool gave_way = truncation_.gave_way(k);
+            if (!gave_way && (!(kept > 0) || truncation_.is_left_out(k))) continue;
             const Vector3 normal = to_ends * xyz(pairs.shapes[k].normal);
             const float gap = gap_along(normal, pairs.pairs[k], pairs.corners_of_a(k), ends_.span());
+            if (gave_way) failures.passed += gap > 0 ? 0 : 1;
+            if (gave_way) continue;
             if (gap >= left_after_rounding * kept) continue;
             if (stands_still(pairs.pairs[k])) {
                 failures.uncertain += gap > 0 ? 0 : 1;
@@ -146,10 +159,11 @@ std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pai
         return failures;
     };
     const auto add = [](const Failures& a, const Failures& b) {
-        return Failures{a.to_hold + b.to_hold, a.uncertain + b.uncertain};
+        return Failures{a.to_hold + b.to_hold, a.uncertain + b.uncertain, a.passed + b.passed};
     };
     const Failures found = parallel.reduce(pairs.size, failures_.span(), Failures{}, find_block, add);
-    uncertain = found.uncertain;
+    result.uncertain = found.uncertain;
+    result.passed = found.passed;
     return found.to_hold;
 }
 

@@ -24,6 +24,7 @@ struct Island {
     /// Some are at a place that is given: a common motion would draw them off it. So where the list is
     /// incomplete, none moves.
     bool is_pinned = false;
+    std::span<const ParticleRange> given = {};  ///< that go where they are to: see TruncationSettings
 };
 
 struct SettleResult {
@@ -33,6 +34,7 @@ struct SettleResult {
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
     std::uint32_t uncertain = 0;  ///< pairs as near as rounding, which may have crossed by it
+    std::uint32_t passed = 0;     ///< pairs of which the given side may have gone through the other
     float pinned_lag = 0;         ///< [m]; how far the farthest pinned particle is from its place
     /// Share of the way that all particles wanted to go: the sum of |wanted - had| over that of |wanted|.
     float motion_lost = 0;
@@ -60,6 +62,10 @@ class Settler {
 
     void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
                CommonMotionKind most = CommonMotionKind::affine);
+    /// The same with another motion for the common one: that of something given, through which nothing that
+    /// is cut to it then goes.
+    void split_by(Parallel& parallel, const CommonMotion& motion, const Island& island,
+                  std::span<const Vec4> displacements);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
     [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
@@ -85,19 +91,20 @@ class Settler {
         double way[3] = {};  // mass times displacement [kg m]
     };
     struct Failures {
-        std::uint32_t to_hold = 0, uncertain = 0;
+        std::uint32_t to_hold = 0, uncertain = 0, passed = 0;
     };
 
     [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const Island& island,
                                     std::span<const Vec4> displacements);
     void place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
-    std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, std::uint32_t& uncertain);
+    std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, SettleResult& result);
     Totals apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements);
 
     PairProjection projection_;
     CommonMotionFit fit_;
     Truncation truncation_;
     CommonMotion common_;
+    std::uint32_t first_given_ = ~0u;
     Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
     AlignedBuffer<Vec4> relative_;
     AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step

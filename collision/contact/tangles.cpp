@@ -121,14 +121,15 @@ void Tangles::dilate(std::span<const ContactBody> bodies) {
     std::ranges::fill(marks_.span(), 0u);
     for (const auto& [particle, contour] : std::as_const(core_).span().first(core_size_)) {
         const ContactBody& body = bodies[body_of(bodies, particle)];
-        for (const std::uint32_t t : body.mesh->triangles_of(particle - body.first)) {
-            for (const std::uint32_t of_mesh : body.mesh->triangles()[t]) {
-                const std::uint32_t i = body.first + of_mesh;
-                if (marks_[i] == contour + 1 || label_count_ == labels_.size()) continue;
-                marks_[i] = contour + 1;
-                labels_[label_count_++] = {i, contour};
-            }
-        }
+        const auto label = [&, contour = contour](std::uint32_t i) {
+            if (marks_[i] == contour + 1 || label_count_ == labels_.size()) return;
+            marks_[i] = contour + 1;
+            labels_[label_count_++] = {i, contour};
+        };
+        const std::span<const std::uint32_t> around = body.mesh->triangles_of(particle - body.first);
+        if (around.empty()) label(particle);
+        for (const std::uint32_t t : around)
+            for (const std::uint32_t of_mesh : body.mesh->triangles()[t]) label(body.first + of_mesh);
     }
     std::ranges::sort(labels_.span().first(label_count_));
     std::ranges::fill(label_ends_.span(), 0u);

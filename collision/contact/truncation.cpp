@@ -57,6 +57,11 @@ struct Truncation::Sides {
             upper_b = a - kept;
         }
     }
+    /// Where the one side must stay that the other, whose way is given, leaves to it.
+    void planes_of_given(bool a_is_given, float kept, float& lower_a, float& upper_b) const {
+        lower_a = a_is_given ? a : b + kept;
+        upper_b = a_is_given ? a - kept : b;
+    }
     void standing_planes(float kept, float& lower_a, float& upper_b) const {
         const float middle = b0 + 0.5f * (a0 - b0);
         lower_a = middle + 0.5f * kept;
@@ -77,14 +82,15 @@ void Truncation::reserve(std::size_t particles, std::size_t pairs) {
 void Truncation::cut(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
                      const PairList& pairs, std::span<const std::uint8_t> exempt,
                      const TruncationSettings& settings) {
+    settings_ = settings;
     sweeps_ = 0;
     incomplete_ = pairs.overflowed || pairs.size > lanes_.size();
     const float tau = incomplete_ ? 0.0f : 1.0f;
     parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& block) {
-        std::fill_n(fractions_.data() + block.begin, block.end - block.begin, tau);
+        for (std::uint32_t i = block.begin; i < block.end; ++i) fractions_[i] = settings.is_given(i) ? 1 : tau;
     });
     if (incomplete_ || pairs.size == 0) return;
-    prepare(parallel, positions, motions, pairs, exempt, settings.floor);
+    prepare(parallel, positions, motions, pairs, exempt);
     cut_until_none_fails(parallel, pairs, settings.sweeps);
 }
 
@@ -99,9 +105,17 @@ void Truncation::cut_again(Parallel& parallel, const PairList& pairs,
     cut_until_none_fails(parallel, pairs, settings.sweeps);
 }
 
+float Truncation::core_of(const FeaturePair& pair, const PairShape& shape) const {
+    float core = 0;
+    for (std::uint32_t i = 0; i < 4; ++i)
+        if (settings_.is_given(pair.corners[i]))
+            core += std::abs(shape.weight(i)) * settings_.cores[pair.corners[i] - settings_.first_given];
+    return core;
+}
+
 Truncation::Kind Truncation::prepare_pair(const FeaturePair& pair, const PairShape& shape,
                                           std::uint32_t corners_of_a, std::span<const Vec4> positions,
-                                          std::span<const Vec4> motions, float floor, Lane& lane) {
+                                          std::span<const Vec4> motions, Lane& lane) const {
     const Vector3 normal = xyz(shape.normal), origin = xyz(positions[pair.corners[0]]);
     bool finite = true;
     float lowest_a = std::numeric_limits<float>::infinity(), highest_b = -lowest_a;
@@ -120,19 +134,27 @@ Truncation::Kind Truncation::prepare_pair(const FeaturePair& pair, const PairSha
     constexpr float all[4] = {1, 1, 1, 1};
     const Sides sides(lane, corners_of_a, all);
     lane.kept = 0;
-    if (!finite || !(shape.normal.w > 0) || !(sides.a0 > sides.b0)) return held;
-    floor = std::max(floor, kept_per_coordinate * origin.cwiseAbs().maxCoeff());
-    lane.kept = std::min(floor, sides.a0 - sides.b0);
+    const bool a_is_given = settings_.is_given(pair.corners[0]);
+    const bool has_given = a_is_given || settings_.is_given(pair.corners[3]);
+    if (!finite || !(shape.normal.w > 0) || !(sides.a0 > sides.b0)) return has_given ? passing : held;
+    const float floor =
+        std::max(settings_.floor, kept_per_coordinate * origin.cwiseAbs().maxCoeff());
+    lane.kept = std::min(floor + (has_given ? core_of(pair, shape) : 0), sides.a0 - sides.b0);
+    if (has_given) {
+        const float if_it_stays = a_is_given ? sides.a - sides.b0 : sides.a0 - sides.b;
+        lane.kept = std::min(lane.kept, if_it_stays);
+        if (!(if_it_stays > 0)) return passing;
+    }
     return lowest_a - highest_b >= lane.kept ? at_ease : moving;
 }
 
 void Truncation::prepare(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
-                         const PairList& pairs, std::span<const std::uint8_t> exempt, float floor) {
+                         const PairList& pairs, std::span<const std::uint8_t> exempt) {
     parallel.ranges(pairs.size, [&](const BlockRange& block) {
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
             const bool is_exempt = !exempt.empty() && exempt[k] != 0;
             const Kind kind = prepare_pair(pairs.pairs[k], pairs.shapes[k], pairs.corners_of_a(k), positions,
-                                           motions, floor, lanes_[k]);
+                                           motions, lanes_[k]);
             kinds_[k] = is_exempt ? left_out : kind;
         }
     });
@@ -188,14 +210,16 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
     const std::uint32_t corners_of_a = pairs.corners_of_a(pair);
     if (kinds_[pair] == held) {
         std::ranges::fill(limits.of, 0.0f);
-        return std::ranges::any_of(corners, [&](std::uint32_t i) { return fractions_[i] > 0; });
+        return std::ranges::any_of(
+            corners, [&](std::uint32_t i) { return fractions_[i] > 0 && !settings_.is_given(i); });
     }
     if (kinds_[pair] != moving) return false;
 
     float tau[4];
     for (std::uint32_t i = 0; i < 4; ++i) tau[i] = fractions_[corners[i]];
     const Sides sides(lane, corners_of_a, tau);
-    if (planes != Planes::stand && sides.a - sides.b >= tolerance * lane.kept) return false;
+    const bool has_given = has_given_side(pairs.pairs[pair]);
+    if ((planes != Planes::stand || has_given) && sides.a - sides.b >= tolerance * lane.kept) return false;
 
     // The value of a corner changes one way only as tau grows, also as rounded. So whatever is within its
     // plane for one tau is so for all that are less.
@@ -210,7 +234,7 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
                 return i < corners_of_a ? value < plane : value > plane;
             };
             limits.of[i] = 1;
-            if (!is_beyond(tau[i])) continue;
+            if (settings_.is_given(corners[i]) || !is_beyond(tau[i])) continue;
             const float most = (plane - lane.start[i]) / lane.motion[i];
             limits.of[i] = short_of_plane * std::clamp(most, 0.0f, tau[i]);
             if (is_beyond(limits.of[i])) limits.of[i] = 0;
@@ -219,6 +243,13 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
         return any;
     };
     float lower_a, upper_b;
+    if (has_given) {
+        sides.planes_of_given(settings_.is_given(corners[0]), lane.kept, lower_a, upper_b);
+        if (cut_to_planes(lower_a, upper_b)) return true;
+        kinds_[pair] = held;
+        std::ranges::fill(limits.of, 0.0f);
+        return true;
+    }
     if (planes == Planes::move) {
         sides.moving_planes(lane.kept, lower_a, upper_b);
         if (cut_to_planes(lower_a, upper_b)) return true;
@@ -233,6 +264,7 @@ void Truncation::gather_limits(Parallel& parallel) {
     parallel.ranges(incidence_.rows(), [&](const BlockRange& block) {
         for (std::uint32_t row = block.begin; row < block.end; ++row) {
             const std::uint32_t particle = incidence_.particle(row);
+            if (settings_.is_given(particle)) continue;
             float least = fractions_[particle];
             for (const std::uint32_t place : incidence_.places(row)) {
                 if (failed_[place / 4] != 0) least = std::min(least, limits_[place / 4].of[place % 4]);

@@ -31,6 +31,11 @@ struct TruncationSettings {
     /// at the end of the step must not cross it: where coordinates are so large that it could, more is kept.
     float floor = 1e-5f;
     std::uint32_t sweeps = 30;  ///< before planes stand still
+    /// Particles from this one on go where they are to, all of their way: what is near them gives way alone.
+    std::uint32_t first_given = ~0u;
+    std::span<const float> cores = {};  ///< of these: how much more the floor is there [m]
+
+    [[nodiscard]] bool is_given(std::uint32_t particle) const noexcept { return particle >= first_given; }
 };
 
 class Truncation {
@@ -39,7 +44,8 @@ class Truncation {
 
     /// Finds tau. Each pair keeps a gap of min(floor, gap at the start), save those that are exempt
     /// (exempt[pair] != 0; may be empty). Corners of other pairs without a positive gap do not move, nor do
-    /// those of a pair with a value that is not finite. Pinned particles are cut as all others.
+    /// those of a pair with a value that is not finite. Pinned particles are cut as all others. Pairs with a
+    /// given side are left out where the other side could not stay: see gave_way().
     /// Preconditions: the list holds all pairs that these motions bring nearer than the floor (E, without
     /// common motion: PairFinder::find with motions = E). Where it is incomplete (overflowed, or more pairs
     /// than reserved for), tau is 0 for all. Spans are of all bodies' particles.
@@ -56,7 +62,9 @@ class Truncation {
     /// The gap that the pair keeps [m]; 0 for those that were left out or do not move.
     [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return lanes_[pair].kept; }
     /// Whether a pair was left out.
-    [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] == left_out; }
+    [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] <= passing; }
+    /// Whether a given side goes through where the other one is: unless that has gone on, it passes.
+    [[nodiscard]] bool gave_way(std::uint32_t pair) const noexcept { return kinds_[pair] == passing; }
 
     [[nodiscard]] bool list_was_incomplete() const noexcept { return incomplete_; }
     [[nodiscard]] std::uint32_t sweeps() const noexcept { return sweeps_; }
@@ -73,8 +81,9 @@ class Truncation {
         float of[4];  // what tau of each corner may be
     };
     enum Kind : std::uint8_t {
-        at_ease,   // keeps its gap whatever tau is
         left_out,  // exempt
+        passing,   // a given side comes where the other one is now
+        at_ease,   // keeps its gap whatever tau is
         moving,    // its plane may move
         standing,  // its plane stands still
         held,      // its corners do not move
@@ -82,14 +91,17 @@ class Truncation {
     struct Sides;
 
     void prepare(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
-                 const PairList& pairs, std::span<const std::uint8_t> exempt, float floor);
-    static Kind prepare_pair(const FeaturePair& pair, const PairShape& shape, std::uint32_t corners_of_a,
-                             std::span<const Vec4> positions, std::span<const Vec4> motions, float floor,
-                             Lane& lane);
+                 const PairList& pairs, std::span<const std::uint8_t> exempt);
+    Kind prepare_pair(const FeaturePair& pair, const PairShape& shape, std::uint32_t corners_of_a,
+                      std::span<const Vec4> positions, std::span<const Vec4> motions, Lane& lane) const;
+    [[nodiscard]] float core_of(const FeaturePair& pair, const PairShape& shape) const;
     void cut_until_none_fails(Parallel& parallel, const PairList& pairs, std::uint32_t most_sweeps);
     enum class Planes : std::uint8_t { move, stand_where_failing, stand };
     std::uint32_t sweep(Parallel& parallel, const PairList& pairs, Planes planes, bool first);
     bool limit_pair(const PairList& pairs, std::uint32_t pair, Planes planes, Limits& limits);
+    [[nodiscard]] bool has_given_side(const FeaturePair& pair) const noexcept {
+        return settings_.is_given(pair.corners[0]) || settings_.is_given(pair.corners[3]);
+    }
     void gather_limits(Parallel& parallel);
 
     PairIncidence incidence_;  // of pairs that can fail
@@ -99,6 +111,7 @@ class Truncation {
     AlignedBuffer<std::uint8_t> was_cut_;                    // by particle, in the last sweep
     AlignedBuffer<float> fractions_;
     AlignedBuffer<std::uint32_t> block_counts_;
+    TruncationSettings settings_;
     std::uint32_t sweeps_ = 0;
     bool incomplete_ = false;
 };

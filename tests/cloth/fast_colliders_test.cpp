@@ -51,14 +51,18 @@ TEST(FastColliders, Table) {
                         {"ball", Striker::Kind::ball, 0.05f, {5, 10, 20, 50}},
                         {"ball20", Striker::Kind::ball, 0.1f, {10, 20, 50}},
                         {"sword", Striker::Kind::sword, 0.005f, {5, 10, 30}}};
+    const char* const contact = std::getenv("WEFT_STRIKE_CONTACT");
+    const char* const sides = std::getenv("WEFT_STRIKE_SIDE");
     for (const Row& row : rows)
         for (const std::uint32_t side : {32u, 128u})
             for (const float speed : row.speeds) {
+                if (sides != nullptr && std::to_string(side) != sides) continue;
                 int whole = 0;
                 float mean = 0, fastest = 0;
                 for (int phase = 0; phase < strikes; ++phase) {
                     const Struck struck = strike({row.kind, speed, row.radius}, side,
-                                                 static_cast<float>(phase) / static_cast<float>(strikes));
+                                                 static_cast<float>(phase) / static_cast<float>(strikes), 1,
+                                                 contact != nullptr);
                     EXPECT_TRUE(struck.sound);
                     whole += struck.carried == 1 ? 1 : 0;
                     mean += struck.carried / strikes;

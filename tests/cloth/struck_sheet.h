@@ -76,11 +76,13 @@ struct Struck {
 };
 
 /// phase: of a step, at which the striker sets out.
-inline Struck strike(const Striker& striker, std::uint32_t side, float phase, int substeps = 1) {
+inline Struck strike(const Striker& striker, std::uint32_t side, float phase, int substeps = 1,
+                     bool by_contact = false) {
     constexpr float h = 1.0f / 60;
     World world = World::create({.substeps = substeps}).value();
     ClothSettings settings;
     settings.thickness = 0.005f;
+    if (by_contact) settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
     const Mesh mesh =
         make_sheet({.rows = side, .columns = side, .origin = {-0.5f, 1, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}})
             .value();
