@@ -174,8 +174,8 @@ class FeatureContact {
     };
     [[nodiscard]] CoreLaw law_with_core(const FeaturePair& pair, const PairShape& shape, std::size_t cloth,
                                         std::size_t core) const;
-    [[nodiscard]] const Core* leading_core() const;
-    void split(Parallel& parallel, const Core* leading);
+    [[nodiscard]] const Core* passing_core() const;
+    void carry_with_core(Parallel& parallel);
     [[nodiscard]] float reach_for_cut() const;
     [[nodiscard]] float greatest_floor() const;
 

@@ -123,24 +123,25 @@ FeatureContact::CoreLaw FeatureContact::law_with_core(const FeaturePair& pair, c
             ball + std::min(radius, projected_gap * radius)};
 }
 
-/// Of the cores in the list the fastest: what is cut goes with it, so that nothing of it is passed.
-const FeatureContact::Core* FeatureContact::leading_core() const {
-    if (cores_.empty()) return nullptr;
-    const Core* leading = nullptr;
-    for (std::uint32_t k = 0; k < pairs_.size; ++k)
-        for (const std::uint32_t corner : {pairs_.pairs[k].corners[0], pairs_.pairs[k].corners[3]}) {
-            if (corner < first_given_) continue;
-            const Core& core = cores_[body_of(bodies_, corner) - cloths_.size()];
-            if (leading == nullptr || core.way > leading->way) leading = &core;
-        }
-    return leading;
+/// The fastest of those that pass something.
+const FeatureContact::Core* FeatureContact::passing_core() const {
+    const Core* fastest = nullptr;
+    for (std::uint32_t k = 0; k < pairs_.size; ++k) {
+        if (!settler_.has_passed(k)) continue;
+        const auto& corners = pairs_.pairs[k].corners;
+        const Core& core = cores_[body_of(bodies_, std::max(corners[0], corners[3])) - cloths_.size()];
+        if (fastest == nullptr || core.way > fastest->way) fastest = &core;
+    }
+    return fastest;
 }
 
-void FeatureContact::split(Parallel& parallel, const Core* leading) {
-    if (leading != nullptr)
-        settler_.split_by(parallel, leading->motion, island(), displacements_.span());
-    else
-        settler_.split(parallel, island(), displacements_.span());
+// With a core's own motion for the common one, what is cut to nothing goes along with it, and is not passed.
+// In that motion more is near than in the cloth's own: where there is no room for it the core passes.
+void FeatureContact::carry_with_core(Parallel& parallel) {
+    settler_.split_by(parallel, passing_core()->motion, island(), displacements_.span());
+    find(parallel, settler_.relative(), {&ContactCloth::floor});
+    if (!pairs_.overflowed) return;
+    find_for_cut(parallel);
 }
 
 // A pair with cloth has at least half of it, and at a border the part of that.

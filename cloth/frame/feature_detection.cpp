@@ -63,8 +63,7 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel) {
 
 // Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
 void FeatureContact::find_for_cut(Parallel& parallel) {
-    const Core* const leading = leading_core();
-    split(parallel, leading);
+    settler_.split(parallel, island(), displacements_.span());
     if (std::exchange(has_all_near_, false)) {
         const Change change = change_of_motion(parallel);
         if (change.is_covered) {
@@ -73,9 +72,6 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
             return;
         }
     }
-    find(parallel, settler_.relative(), {&ContactCloth::floor});
-    if (leading != nullptr || leading_core() == nullptr) return;
-    split(parallel, leading_core());
     find(parallel, settler_.relative(), {&ContactCloth::floor});
 }
 
@@ -88,12 +84,19 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     Island all = island();
     all.is_pinned = holder_ == Holder::pin;
     all.is_free = holder_ == Holder::none && !is_pushed && cores_.empty();
-    const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
-                                                {.floor = least_floor,
-                                                 .first_given = cores_.empty() ? ~0u : first_given_,
-                                                 .cores = std::as_const(core_radii_).span()},
-                                                displacements_.span());
-    is_uncertain_ = result.uncertain + result.passed > 0;
+    const TruncationSettings truncation{.floor = least_floor,
+                                        .first_given = cores_.empty() ? ~0u : first_given_,
+                                        .cores = std::as_const(core_radii_).span()};
+    const auto settle_as_split = [&](bool may_refuse) {
+        return settler_.settle(parallel, all, pairs_, find_exempt(parallel), truncation,
+                               displacements_.span(), may_refuse);
+    };
+    SettleResult result = settle_as_split(!cores_.empty());
+    if (result.refused) {
+        carry_with_core(parallel);
+        result = settle_as_split(false);
+    }
+    is_uncertain_ = result.uncertain > 0 || (result.list_was_incomplete && !cores_.empty());
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,
             .pin_lag = result.pinned_lag,

@@ -60,7 +60,7 @@ void Settler::split_by(Parallel& parallel, const CommonMotion& motion, const Isl
 
 SettleResult Settler::settle(Parallel& parallel, const Island& island, const PairList& pairs,
                              std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
-                             std::span<Vec4> displacements) {
+                             std::span<Vec4> displacements, bool may_refuse) {
     SettleResult result;
     first_given_ = settings.first_given;
     truncation_.cut(parallel, island.positions, relative_.span(), pairs, exempt, settings);
@@ -80,6 +80,8 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
         given_back_ = mean_loss(parallel, island, displacements);
         result.sweeps = truncation_.sweeps();
     }
+    result.refused = may_refuse && result.passed > 0;
+    if (result.refused) return result;
     const Totals totals = apply(parallel, island, displacements);
     result.common = common_.kind;
     result.truncated = totals.truncated;
@@ -141,18 +143,23 @@ std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pai
         Failures failures;
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
             held_[k] = 0;
+            const float beside_given = truncation_.gap_beside_given(pairs, k);
             const float kept = truncation_.kept_gap(k);
-            const bool gave_way = truncation_.gave_way(k);
-            if (!gave_way && (!(kept > 0) || truncation_.is_left_out(k))) continue;
+            if (!(beside_given > 0) && (!(kept > 0) || truncation_.is_left_out(k))) continue;
             const Vector3 normal = to_ends * xyz(pairs.shapes[k].normal);
             const float gap = gap_along(normal, pairs.pairs[k], pairs.corners_of_a(k), ends_.span());
-            if (gave_way) failures.passed += gap > 0 ? 0 : 1;
-            if (gave_way) continue;
+            if (beside_given > 0) {
+                const bool passed = gap < left_after_rounding * beside_given;
+                held_[k] = passed ? was_passed : 0;
+                failures.passed += passed ? 1 : 0;
+                failures.uncertain += gap > 0 ? 0 : 1;
+                continue;
+            }
             if (gap >= left_after_rounding * kept) continue;
             if (stands_still(pairs.pairs[k])) {
                 failures.uncertain += gap > 0 ? 0 : 1;
             } else {
-                held_[k] = 1;
+                held_[k] = was_rounded;
                 ++failures.to_hold;
             }
         }

@@ -34,7 +34,8 @@ struct SettleResult {
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
     std::uint32_t uncertain = 0;  ///< pairs as near as rounding, which may have crossed by it
-    std::uint32_t passed = 0;     ///< pairs of which the given side may have gone through the other
+    std::uint32_t passed = 0;     ///< pairs nearer something given than is to be, or crossed by it
+    bool refused = false;         ///< since there were such: nothing was done
     float pinned_lag = 0;         ///< [m]; how far the farthest pinned particle is from its place
     /// Share of the way that all particles wanted to go: the sum of |wanted - had| over that of |wanted|.
     float motion_lost = 0;
@@ -71,12 +72,15 @@ class Settler {
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
 
     /// Preconditions: after split() of the same island and displacements; every corner of a pair is in the
-    /// island; the list is what PairFinder lists with a reach of at least settings.floor.
+    /// island; the list is what PairFinder lists with a reach of at least settings.floor. `may_refuse`: unless
+    /// all that is given is kept clear of.
     SettleResult settle(Parallel& parallel, const Island& island, const PairList& pairs,
                         std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
-                        std::span<Vec4> displacements);
+                        std::span<Vec4> displacements, bool may_refuse = false);
     /// tau of every particle, as last settled.
     [[nodiscard]] std::span<const float> fractions() const noexcept { return truncation_.fractions(); }
+    /// Whether the pair is one of SettleResult::passed.
+    [[nodiscard]] bool has_passed(std::uint32_t pair) const noexcept { return held_[pair] == was_passed; }
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -108,7 +112,8 @@ class Settler {
     Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
     AlignedBuffer<Vec4> relative_;
     AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step
-    AlignedBuffer<std::uint8_t> held_;  // by pair: rounding took its gap
+    static constexpr std::uint8_t was_rounded = 1, was_passed = 2;
+    AlignedBuffer<std::uint8_t> held_;  // by pair, what took its gap; 0: nothing did
     AlignedBuffer<Totals> partials_;
     AlignedBuffer<Momentum> momenta_;
     AlignedBuffer<Failures> failures_;

@@ -99,7 +99,7 @@ void Truncation::cut_again(Parallel& parallel, const PairList& pairs,
     if (incomplete_) return;
     parallel.ranges(pairs.size, [&](const BlockRange& block) {
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
-            if (held_pairs[k] != 0) kinds_[k] = held;
+            if (held_pairs[k] == 1) kinds_[k] = held;
         }
     });
     cut_until_none_fails(parallel, pairs, settings.sweeps);
@@ -111,6 +111,13 @@ float Truncation::core_of(const FeaturePair& pair, const PairShape& shape) const
         if (settings_.is_given(pair.corners[i]))
             core += std::abs(shape.weight(i)) * settings_.cores[pair.corners[i] - settings_.first_given];
     return core;
+}
+
+float Truncation::gap_beside_given(const PairList& pairs, std::uint32_t pair) const {
+    const FeaturePair& its = pairs.pairs[pair];
+    const PairShape& shape = pairs.shapes[pair];
+    if (!has_given_side(its) || kinds_[pair] == left_out || !(shape.normal.w > 0)) return 0;
+    return std::min(settings_.floor + core_of(its, shape), shape.normal.w);
 }
 
 Truncation::Kind Truncation::prepare_pair(const FeaturePair& pair, const PairShape& shape,

@@ -45,7 +45,7 @@ class Truncation {
     /// Finds tau. Each pair keeps a gap of min(floor, gap at the start), save those that are exempt
     /// (exempt[pair] != 0; may be empty). Corners of other pairs without a positive gap do not move, nor do
     /// those of a pair with a value that is not finite. Pinned particles are cut as all others. Pairs with a
-    /// given side are left out where the other side could not stay: see gave_way().
+    /// given side are left out where the other side could not stay: see gap_beside_given().
     /// Preconditions: the list holds all pairs that these motions bring nearer than the floor (E, without
     /// common motion: PairFinder::find with motions = E). Where it is incomplete (overflowed, or more pairs
     /// than reserved for), tau is 0 for all. Spans are of all bodies' particles.
@@ -53,7 +53,7 @@ class Truncation {
              const PairList& pairs, std::span<const std::uint8_t> exempt, const TruncationSettings& settings);
 
     /// Holds the corners of pairs that the caller found to fail by rounding: cut() again, with tau = 0 there.
-    /// held_pairs[pair] != 0 says which. Precondition: after cut(), with the same arguments.
+    /// held_pairs[pair] == 1 says which. Precondition: after cut(), with the same arguments.
     void cut_again(Parallel& parallel, const PairList& pairs, std::span<const std::uint8_t> held_pairs,
                    const TruncationSettings& settings);
 
@@ -63,8 +63,8 @@ class Truncation {
     [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return lanes_[pair].kept; }
     /// Whether a pair was left out.
     [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] <= passing; }
-    /// Whether a given side goes through where the other one is: unless that has gone on, it passes.
-    [[nodiscard]] bool gave_way(std::uint32_t pair) const noexcept { return kinds_[pair] == passing; }
+    /// Of a pair with a given side the gap that it is to keep, which cutting cannot always see to [m]; else 0.
+    [[nodiscard]] float gap_beside_given(const PairList& pairs, std::uint32_t pair) const;
 
     [[nodiscard]] bool list_was_incomplete() const noexcept { return incomplete_; }
     [[nodiscard]] std::uint32_t sweeps() const noexcept { return sweeps_; }
