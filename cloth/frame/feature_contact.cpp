@@ -152,7 +152,8 @@ void FeatureContact::make_laws(Parallel& parallel) {
                                        !(pairs_.shapes[k].normal.w > 0) ||
                                        (a == b && are_near_at_rest(pair, of_a));
             if (is_core(a) || is_core(b)) {
-                const auto [law, wanted] = law_with_core(pair, pairs_.shapes[k], std::min(a, b), std::max(a, b));
+                const auto [law, wanted] =
+                    law_with_core(pair, pairs_.shapes[k], std::min(a, b), std::max(a, b));
                 laws_[k] = is_left_alone ? PairLaw{} : law;
                 wanted_[k] = wanted;
                 continue;
@@ -240,7 +241,8 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes() + given_.bytes() + core_radii_.bytes() + zones_.bytes() + colliding_.bytes();
+           partials_.bytes() + holders_.bytes() + given_.bytes() + core_radii_.bytes() + zones_.bytes() +
+           colliding_.bytes();
 }
 
 }  // namespace weft

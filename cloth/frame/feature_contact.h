@@ -28,18 +28,18 @@ struct ContactCloth {
     float floor = 0;     ///< features are never let nearer than the least of all bodies' [m]
     float friction = 0;  ///< Coulomb coefficient; two bodies have the geometric mean of theirs
     std::uint32_t layer = 1, mask = ~0u;
-    bool by_zones = false;  ///< its collisions are resolved by impact zones, where nothing else is near
-    float restitution = 0;  ///< of these
-    float thickness = 0;    ///< colliders' cores are kept so far outside their balls [m]
+    bool by_zones = false;        ///< its collisions are resolved by impact zones, where nothing else is near
+    float restitution = 0;        ///< of these
+    float thickness = 0;          ///< colliders' cores are kept so far outside their balls [m]
     float collider_friction = 0;  ///< multiplied by the collider's own
-    float edge = 0;         ///< mean length at rest: what is thin against it has a core [m]
+    float edge = 0;               ///< mean length at rest: what is thin against it has a core [m]
 };
 
 /// Colliders over a substep, of which cores are met.
 struct MetColliders {
     std::span<const ColliderMotion> motions = {};
-    float h = 0;      ///< of the substep [s]
-    float margin = 0; ///< how far a particle may go in it at most [m]
+    float h = 0;       ///< of the substep [s]
+    float margin = 0;  ///< how far a particle may go in it at most [m]
 };
 
 /// Where a body is expected to go in a substep.
@@ -142,6 +142,8 @@ class FeatureContact {
     };
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
+    SettleResult settle_clear_of_cores(Parallel& parallel, const Island& island,
+                                       const TruncationSettings& settings);
     FeatureCounts stand_still();
     FeatureCounts settle_by_zones(Parallel& parallel);
     void find_for_zones(Parallel& parallel);
@@ -174,8 +176,9 @@ class FeatureContact {
     };
     [[nodiscard]] CoreLaw law_with_core(const FeaturePair& pair, const PairShape& shape, std::size_t cloth,
                                         std::size_t core) const;
-    [[nodiscard]] const Core* passing_core() const;
-    void carry_with_core(Parallel& parallel);
+    /// Of the cores in listed pairs, or of those that passed something: null if none.
+    [[nodiscard]] const Core* fastest_core(bool passing) const;
+    bool carry_with_core(Parallel& parallel, const Core* core);
     [[nodiscard]] float reach_for_cut() const;
     [[nodiscard]] float greatest_floor() const;
 
@@ -197,8 +200,8 @@ class FeatureContact {
     std::vector<ContactCloth> cloths_;
     std::vector<Core> cores_;  // bodies after the cloths
     std::size_t room_for_cores_ = 0;
-    std::uint32_t first_given_ = 0;     // particle of these
-    AlignedBuffer<Vec4> given_;         // their velocities [m/s]
+    std::uint32_t first_given_ = 0;  // particle of these
+    AlignedBuffer<Vec4> given_;      // their velocities [m/s]
     AlignedBuffer<float> core_radii_;
     std::vector<ContactBody> bodies_;
     std::vector<ParticleRange> ranges_;

@@ -123,25 +123,47 @@ FeatureContact::CoreLaw FeatureContact::law_with_core(const FeaturePair& pair, c
             ball + std::min(radius, projected_gap * radius)};
 }
 
-/// The fastest of those that pass something.
-const FeatureContact::Core* FeatureContact::passing_core() const {
+const FeatureContact::Core* FeatureContact::fastest_core(bool passing) const {
     const Core* fastest = nullptr;
+    if (cores_.empty()) return fastest;
     for (std::uint32_t k = 0; k < pairs_.size; ++k) {
-        if (!settler_.has_passed(k)) continue;
         const auto& corners = pairs_.pairs[k].corners;
-        const Core& core = cores_[body_of(bodies_, std::max(corners[0], corners[3])) - cloths_.size()];
+        const std::uint32_t last = std::max(corners[0], corners[3]);
+        if (last < first_given_ || (passing && !settler_.has_passed(k))) continue;
+        const Core& core = cores_[body_of(bodies_, last) - cloths_.size()];
         if (fastest == nullptr || core.way > fastest->way) fastest = &core;
     }
     return fastest;
 }
 
 // With a core's own motion for the common one, what is cut to nothing goes along with it, and is not passed.
-// In that motion more is near than in the cloth's own: where there is no room for it the core passes.
-void FeatureContact::carry_with_core(Parallel& parallel) {
-    settler_.split_by(parallel, passing_core()->motion, island(), displacements_.span());
+// In that motion more is near than in the cloth's own, and there may be no room for it.
+bool FeatureContact::carry_with_core(Parallel& parallel, const Core* core) {
+    if (core == nullptr) return false;
+    settler_.split_by(parallel, core->motion, island(), displacements_.span());
     find(parallel, settler_.relative(), {&ContactCloth::floor});
-    if (!pairs_.overflowed) return;
+    return !pairs_.overflowed;
+}
+
+// Most is kept clear of slow cores by the equation; of fast ones little. Where there is no room for what is
+// near in a core's motion, the core passes.
+SettleResult FeatureContact::settle_clear_of_cores(Parallel& parallel, const Island& island,
+                                                   const TruncationSettings& settings) {
+    const auto settle = [&](bool may_refuse) {
+        return settler_.settle(parallel, island, pairs_, find_exempt(parallel), settings,
+                               displacements_.span(), may_refuse);
+    };
+    float thickness = 0;
+    for (const ContactCloth& cloth : cloths_) thickness = std::max(thickness, cloth.thickness);
+    const Core* const fastest = fastest_core(false);
+    const bool is_fast = fastest != nullptr && fastest->way > fastest->radius + thickness;
+    if (is_fast && carry_with_core(parallel, fastest)) return settle(false);
+    if (is_fast) has_all_near_ = false;
     find_for_cut(parallel);
+    const SettleResult result = settle(!is_fast);
+    if (!result.refused) return result;
+    if (!carry_with_core(parallel, fastest_core(true))) find_for_cut(parallel);
+    return settle(false);
 }
 
 // A pair with cloth has at least half of it, and at a border the part of that.

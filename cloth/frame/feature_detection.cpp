@@ -78,7 +78,6 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
-    find_for_cut(parallel);
     float least_floor = cloths_.front().floor;
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
     Island all = island();
@@ -87,14 +86,13 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     const TruncationSettings truncation{.floor = least_floor,
                                         .first_given = cores_.empty() ? ~0u : first_given_,
                                         .cores = std::as_const(core_radii_).span()};
-    const auto settle_as_split = [&](bool may_refuse) {
-        return settler_.settle(parallel, all, pairs_, find_exempt(parallel), truncation,
-                               displacements_.span(), may_refuse);
-    };
-    SettleResult result = settle_as_split(!cores_.empty());
-    if (result.refused) {
-        carry_with_core(parallel);
-        result = settle_as_split(false);
+    SettleResult result;
+    if (cores_.empty()) {
+        find_for_cut(parallel);
+        result =
+            settler_.settle(parallel, all, pairs_, find_exempt(parallel), truncation, displacements_.span());
+    } else {
+        result = settle_clear_of_cores(parallel, all, truncation);
     }
     is_uncertain_ = result.uncertain > 0 || (result.list_was_incomplete && !cores_.empty());
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();

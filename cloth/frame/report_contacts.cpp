@@ -126,8 +126,7 @@ void Simulation::log_push_of_core(FeatureContact& space, std::span<Cloth* const>
         std::size_t k = cloths.size() - 1;
         while (space.first(k) > corner) --k;
         if (cloths[k]->state.positions[corner - space.first(k)].w > 0)
-            add_impulse(*cloths[k], corner - space.first(k),
-                        ratio * push.shape.weight(c) * push.impulse);
+            add_impulse(*cloths[k], corner - space.first(k), ratio * push.shape.weight(c) * push.impulse);
     }
 }
 

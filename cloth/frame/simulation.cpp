@@ -161,8 +161,9 @@ void Simulation::expect_colliders(std::size_t count) {
 
 std::size_t Simulation::count_cores(float edge) const {
     std::size_t count = 0;
-    state.colliders.for_each(
-        [&](ColliderId, const ColliderSlot& slot) { count += core_of(slot.target, edge) != nullptr ? 1 : 0; });
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        count += core_of(slot.target, edge) != nullptr ? 1 : 0;
+    });
     return count;
 }
 

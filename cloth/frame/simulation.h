@@ -52,8 +52,7 @@ struct Simulation {
     void expect_colliders(std::size_t count);
     /// A collider has been put there.
     void expect_crossings(const Collider& collider) noexcept {
-        cloths.for_each(
-            [&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->expect_crossings(collider); });
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->expect_crossings(collider); });
     }
     /// Takes a cloth over, with what no step may make.
     ClothId add(std::unique_ptr<Cloth>&& cloth);

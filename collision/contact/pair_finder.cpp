@@ -44,8 +44,8 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
     for (const ContactBody& body : bodies) {
         const ContactMesh& mesh = *body.mesh;
         const auto index = static_cast<std::uint32_t>(bodies_.size());
-        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself, body.is_given,
-                           groups.vertices, groups.triangles, groups.edges,
+        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
+                           body.is_given, groups.vertices, groups.triangles, groups.edges,
                            static_cast<std::uint32_t>(blocks_.size())});
         groups.vertices += mesh.vertex_slots().groups();
         groups.triangles += mesh.triangle_slots().groups();

@@ -132,12 +132,12 @@ void Settler::place_ends(Parallel& parallel, const Island& island, std::span<con
 
 // The certificate again, of the ends as rounded. Along (A^-1)^T n the map's image of a gap is as wide as the
 // gap was along n.
-std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pairs,
-                                         SettleResult& result) {
+std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pairs, SettleResult& result) {
     const Matrix3 to_ends = common_.inverse.transpose();
     const auto stands_still = [&](const FeaturePair& pair) {
-        return std::ranges::all_of(pair.corners,
-                                   [&](std::uint32_t i) { return i >= first_given_ || truncation_.fractions()[i] <= 0; });
+        return std::ranges::all_of(pair.corners, [&](std::uint32_t i) {
+            return i >= first_given_ || truncation_.fractions()[i] <= 0;
+        });
     };
     const auto find_block = [&](const BlockRange& block) {
         Failures failures;

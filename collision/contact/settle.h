@@ -72,8 +72,8 @@ class Settler {
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
 
     /// Preconditions: after split() of the same island and displacements; every corner of a pair is in the
-    /// island; the list is what PairFinder lists with a reach of at least settings.floor. `may_refuse`: unless
-    /// all that is given is kept clear of.
+    /// island; the list is what PairFinder lists with a reach of at least settings.floor. `may_refuse`:
+    /// unless all that is given is kept clear of.
     SettleResult settle(Parallel& parallel, const Island& island, const PairList& pairs,
                         std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
                         std::span<Vec4> displacements, bool may_refuse = false);
@@ -111,7 +111,7 @@ class Settler {
     std::uint32_t first_given_ = ~0u;
     Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
     AlignedBuffer<Vec4> relative_;
-    AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step
+    AlignedBuffer<Vec4> ends_;  // rounded positions at the end of the step
     static constexpr std::uint8_t was_rounded = 1, was_passed = 2;
     AlignedBuffer<std::uint8_t> held_;  // by pair, what took its gap; 0: nothing did
     AlignedBuffer<Totals> partials_;

@@ -87,7 +87,8 @@ void Truncation::cut(Parallel& parallel, std::span<const Vec4> positions, std::s
     incomplete_ = pairs.overflowed || pairs.size > lanes_.size();
     const float tau = incomplete_ ? 0.0f : 1.0f;
     parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& block) {
-        for (std::uint32_t i = block.begin; i < block.end; ++i) fractions_[i] = settings.is_given(i) ? 1 : tau;
+        for (std::uint32_t i = block.begin; i < block.end; ++i)
+            fractions_[i] = settings.is_given(i) ? 1 : tau;
     });
     if (incomplete_ || pairs.size == 0) return;
     prepare(parallel, positions, motions, pairs, exempt);
@@ -144,8 +145,7 @@ Truncation::Kind Truncation::prepare_pair(const FeaturePair& pair, const PairSha
     const bool a_is_given = settings_.is_given(pair.corners[0]);
     const bool has_given = a_is_given || settings_.is_given(pair.corners[3]);
     if (!finite || !(shape.normal.w > 0) || !(sides.a0 > sides.b0)) return has_given ? passing : held;
-    const float floor =
-        std::max(settings_.floor, kept_per_coordinate * origin.cwiseAbs().maxCoeff());
+    const float floor = std::max(settings_.floor, kept_per_coordinate * origin.cwiseAbs().maxCoeff());
     lane.kept = std::min(floor + (has_given ? core_of(pair, shape) : 0), sides.a0 - sides.b0);
     if (has_given) {
         const float if_it_stays = a_is_given ? sides.a - sides.b0 : sides.a0 - sides.b;

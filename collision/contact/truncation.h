@@ -63,7 +63,8 @@ class Truncation {
     [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return lanes_[pair].kept; }
     /// Whether a pair was left out.
     [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] <= passing; }
-    /// Of a pair with a given side the gap that it is to keep, which cutting cannot always see to [m]; else 0.
+    /// Of a pair with a given side the gap that it is to keep, which cutting cannot always see to [m]; else
+    /// 0.
     [[nodiscard]] float gap_beside_given(const PairList& pairs, std::uint32_t pair) const;
 
     [[nodiscard]] bool list_was_incomplete() const noexcept { return incomplete_; }
