@@ -405,6 +405,7 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
     Mesh no_cloth = LoweredSheet::mesh(false, side);
     no_cloth.triangles[3][1] = 4000;
     const std::filesystem::path nowhere = "/no/such/folder/of/any/name/sheet.obj";
+    const std::vector<float> three(3);
     const std::function<bool()> calls[] = {
         [&] { return World::create(bad_world).ok(); },
         [&] { return scene.world.set_settings(bad_world).ok(); },
@@ -424,7 +425,7 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
         },
         [&] { return scene.world.move_cloth(scene.cloth, {.translation = {1e9f, 0, 0}}).ok(); },
         [&] { return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok(); },
-        [&] { return scene.world.set_map(scene.cloth, Map::leash, std::vector<float>(3)).ok(); },
+        [&] { return scene.world.set_map(scene.cloth, Map::leash, three).ok(); },
         [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
         [&] { return scene.world.shift_origin({1e9f, 0, 0}).ok(); },
         [&] {
