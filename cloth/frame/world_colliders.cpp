@@ -135,7 +135,8 @@ Result<void> World::remove_collider(ColliderId id) {
         if (slot == nullptr) return stale_id("ColliderId", id);
         simulation.wake_near(slot->current);
         simulation.state.colliders.erase(id);
-        if (simulation.state.colliders.size() == 0) simulation.expect_colliders(0);
+        if (simulation.state.colliders.size() == 0 && simulation.state.bodies.size() == 0)
+            simulation.expect_colliders(0);
         return {};
     });
 }
