@@ -281,8 +281,8 @@ std::vector<Call> other_calls() {
                      .make = [](Scene& s) { return without_value(s.world.add_body({})); },
                      .bare = true});
     const auto set_map = [](Map map, float value) {
-        return [=](Scene& s) {
-            return s.world.set_map(s.cloth, map, std::vector<float>(std::size_t{side} * side, value));
+        return [map, values = std::vector<float>(std::size_t{side} * side, value)](Scene& s) {
+            return s.world.set_map(s.cloth, map, values);
         };
     };
     ClothSettings contact;
