@@ -147,9 +147,9 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
                                                       ", or name the scene garment"};
     }
     if (!scene->takes_motion && !options.scene_options.motion.empty()) {
-        return Error{ErrorCode::invalid_argument, "scene " + name + " has nobody to move; leave out --motion " +
-                                                      options.scene_options.motion.string() +
-                                                      ", or name the scene character"};
+        return Error{ErrorCode::invalid_argument,
+                     "scene " + name + " has nobody to move; leave out --motion " +
+                         options.scene_options.motion.string() + ", or name the scene character"};
     }
     return scene;
 }

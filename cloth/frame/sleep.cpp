@@ -130,7 +130,8 @@ void Simulation::count_still_time(Cloth& cloth, float dt) {
     if (!cloth.state.rest) return;
     const float limit = cloth.settings.sleep_speed;
     float& still_for = cloth.state.rest->still_for;
-    const bool is_still = !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
+    const bool is_still =
+        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
     still_for = is_still ? still_for + dt : 0.0f;
 }
 

@@ -180,10 +180,9 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::span<std::int32_t> pressed = body_buffers_ != nullptr
                                                 ? body_buffers_->pressed.span().subspan(range.begin, size)
                                                 : std::span<std::int32_t>();
-    bool near = find_near_surfaces(colliders_, side_of(settings), equation.h, reach,
-                                   equation.positions.subspan(range.begin, size),
-                                   equation.base_positions.subspan(range.begin, size), gamma, v, surfaces,
-                                   pressed);
+    bool near = find_near_surfaces(
+        colliders_, side_of(settings), equation.h, reach, equation.positions.subspan(range.begin, size),
+        equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
     if (own_ != nullptr) {
         near = own_->adjust(range, reach, near, surfaces);
         for (std::uint32_t i = 0; i < pressed.size(); ++i)

@@ -11,9 +11,9 @@ namespace weft::demo {
 namespace {
 
 constexpr float ribbon_width = 0.1f, length = 2.4f;  // [m]
-constexpr double speed = 0.5;                 // at which the top is lowered [m/s]
-constexpr float start_height = 0.02f;         // of the lower end [m]
-constexpr float hold_height = 0.4f;           // where the top stops [m]
+constexpr double speed = 0.5;                        // at which the top is lowered [m/s]
+constexpr float start_height = 0.02f;                // of the lower end [m]
+constexpr float hold_height = 0.4f;                  // where the top stops [m]
 
 // The hand that lowers the ribbon is not quite still: without that a flat ribbon would have no side to fold
 // to.
@@ -30,7 +30,8 @@ class Ribbon final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 1000 : options.particles, ribbon_width, length);
+        const GridSize grid =
+            grid_size(options.particles == 0 ? 1000 : options.particles, ribbon_width, length);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
                                 .origin = {-0.5f * ribbon_width, start_height + length, 0},

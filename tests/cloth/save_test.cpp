@@ -170,8 +170,8 @@ struct WornGame {
         std::vector<Vec3> places = mesh.positions, normals(places.size(), Vec3{t, 1, 0});
         for (Vec3& p : places) p.x += t;
         EXPECT_TRUE(world.set_skin(cloth, places, normals));
-        EXPECT_TRUE(world.set_frame(
-            cloth, {.translation = {t, 0, 0}, .rotation = {0, std::sin(t), 0, std::cos(t)}}));
+        EXPECT_TRUE(
+            world.set_frame(cloth, {.translation = {t, 0, 0}, .rotation = {0, std::sin(t), 0, std::cos(t)}}));
     }
     void run(int steps) {
         for (int k = 0; k < steps; ++k) {

@@ -155,7 +155,7 @@ class Player {
     std::vector<std::optional<ClothId>> cloths_;
     std::vector<std::optional<ColliderId>> colliders_;
     std::vector<std::optional<BodyId>> bodies_;
-    std::map<std::size_t, std::size_t> carried_;       ///< colliders, and by which body
+    std::map<std::size_t, std::size_t> carried_;  ///< colliders, and by which body
     std::vector<std::optional<ShapeId>> shapes_;
     std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
     std::uint64_t steps_ = 0;

@@ -125,8 +125,8 @@ struct Operation {
     std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
                  Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, SetFrame,
-                 LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape,
-                 Save, Restore>
+                 LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape, Save,
+                 Restore>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

@@ -117,7 +117,8 @@ std::uint64_t hash_of_worn_cloth(int threads, std::uint64_t& allocations) {
     allocations = 0;
     for (int step = 0; step < 40; ++step) {
         const float x = 0.01f * static_cast<float>(step);
-        for (std::size_t v = 0; v < n; ++v) places[v] = {mesh.positions[v].x + x, mesh.positions[v].y, mesh.positions[v].z};
+        for (std::size_t v = 0; v < n; ++v)
+            places[v] = {mesh.positions[v].x + x, mesh.positions[v].y, mesh.positions[v].z};
         for (std::size_t k = 0; k < 3; ++k) targets[k] = places[pins[k]];
         const std::uint64_t before = allocation_count();
         const bool told = world.move_pins(cloth, pins, targets) && world.set_skin(cloth, places, normals) &&

@@ -423,11 +423,17 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
         [&] {
             return scene.world.move_pin(scene.cloth, 0, {1e9f, 0, 0}).ok();
         },
-        [&] { return scene.world.move_cloth(scene.cloth, {.translation = {1e9f, 0, 0}}).ok(); },
-        [&] { return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok(); },
+        [&] {
+            return scene.world.move_cloth(scene.cloth, {.translation = {1e9f, 0, 0}}).ok();
+        },
+        [&] {
+            return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok();
+        },
         [&] { return scene.world.set_map(scene.cloth, Map::leash, three).ok(); },
         [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
-        [&] { return scene.world.shift_origin({1e9f, 0, 0}).ok(); },
+        [&] {
+            return scene.world.shift_origin({1e9f, 0, 0}).ok();
+        },
         [&] {
             return scene.world.add_collider({.shape = Sphere{{}, -1}}).ok();
         },

@@ -2,9 +2,9 @@
 // Rigid bodies that cloth moves: colliders and vertices are attached to them, and what these give cloth the
 // body gets back. They meet cloth only; what bodies do to one another is the host's.
 //
-// Cloth that has attached vertices, or is within 5 cm of a collider that a body carries, never sleeps, however
-// still both are. Cloth in a frame (World::set_frame) meets bodies where they are in the World. Contact in the
-// equation has no restitution on what a body carries. World::shift_origin moves bodies too.
+// Cloth that has attached vertices, or is within 5 cm of a collider that a body carries, never sleeps,
+// however still both are. Cloth in a frame (World::set_frame) meets bodies where they are in the World.
+// Contact in the equation has no restitution on what a body carries. World::shift_origin moves bodies too.
 //
 // A free body that lies on cloth which hangs from attached vertices alone works its way to the side, and off:
 // pin cloth that is to hold one.

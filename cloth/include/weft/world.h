@@ -148,10 +148,10 @@ class World {
     Result<void> move_cloth(ClothId id, const Transform& by);
 
     /// For cloth on what moves: a character, a vehicle. The first call says where the cloth's frame is and
-    /// moves nothing; by each later one it goes there over the next step. A step in which it is not told where
-    /// to go it stands still. By ClothSettings::frame_inertia the cloth then feels the frame's acceleration:
-    /// all of it where each is 1, as cloth does that knows of no frame; none where each is 0, as though the
-    /// frame stood still, with gravity and wind as they are in the World.
+    /// moves nothing; by each later one it goes there over the next step. A step in which it is not told
+    /// where to go it stands still. By ClothSettings::frame_inertia the cloth then feels the frame's
+    /// acceleration: all of it where each is 1, as cloth does that knows of no frame; none where each is 0,
+    /// as though the frame stood still, with gravity and wind as they are in the World.
     ///
     /// Before a step the cloth is carried by what of the frame's way it is not to feel (1 - linear of the way
     /// of its origin, 1 - angular of its turn), its velocities turned with it: they, too, are without that

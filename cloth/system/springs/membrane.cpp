@@ -49,9 +49,9 @@ TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t trian
     TriangleMembrane result;
     result.rest_lengths = rest.lengths;
     const Eigen::Vector3d moduli =
-        stiffness_at(model, model.triangles[triangle]) *
-        Eigen::Vector3d(static_cast<double>(fabric.warp), static_cast<double>(fabric.weft),
-                        static_cast<double>(fabric.shear));
+        stiffness_at(model, model.triangles[triangle]) * Eigen::Vector3d(static_cast<double>(fabric.warp),
+                                                                         static_cast<double>(fabric.weft),
+                                                                         static_cast<double>(fabric.shear));
     const Eigen::Matrix3d c = rest.area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
     const double scale = std::max(1.0, least_bound * bound_of(c));
     for (std::size_t k = 0; k < 3; ++k) {

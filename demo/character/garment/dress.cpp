@@ -30,8 +30,8 @@ class DressMaker {
         // Two vertices along the hem for three down: there the rings are widest.
         const auto columns = static_cast<std::uint32_t>(std::lround(std::sqrt(1.85 * vertices)));
         const std::uint32_t rows = vertices / columns;
-        const auto fixed_rows = std::max(
-            2u, static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows))));
+        const auto fixed_rows =
+            std::max(2u, static_cast<std::uint32_t>(std::lround(bodice_part * static_cast<float>(rows))));
         Garment dress;
         dress.stands_ready = true;
         std::vector<float> radii(columns, 0.0f);

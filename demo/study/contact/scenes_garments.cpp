@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "demo/scenes/contact/scene_meshes.h"
 #include "demo/character/garment/garment_mesh.h"
+#include "demo/scenes/contact/scene_meshes.h"
 #include "demo/study/contact/contact_scenes.h"
 #include "demo/study/must.h"
 
