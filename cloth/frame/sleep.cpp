@@ -71,7 +71,6 @@ bool moves(const ColliderMotion& motion) {
 
 void Simulation::choose_present(float dt) {
     present_.clear();
-    report.sleeping_cloths = 0;
     bool any_can_sleep = false;
     cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
         cloth->id = id;
@@ -82,9 +81,8 @@ void Simulation::choose_present(float dt) {
     if (!any_can_sleep) return;
     disturb(dt);
     sleep_and_wake(dt);
-    const auto sleeping = std::ranges::partition(present_, [](const Cloth* c) { return !c->is_asleep(); });
-    report.sleeping_cloths = static_cast<std::uint32_t>(sleeping.size());
-    present_.erase(sleeping.begin(), sleeping.end());
+    const auto sleeping = std::erase_if(present_, [](const Cloth* cloth) { return cloth->is_asleep(); });
+    report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
 }
 
 /// Cloths near a collider that moves in this step, and all where the air is gusty, are not still.
