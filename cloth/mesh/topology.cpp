@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -131,7 +132,6 @@ struct Side {
     std::uint32_t low, high;  ///< particles, low < high
     std::uint32_t triangle;
     std::uint32_t opposite;
-    bool ascending;  ///< the triangle runs from low to high
 };
 
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
@@ -142,7 +142,7 @@ std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
             const std::uint32_t from = triangles[t][corner];
             const std::uint32_t to = triangles[t][(corner + 1) % 3];
             const std::uint32_t opposite = triangles[t][(corner + 2) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), t, opposite, from < to});
+            sides.push_back({std::min(from, to), std::max(from, to), t, opposite});
         }
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -151,57 +151,33 @@ std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
     return sides;
 }
 
-/// `sources`: the mesh's numbers of the triangles that were kept, which its maker knows them by.
-Error crowded_edge(const Topology& topology, std::span<const Side> sides,
-                   std::span<const std::uint32_t> sources) {
-    constexpr std::size_t named = 8;
-    std::string triangles;
-    for (std::size_t i = 0; i < std::min(sides.size(), named); ++i)
-        triangles += (i == 0 ? "" : ", ") + text(sources[sides[i].triangle]);
-    if (sides.size() > named) triangles += ", ...";
-    return invalid_mesh(
-        "the edge of vertices " + text(topology.first_vertices[sides[0].low]) + " and " +
-        text(topology.first_vertices[sides[0].high]) + " belongs to " + text(sides.size()) + " triangles (" +
-        triangles +
-        "); an edge may have at most two: delete the others, or give them vertices of their own at "
-        "another position");
+/// The sides of an edge that begin at `begin`.
+std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high)
+        ++end;
+    return sides.subspan(begin, end - begin);
 }
 
-Error doubled_triangle(const Topology& topology, std::span<const Side> sides,
-                       std::span<const std::uint32_t> sources) {
-    return invalid_mesh("triangles " + text(sources[sides[0].triangle]) + " and " +
-                        text(sources[sides[1].triangle]) + " join the same three vertices " +
-                        text(topology.first_vertices[sides[0].low]) + ", " +
-                        text(topology.first_vertices[sides[0].high]) + " and " +
-                        text(topology.first_vertices[sides[0].opposite]) + "; delete one of them");
-}
-
-Result<void> build_edges(std::span<const std::uint32_t> sources, Topology& topology) {
-    const std::vector<Side> sides = sides_by_edge(topology.triangles);
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        const Side& first = sides[begin];
-        while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) ++end;
-        const std::span<const Side> same(&first, end - begin);
-        if (same.size() > 2) return crowded_edge(topology, same, sources);
-
-        Edge edge{{first.low, first.high}, {first.triangle, Edge::none}, {first.opposite, Edge::none}};
+void build_edges(std::span<const Side> sides, Topology& topology) {
+    topology.edges.reserve(sides.size() / 2);
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::span<const Side> same = sides_of_edge(sides, begin);
+        begin += same.size();
+        Edge edge{
+            {same[0].low, same[0].high}, {same[0].triangle, Edge::none}, {same[0].opposite, Edge::none}};
         if (same.size() == 2) {
-            if (same[1].opposite == first.opposite) return doubled_triangle(topology, same, sources);
             edge.triangles[1] = same[1].triangle;
             edge.opposites[1] = same[1].opposite;
-            if (same[1].ascending == first.ascending) ++topology.misoriented_edges;
         } else {
             ++topology.border_edges;
         }
         topology.edges.push_back(edge);
     }
-    return {};
 }
 
-/// Keeps the mesh's triangles that have an area; returns their numbers in the mesh.
-std::vector<std::uint32_t> keep_triangles(const Mesh& mesh, Topology& topology) {
-    std::vector<std::uint32_t> sources;
-    sources.reserve(mesh.triangles.size());
+/// Keeps the mesh's triangles that have an area.
+void keep_triangles(const Mesh& mesh, Topology& topology) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle& corners = mesh.triangles[t];
         const Triangle particles{topology.vertex_to_particle[corners[0]],
@@ -210,14 +186,13 @@ std::vector<std::uint32_t> keep_triangles(const Mesh& mesh, Topology& topology) 
         const bool repeats =
             particles[0] == particles[1] || particles[1] == particles[2] || particles[2] == particles[0];
         if (repeats || !has_area(mesh, corners)) {
-            ++topology.dropped_triangles;
+            topology.dropped.push_back({t, DropReason::no_area});
             continue;
         }
         topology.triangles.push_back(particles);
         topology.corners.push_back(corners);
-        sources.push_back(t);
+        topology.sources.push_back(t);
     }
-    return sources;
 }
 
 /// The lowest particle of each particle's component. Invariant: parents[i] <= i, so roots are the lowest.
@@ -245,14 +220,134 @@ std::vector<std::uint32_t> triangle_counts(const Topology& topology) {
     return counts;
 }
 
-Result<void> check_crowding(const Topology& topology, std::span<const std::uint32_t> counts) {
-    const auto crowded =
-        std::ranges::find_if(counts, [](std::uint32_t count) { return count > most_triangles_at_particle; });
-    if (crowded == counts.end()) return {};
-    return invalid_mesh(
-        "vertex " + text(topology.first_vertices[static_cast<std::size_t>(crowded - counts.begin())]) +
-        " is a corner of " + text(*crowded) + " triangles; at most " + text(most_triangles_at_particle) +
-        " may meet there: cut the faces along other diagonals");
+/// Whether all triangles can stay: no edge has more than two of them, no two are of the same particles, and
+/// no particle has too many.
+bool are_simple(std::span<const Side> sides, std::span<const std::uint32_t> counts) {
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::span<const Side> same = sides_of_edge(sides, begin);
+        begin += same.size();
+        if (same.size() > 2 || (same.size() == 2 && same[0].opposite == same[1].opposite)) return false;
+    }
+    return std::ranges::all_of(counts,
+                               [](std::uint32_t count) { return count <= most_triangles_at_particle; });
+}
+
+/// Takes triangle by triangle, as the mesh has them, each only if it finds room.
+void leave_out_crowding(std::span<const Side> sides, Topology& topology) {
+    const std::size_t count = topology.triangles.size();
+    std::vector<std::uint32_t> edge_of_side(3 * count), at_edge, at_particle(topology.particle_count());
+    std::vector<std::array<std::uint32_t, 2>> opposites;  // of each edge, of the triangles that it has
+    std::vector<std::uint32_t> sides_found(count);
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::span<const Side> same = sides_of_edge(sides, begin);
+        begin += same.size();
+        for (const Side& side : same)
+            edge_of_side[3 * side.triangle + sides_found[side.triangle]++] =
+                static_cast<std::uint32_t>(at_edge.size());
+        at_edge.push_back(0);
+        opposites.push_back({Edge::none, Edge::none});
+    }
+    // Sides ascend by their particles: a triangle's first is opposite its highest particle, its last its
+    // lowest.
+    const auto reason_against = [&](std::uint32_t t) -> std::optional<DropReason> {
+        const Triangle& particles = topology.triangles[t];
+        const std::uint32_t first = edge_of_side[3 * t], highest = std::ranges::max(particles);
+        const auto& there = opposites[first];
+        if (there[0] == highest || there[1] == highest) return DropReason::doubled;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (at_edge[edge_of_side[3 * t + k]] == 2) return DropReason::crowded_edge;
+        for (const std::uint32_t i : particles)
+            if (at_particle[i] == most_triangles_at_particle) return DropReason::crowded_vertex;
+        return std::nullopt;
+    };
+    std::uint32_t kept = 0;
+    for (std::uint32_t t = 0; t < count; ++t) {
+        if (const auto reason = reason_against(t)) {
+            topology.dropped.push_back({topology.sources[t], *reason});
+            continue;
+        }
+        const std::uint32_t first = edge_of_side[3 * t];
+        opposites[first][at_edge[first]] = std::ranges::max(topology.triangles[t]);
+        for (std::size_t k = 0; k < 3; ++k) ++at_edge[edge_of_side[3 * t + k]];
+        for (const std::uint32_t i : topology.triangles[t]) ++at_particle[i];
+        topology.triangles[kept] = topology.triangles[t];
+        topology.corners[kept] = topology.corners[t];
+        topology.sources[kept++] = topology.sources[t];
+    }
+    topology.triangles.resize(kept);
+    topology.corners.resize(kept);
+    topology.sources.resize(kept);
+    std::ranges::sort(topology.dropped, {}, &CookReport::Dropped::triangle);
+}
+
+/// Whether a triangle runs along an edge from its lower particle to its higher one.
+bool ascends(const Triangle& triangle, const Edge& edge) {
+    const auto [low, high] = edge.particles;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (triangle[k] == low) return triangle[(k + 1) % 3] == high;
+    return false;
+}
+
+bool is_misoriented(const Topology& topology, const Edge& edge) {
+    return !edge.is_border() && ascends(topology.triangles[edge.triangles[0]], edge) ==
+                                    ascends(topology.triangles[edge.triangles[1]], edge);
+}
+
+/// The triangles that edges join to each.
+std::vector<std::array<std::uint32_t, 3>> edges_of_triangles(const Topology& topology) {
+    constexpr std::uint32_t none = Edge::none;
+    std::vector<std::array<std::uint32_t, 3>> edges(topology.triangles.size(), {none, none, none});
+    for (std::uint32_t e = 0; e < topology.edges.size(); ++e)
+        for (const std::uint32_t t : topology.edges[e].triangles)
+            if (t != Edge::none) *std::ranges::find(edges[t], none) = e;
+    return edges;
+}
+
+/// Turns the smaller part of each connected piece whose parts are wound against each other; a piece that no
+/// turning makes alike stays.
+void turn_alike(const Mesh& mesh, Topology& topology) {
+    enum : std::uint8_t { as_first, other, unseen };
+    const std::vector<std::array<std::uint32_t, 3>> edges = edges_of_triangles(topology);
+    std::vector<std::uint8_t> winding(topology.triangles.size(), unseen);
+    std::vector<std::uint32_t> piece;
+    for (std::uint32_t start = 0; start < topology.triangles.size(); ++start) {
+        if (winding[start] != unseen) continue;
+        winding[start] = as_first;
+        piece.assign({start});
+        std::array<double, 2> area{};
+        bool can_be_alike = true;
+        for (std::size_t k = 0; k < piece.size(); ++k) {
+            const std::uint32_t t = piece[k];
+            area[winding[t]] += rest_area(mesh, topology.corners[t]);
+            for (const std::uint32_t e : edges[t]) {
+                const Edge& edge = topology.edges[e];
+                if (edge.is_border()) continue;
+                const std::uint32_t next = edge.triangles[edge.triangles[0] == t ? 1 : 0];
+                const bool against = is_misoriented(topology, edge);
+                const std::uint8_t wound = against ? 1 - winding[t] : winding[t];
+                if (winding[next] == unseen) {
+                    winding[next] = wound;
+                    piece.push_back(next);
+                }
+                can_be_alike = can_be_alike && winding[next] == wound;
+            }
+        }
+        if (!can_be_alike) continue;
+        const std::uint8_t turned = area[other] > area[as_first] ? as_first : other;
+        for (const std::uint32_t t : piece)
+            if (winding[t] == turned) topology.turned.push_back(t);
+    }
+    std::ranges::sort(topology.turned);
+    for (std::uint32_t& t : topology.turned) {
+        std::swap(topology.triangles[t][1], topology.triangles[t][2]);
+        std::swap(topology.corners[t][1], topology.corners[t][2]);
+        t = topology.sources[t];
+    }
+}
+
+std::uint32_t count_misoriented(const Topology& topology) {
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        topology.edges, [&](const Edge& edge) { return is_misoriented(topology, edge); }));
 }
 
 }  // namespace
@@ -319,16 +414,24 @@ Result<Topology> build_topology(const Mesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
         if (topology.vertex_to_particle[i] == topology.particle_count()) topology.first_vertices.push_back(i);
 
-    const std::vector<std::uint32_t> sources = keep_triangles(mesh, topology);
+    keep_triangles(mesh, topology);
     if (topology.triangles.empty())
         return invalid_mesh(
             "all " + text(mesh.triangles.size()) + " triangles of the mesh have no area in its " +
             (mesh.pattern.empty() ? "positions" : "pattern") + "; a cloth needs at least one that has");
-    const std::vector<std::uint32_t> counts = triangle_counts(topology);
-    if (Result<void> crowding = check_crowding(topology, counts); !crowding) return crowding.error();
-    if (Result<void> edges = build_edges(sources, topology); !edges) return edges.error();
+    std::vector<Side> sides = sides_by_edge(topology.triangles);
+    if (!are_simple(sides, triangle_counts(topology))) {
+        leave_out_crowding(sides, topology);
+        sides = sides_by_edge(topology.triangles);
+    }
+    build_edges(sides, topology);
+    topology.misoriented_edges = count_misoriented(topology);
+    if (topology.misoriented_edges > 0) {
+        turn_alike(mesh, topology);
+        topology.misoriented_edges = count_misoriented(topology);
+    }
     build_components(topology);
-    topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(counts, 0u));
+    topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(triangle_counts(topology), 0u));
     return topology;
 }
 

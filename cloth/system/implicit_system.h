@@ -47,7 +47,13 @@ class ImplicitSystem {
     explicit ImplicitSystem(std::uint32_t particles)
         : right_side_(particles), partial_sums_(block_count(particles)) {}
     virtual ~ImplicitSystem() = default;
+    ImplicitSystem& operator=(const ImplicitSystem&) = delete;
 
+    /// The same for another cloth of this model, with its copy of the model, before its first step: what is
+    /// constant is shared.
+    [[nodiscard]] virtual std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const = 0;
+    /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
+    virtual void make_own(const Fabric& /*fabric*/) {}
     /// Makes what depends on the fabric alone. A step in another fabric does that first.
     virtual void prepare(const Fabric& /*fabric*/) noexcept {}
 
@@ -117,6 +123,8 @@ class ImplicitSystem {
     }
 
   protected:
+    ImplicitSystem(const ImplicitSystem&) = default;
+
     /// Adds what W leaves out to the product, unless it is empty; returns x . that.
     virtual double add_coupling(Parallel& /*parallel*/, std::span<const Vec4> /*x*/,
                                 std::span<Vec4> /*product*/) {

@@ -50,7 +50,7 @@ RowDifference row_difference(const Interpolation& p, const Link& link) {
 struct Incidence {
     std::vector<std::uint32_t> offsets, links;
 };
-Incidence incidence(const std::vector<Link>& links, std::uint32_t nodes) {
+Incidence incidence(std::span<const Link> links, std::uint32_t nodes) {
     Incidence result{std::vector<std::uint32_t>(nodes + 1), std::vector<std::uint32_t>(2 * links.size())};
     for (const Link& link : links) {
         ++result.offsets[link.first + 1];
@@ -77,7 +77,10 @@ struct GrowingLists {
     std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
     std::vector<std::uint32_t> fine_links;
     std::vector<float> factors;
-    GalerkinLists::Constants constants{.offsets = {0}, .fine_links = {}, .factors = {}, .sums = {}};
+    struct {
+        std::vector<std::uint32_t> offsets{0}, fine_links;
+        std::vector<float> factors;
+    } constants;
 
     void add(std::uint32_t first, const Term& term, bool is_constant) {
         if (links.empty() || links.back().first != first || links.back().second != term.second) {
@@ -111,19 +114,17 @@ std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
     return order;
 }
 
-GalerkinLists in_groups(GrowingLists&& grown) {
+GalerkinLists in_groups(const GrowingLists& grown) {
     constexpr std::uint32_t lanes = Stencil::lanes;
     const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
     GalerkinLists lists;
-    lists.links = std::move(grown.links);
-    lists.links.shrink_to_fit();
-    lists.constants = std::move(grown.constants);
-    lists.constants.offsets.shrink_to_fit();
-    lists.constants.fine_links.shrink_to_fit();
-    lists.constants.factors.shrink_to_fit();
+    lists.links = SharedBuffer<Link>(grown.links);
+    lists.constants.offsets = SharedBuffer<std::uint32_t>(grown.constants.offsets);
+    lists.constants.fine_links = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
+    lists.constants.factors = SharedBuffer<float>(grown.constants.factors);
     lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
-    lists.places.resize(order.size());
-    lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);
+    lists.places = SharedBuffer<std::uint32_t>(order.size());
+    lists.group_slots = SharedBuffer<std::uint32_t>(lists.groups() + 1);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         lists.places[order[place]] = place;
         std::uint32_t& slots = lists.group_slots[place / lanes + 1];
@@ -132,8 +133,8 @@ GalerkinLists in_groups(GrowingLists&& grown) {
     for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
 
     const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
-    lists.fine_links = AlignedBuffer<std::uint32_t>(entries);
-    lists.factors = AlignedBuffer<float>(entries);
+    lists.fine_links = SharedBuffer<std::uint32_t>(entries);
+    lists.factors = SharedBuffer<float>(entries);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
         const std::uint32_t terms = grown.terms(order[place]);
@@ -188,7 +189,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
         for (const Term& term : terms)
             lists.add(c, term, !is_constant.empty() && is_constant[term.fine_link]);
     }
-    return in_groups(std::move(lists));
+    return in_groups(lists);
 }
 
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,

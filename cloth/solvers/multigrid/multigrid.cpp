@@ -54,22 +54,24 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
     : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
-    links_ = links_of(graph);
+    links_ = SharedBuffer<Link>(links_of(graph));
+    std::vector<std::uint32_t> slots;
+    std::vector<Link> constant_links;
+    std::vector<float> weights;
     for (const Link& link : links_) {
         const float weight = system.constant_block(link.first, link.second);
         if (weight == 0) {
-            slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
+            slots.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
             continue;
         }
-        constants_.links.push_back(link);
-        constants_.weights.push_back(weight);
+        constant_links.push_back(link);
+        weights.push_back(weight);
     }
-    std::ranges::sort(slots_);
-    slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
-    links_.shrink_to_fit();
-    slots_.shrink_to_fit();
-    constants_.links.shrink_to_fit();
-    constants_.weights.shrink_to_fit();
+    std::ranges::sort(slots);
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    slots_ = SharedBuffer<std::uint32_t>(slots);
+    constants_.links = SharedBuffer<Link>(constant_links);
+    constants_.weights = SharedBuffer<float>(weights);
     make_levels(std::move(graph));
     if (coarse_.empty()) return;
     list_constants();
@@ -80,7 +82,7 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
 // Until all components are small. Each has a ninth of its nodes on the next level; one that has not lost half
 // of them, since lengths of its springs have overflowed, is left to relaxation.
 void Multigrid::make_levels(SpringGraph graph) {
-    std::vector<Link> links = links_;
+    std::vector<Link> links(links_.begin(), links_.end());
     Components components = components_of(graph);
     for (;;) {
         const std::uint32_t most_direct = coarse_.empty() ? 0 : ComponentSolver::most_nodes;
@@ -92,7 +94,7 @@ void Multigrid::make_levels(SpringGraph graph) {
             is_constant.push_back(std::ranges::binary_search(constants_.links, links[k]));
         GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation, is_constant);
         graph = make_coarse_graph(graph, coarsening, links, lists);
-        links = lists.links;
+        links.assign(lists.links.begin(), lists.links.end());
         components = components_of(graph);
         if (coarse_.empty()) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
@@ -102,7 +104,7 @@ void Multigrid::make_levels(SpringGraph graph) {
                 link = is_constant[link] ? 0 : spring_of(links_[link]);  // padding may name any
             }
         } else {
-            const std::vector<std::uint32_t>& places = coarse_.back().lists().places;
+            const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
         }
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
@@ -116,11 +118,11 @@ void Multigrid::list_constants() {
     for (std::uint32_t& link : terms.fine_links)
         link = static_cast<std::uint32_t>(std::ranges::lower_bound(constants_.links, links_[link]) -
                                           constants_.links.begin());
-    constants_.offsets.assign(constants_.links.size() + 1, 0);
+    constants_.offsets = SharedBuffer<std::uint32_t>(constants_.links.size() + 1);
     for (const std::uint32_t link : terms.fine_links) ++constants_.offsets[link + 1];
     for (std::size_t k = 0; k < constants_.links.size(); ++k)
         constants_.offsets[k + 1] += constants_.offsets[k];
-    constants_.coarse_links.resize(terms.fine_links.size());
+    constants_.coarse_links = SharedBuffer<std::uint32_t>(terms.fine_links.size());
     std::vector<std::uint32_t> next(constants_.offsets.begin(), constants_.offsets.end() - 1);
     for (std::uint32_t k = 0; k + 1 < terms.offsets.size(); ++k)
         for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t)
@@ -357,12 +359,11 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 }
 
 std::size_t Multigrid::bytes() const noexcept {
-    std::size_t sum = links_.size() * sizeof(Link) + slots_.size() * sizeof(std::uint32_t) +
-                      springs_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
-                      constants_.links.size() * (sizeof(Link) + sizeof(float)) +
-                      (constants_.offsets.size() + constants_.coarse_links.size()) * sizeof(std::uint32_t) +
-                      weights_.bytes() + coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() +
-                      remainder_.bytes();
+    std::size_t sum = links_.bytes() + slots_.bytes() + springs_.bytes() +
+                      held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() + constants_.links.bytes() +
+                      constants_.weights.bytes() + constants_.offsets.bytes() +
+                      constants_.coarse_links.bytes() + weights_.bytes() +
+                      coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() + remainder_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

@@ -199,7 +199,7 @@ namespace weft {
 HWY_EXPORT(shift);
 HWY_EXPORT(stiffen);
 
-MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens)
+MembraneCoupling::MembraneCoupling(const ClothModel& model, const SpringMatrix& matrix, bool stiffens)
     : groups_((static_cast<std::uint32_t>(model.triangles.size()) + lanes - 1) / lanes),
       corners_(std::size_t{3} * groups_ * lanes),
       rest_lengths_(corners_.size()),
@@ -242,9 +242,16 @@ MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix&
     }
 }
 
+void MembraneCoupling::make_own() {
+    rest_lengths_.make_own();
+    factors_.make_own();
+    stiffness_.make_own();
+    stiffening_.make_own();
+}
+
 // The tension of side k, sum_m C'_km dl_m, over what its spring has for stiffness, is an extension: a shift
 // of its rest length the other way.
-void MembraneCoupling::set(const CookedCloth& model, const SpringMatrix& matrix,
+void MembraneCoupling::set(const ClothModel& model, const SpringMatrix& matrix,
                            const SpringTable& table) noexcept {
     if (empty()) return;
     stiffest_extra_ = 0;
@@ -266,7 +273,7 @@ void MembraneCoupling::set(const CookedCloth& model, const SpringMatrix& matrix,
     }
 }
 
-void MembraneCoupling::set_stiffening(const CookedCloth& model, std::uint32_t triangle,
+void MembraneCoupling::set_stiffening(const ClothModel& model, std::uint32_t triangle,
                                       const Fabric& fabric) noexcept {
     const TriangleStiffening stiffening = triangle_stiffening(model, triangle, fabric);
     const auto number = [&](std::size_t k) -> float& {

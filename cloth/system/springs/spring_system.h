@@ -2,6 +2,7 @@
 // Springs as the linear system of an implicit step.
 
 #include <array>
+#include <memory>
 
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/springs/spring_forces.h"
@@ -14,7 +15,9 @@ namespace weft {
 class SpringSystem final : public ImplicitSystem {
   public:
     /// `stiffens`: for fabrics that do, and others.
-    explicit SpringSystem(const CookedCloth& model, bool stiffens = false);
+    explicit SpringSystem(const ClothModel& model, bool stiffens = false);
+    [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
+    void make_own(const Fabric& fabric) override;
     void prepare(const Fabric& fabric) noexcept override;
 
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -49,7 +52,7 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
                                        std::span<const Vec4> velocities, LinearisedAbout about);
 
-    const CookedCloth& model_;
+    const ClothModel* model_;
     SpringMatrix matrix_;
     SpringTable table_;
     MembraneCoupling coupling_;

@@ -82,7 +82,7 @@ namespace weft {
 
 HWY_EXPORT(compute);
 
-TriangleElements::TriangleElements(const CookedCloth& model)
+TriangleElements::TriangleElements(const ClothModel& model)
     : count(static_cast<std::uint32_t>(model.triangles.size())),
       results(std::size_t{(count + Stencil::lanes - 1) / Stencil::lanes + 1} * Stencil::lanes * rows) {
     for (AlignedBuffer<std::uint32_t>& corner : corners) corner = AlignedBuffer<std::uint32_t>(count);

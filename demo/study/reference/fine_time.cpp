@@ -111,7 +111,7 @@ FineTime::FineTime(const StudyScene& scene, int threads)
     finish(0);
 }
 
-void FineTime::make_springs(const CookedCloth& model, const Fabric& fabric) {
+void FineTime::make_springs(const ClothModel& model, const Fabric& fabric) {
     std::vector<float> stiffness(model.neighbours.size());
     spring_stiffness(model, fabric, stiffness);
     group_slots_.push_back(0);
