@@ -97,7 +97,7 @@ struct Cloth {
     Cloth(ClothModel cooked, const ClothSettings& settings);
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
-    explicit Cloth(const Cloth& cooked);
+    Cloth(const Cloth& cooked);
 
     /// Takes validated settings over.
     void apply(const ClothSettings& changed);
