@@ -91,8 +91,18 @@ class ImplicitSystem {
     virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                                  const Correction& correction, std::span<Vec4> next);
 
-    /// Which particles have a block off the diagonal with one another.
+    /// Which particles have a block off the diagonal with one another. A grid's has no lists.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
+    /// The same of particle i: ascending, each once, and besides as often as is handy i itself.
+    struct Neighbours {
+        const std::uint32_t* first;
+        std::uint32_t count, stride;
+
+        [[nodiscard]] std::uint32_t operator[](std::uint32_t k) const noexcept {
+            return first[std::size_t{k} * stride];
+        }
+    };
+    [[nodiscard]] virtual Neighbours neighbours_of(std::uint32_t i) const noexcept;
     /// The entry that holds the block between two neighbours; where both rows hold it, that of row i.
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;

@@ -69,6 +69,8 @@ struct Term {
     std::uint32_t second;  // node of the coarse link; the first is being worked on
     std::uint32_t fine_link;
     float factor;
+
+    [[nodiscard]] std::uint64_t place() const { return std::uint64_t{second} << 32 | fine_link; }
 };
 
 /// Lists as they grow, link by link.
@@ -183,9 +185,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
                 }
             }
         }
-        std::ranges::sort(terms, [](const Term& a, const Term& b) {
-            return std::pair(a.second, a.fine_link) < std::pair(b.second, b.fine_link);
-        });
+        std::ranges::sort(terms, {}, &Term::place);
         for (const Term& term : terms)
             lists.add(c, term, !is_constant.empty() && is_constant[term.fine_link]);
     }

@@ -56,16 +56,16 @@ class Multigrid {
         float weight;          // of a constant one, see ImplicitSystem::constant_block
     };
     static constexpr std::uint32_t constant = ~0u;
-    /// Links whose blocks are constant, and which coarse links have terms of each.
+    /// Links whose blocks are constant.
     struct ConstantLinks {
         SharedBuffer<Link> links;  // ascending
         SharedBuffer<float> weights;
-        SharedBuffer<std::uint32_t> offsets, coarse_links;
     };
     using HeldSprings = std::vector<HeldSpring>;
 
-    void make_levels(SpringGraph graph);
-    void list_constants();
+    /// `links`: of the finest level; numbers[k]: which of the constant ones the k-th is, or none.
+    void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
+    static constexpr std::uint32_t none = ~0u;
     void sum_constant(std::uint32_t coarse_link) noexcept;
     /// Sums those again that a particle's links are in.
     void sum_constants_at(std::uint32_t particle) noexcept;
@@ -85,7 +85,6 @@ class Multigrid {
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
     const ImplicitSystem* system_;
-    SharedBuffer<Link> links_;           // of the finest level, ascending
     SharedBuffer<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
     AlignedBuffer<Vec4> springs_;        // of these slots: see ImplicitSystem::spring_blocks
     ConstantLinks constants_;

@@ -38,9 +38,18 @@ struct Stencil {
     SharedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
-    [[nodiscard]] std::uint32_t slots() const noexcept { return nodes == 0 ? 0 : group_slots[groups()]; }
+    [[nodiscard]] std::uint32_t slots() const noexcept {
+        return group_slots.empty() ? 0 : group_slots[groups()];
+    }
     /// Whose neighbour a slot has in a lane: found by bisection.
     [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
+    /// Leaves the number of nodes and the reach alone.
+    void drop_lists() noexcept {
+        group_slots = {};
+        neighbours = {};
+        runs = {};
+        entries = {};
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return group_slots.bytes() + neighbours.bytes() + runs.bytes() + entries.bytes();
     }

@@ -213,15 +213,10 @@ MembraneCoupling::MembraneCoupling(const ClothModel& model, const SpringMatrix& 
       forces_(corners_.size()),
       partials_(block_count(groups_ * lanes)),
       corner_offsets_(model.corner_offsets.span()),
-      ahead_(3 * model.triangles.size()),
-      behind_(ahead_.size()) {
+      ahead_(3 * model.triangles.size()) {
     std::vector<std::uint32_t> next(corner_offsets_.data(), corner_offsets_.data() + model.particle_count);
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t at = next[model.triangles[t][k]]++;
-            ahead_[at] = place(t, k);
-            behind_[at] = place(t, (k + 2) % 3);
-        }
+        for (std::uint32_t k = 0; k < 3; ++k) ahead_[next[model.triangles[t][k]]++] = place(t, k);
     }
     std::ranges::fill(sources_.span(), static_cast<std::uint32_t>(corners_.size()));
     const auto shifted_by = [&](std::uint32_t i, std::uint32_t j, std::uint32_t side) {

@@ -35,7 +35,7 @@ class MembraneCoupling {
     void add_forces(std::uint32_t particle, float scale, Vec4& row) const noexcept {
         Vector3 sum = Vector3::Zero();
         for (std::uint32_t c = corner_offsets_[particle]; c < corner_offsets_[particle + 1]; ++c)
-            sum += xyz(forces_[behind_[c]]) - xyz(forces_[ahead_[c]]);
+            sum += xyz(forces_[behind(ahead_[c])]) - xyz(forces_[ahead_[c]]);
         row = to_vec4(xyz(row) + scale * sum, 0);
     }
 
@@ -56,10 +56,14 @@ class MembraneCoupling {
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
                shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() + ahead_.bytes() +
-               behind_.bytes() + stiffening_.bytes() + extra_tensions_.bytes() + extra_stiffness_.bytes();
+               stiffening_.bytes() + extra_tensions_.bytes() + extra_stiffness_.bytes();
     }
 
   private:
+    /// The place of the side that ends where the side at that place begins.
+    [[nodiscard]] static std::uint32_t behind(std::uint32_t ahead) noexcept {
+        return ahead / lanes % 3 == 0 ? ahead + 2 * lanes : ahead - lanes;
+    }
     [[nodiscard]] std::uint32_t place(std::uint32_t triangle, std::uint32_t side) const noexcept {
         return (triangle / lanes * 3 + side) * lanes + triangle % lanes;
     }
@@ -81,7 +85,7 @@ class MembraneCoupling {
     AlignedBuffer<Vec4> forces_;  // of each side, along it from its first corner
     AlignedBuffer<double> partials_;
     std::span<const std::uint32_t> corner_offsets_;  // the model's
-    SharedBuffer<std::uint32_t> ahead_, behind_;     // of particles: the sides of their corners
+    SharedBuffer<std::uint32_t> ahead_;              // of particles: the sides that begin at them
 };
 
 }  // namespace weft

@@ -29,6 +29,10 @@ class SpringSystem final : public ImplicitSystem {
     void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                          const Correction& correction, std::span<Vec4> next) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] Neighbours neighbours_of(std::uint32_t i) const noexcept override {
+        const std::uint32_t begin = model_->spring_offsets[i];
+        return {model_->neighbours.data() + begin, model_->spring_offsets[i + 1] - begin, 1};
+    }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     [[nodiscard]] std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
