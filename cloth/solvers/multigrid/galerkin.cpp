@@ -66,12 +66,38 @@ Incidence incidence(std::span<const Link> links, std::uint32_t nodes) {
 }
 
 struct Term {
-    std::uint32_t second;  // node of the coarse link; the first is being worked on
+    std::uint32_t first, second;  // nodes of the coarse link
     std::uint32_t fine_link;
     float factor;
-
-    [[nodiscard]] std::uint64_t place() const { return std::uint64_t{second} << 32 | fine_link; }
 };
+
+/// All terms, those of each link by fine links, ascending.
+std::vector<Term> terms_of(const std::vector<Link>& links, const Interpolation& p) {
+    std::vector<Term> terms;
+    terms.reserve(8 * links.size());
+    for (std::uint32_t link = 0; link < links.size(); ++link) {
+        RowDifference row = row_difference(p, links[link]);
+        for (const Difference& own : row) {
+            for (const Difference& other : row) {
+                const float factor = -own.value * other.value;
+                if (other.coarse > own.coarse && std::abs(factor) > least_factor)
+                    terms.push_back({own.coarse, other.coarse, link, factor});
+            }
+        }
+    }
+    return terms;
+}
+
+/// By a number below `count`; those of one number stay in order.
+template <class Number>
+std::vector<Term> sorted_by(const Number& number, const std::vector<Term>& terms, std::uint32_t count) {
+    std::vector<std::size_t> next(count + std::size_t{1});
+    for (const Term& term : terms) ++next[number(term) + std::size_t{1}];
+    for (std::uint32_t c = 0; c < count; ++c) next[c + 1] += next[c];
+    std::vector<Term> sorted(terms.size());
+    for (const Term& term : terms) sorted[next[number(term)]++] = term;
+    return sorted;
+}
 
 /// Lists as they grow, link by link.
 struct GrowingLists {
@@ -84,9 +110,9 @@ struct GrowingLists {
         std::vector<float> factors;
     } constants;
 
-    void add(std::uint32_t first, const Term& term, bool is_constant) {
-        if (links.empty() || links.back().first != first || links.back().second != term.second) {
-            links.push_back({first, term.second});
+    void add(const Term& term, bool is_constant) {
+        if (links.empty() || links.back().first != term.first || links.back().second != term.second) {
+            links.push_back({term.first, term.second});
             offsets.push_back(offsets.back());
             constants.offsets.push_back(constants.offsets.back());
         }
@@ -161,34 +187,14 @@ std::vector<Link> links_of(const SpringGraph& graph) {
     return links;
 }
 
-// Coarse node by coarse node: all links that touch its support, each once, give the terms of its links to
-// later nodes.
 GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
                                   const std::vector<bool>& is_constant) {
-    const Incidence touching = incidence(links, p.fine);
-    std::vector<std::uint32_t> seen(links.size(), Interpolation::width * p.fine + 1);
+    const auto first = [](const Term& term) { return term.first; };
+    const auto second = [](const Term& term) { return term.second; };
+    const std::vector<Term> terms =
+        sorted_by(first, sorted_by(second, terms_of(links, p), p.coarse), p.coarse);
     GrowingLists lists;
-    std::vector<Term> terms;
-    for (std::uint32_t c = 0; c < p.coarse; ++c) {
-        terms.clear();
-        for (std::uint32_t s = p.offsets[c]; s < p.offsets[c + 1]; ++s) {
-            const std::uint32_t i = p.fine_nodes[s];
-            for (std::uint32_t t = touching.offsets[i]; t < touching.offsets[i + 1]; ++t) {
-                const std::uint32_t link = touching.links[t];
-                if (std::exchange(seen[link], c) == c) continue;
-                RowDifference row = row_difference(p, links[link]);
-                const auto own = std::ranges::find(row, c, &Difference::coarse);
-                for (const Difference& other : row) {
-                    const float factor = -own->value * other.value;
-                    if (other.coarse > c && std::abs(factor) > least_factor)
-                        terms.push_back({other.coarse, link, factor});
-                }
-            }
-        }
-        std::ranges::sort(terms, {}, &Term::place);
-        for (const Term& term : terms)
-            lists.add(c, term, !is_constant.empty() && is_constant[term.fine_link]);
-    }
+    for (const Term& term : terms) lists.add(term, !is_constant.empty() && is_constant[term.fine_link]);
     return in_groups(lists);
 }
 
