@@ -29,17 +29,17 @@ World windy_world() {
     return world;
 }
 
-struct Case {
+struct CookedKind {
     std::string name;
     ClothSettings settings;
     bool grid = true;
 };
 
-std::vector<Case> cases() {
-    std::vector<Case> all;
+std::vector<CookedKind> cooked_kinds() {
+    std::vector<CookedKind> all;
     const auto add = [&](const char* name, auto change) {
         for (const bool grid : {true, false}) {
-            Case made{name + std::string(grid ? "OfGrid" : "OfMesh"), {}, grid};
+            CookedKind made{name + std::string(grid ? "OfGrid" : "OfMesh"), {}, grid};
             change(made.settings);
             all.push_back(made);
         }
@@ -68,7 +68,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-class CookedCase : public testing::TestWithParam<Case> {
+class CookedCase : public testing::TestWithParam<CookedKind> {
   protected:
     static Mesh mesh(float height) {
         Mesh made = hung_sheet(height);
@@ -77,7 +77,7 @@ class CookedCase : public testing::TestWithParam<Case> {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, CookedCase, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(All, CookedCase, testing::ValuesIn(cooked_kinds()),
                          [](const auto& info) { return info.param.name; });
 
 // What one does to itself must be nothing to the others.

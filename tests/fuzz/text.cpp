@@ -157,7 +157,8 @@ static std::string text_of(const std::vector<std::uint32_t>& vertices) {
 }
 
 static std::string text_of(const AddCloth& call) {
-    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
+    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) +
+           (call.cooked ? "; cooked, put to " + text_of(call.place) : "") + ")";
 }
 static std::string text_of(const MeasureCloth& call) {
     return "measure_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
