@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <future>
 #include <string>
 #include <utility>
@@ -191,6 +195,46 @@ TEST(CookedCloth, OfManyTakesLittleMoreThanTheirStates) {
     EXPECT_EQ(one.particles, alone.particles);
 }
 
+// WEFT_COOKED_TABLE=100: so many flags, each of a cooking of its own, and all of one.
+TEST(CookedCloth, Table) {
+    const char* const count = std::getenv("WEFT_COOKED_TABLE");
+    if (count == nullptr) GTEST_SKIP() << "set WEFT_COOKED_TABLE to a number of cloths";
+    const int cloths = std::atoi(count);
+    const auto now = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    std::printf(
+        "particles      | by meshes, ms each, MB | cooked, ms | added, ms each, MB | file MB | read, ms\n");
+    for (const std::uint32_t side : {64u, 128u, 316u}) {
+        for (const bool grid : {true, false}) {
+            Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
+            if (!grid) mesh.rows = mesh.columns = 0;
+            const int number =
+                static_cast<int>(std::max(1u, static_cast<std::uint32_t>(cloths) * 4096 / (side * side)));
+            World alone = World::create({.threads = 1}).value(),
+                  shared = World::create({.threads = 1}).value();
+            const double start = now();
+            double own = 0, of_cooked = 0;
+            for (int k = 0; k < number; ++k)
+                own += static_cast<double>(alone.cloth_info(alone.add_cloth(mesh).value())->bytes);
+            const double cooking = now();
+            const CookedCloth cooked = CookedCloth::create(mesh).value();
+            const double adding = now();
+            for (int k = 0; k < number; ++k) {
+                const ClothInfo info = *shared.cloth_info(shared.add_cloth(cooked).value());
+                of_cooked += static_cast<double>(info.bytes + (k == 0 ? info.shared_bytes : 0));
+            }
+            const double added = now();
+            std::vector<std::byte> bytes(cooked.save_size());
+            ASSERT_TRUE(cooked.save(bytes));
+            const double reading = now();
+            ASSERT_TRUE(CookedCloth::load(bytes));
+            std::printf("%6u %s x %3d | %.1f, %.1f | %.1f | %.3f, %.1f | %.2f | %.1f\n", side * side,
+                        grid ? "grid" : "mesh", number, (cooking - start) / number, own * 1e-6,
+                        adding - cooking, (added - adding) / number, of_cooked * 1e-6,
+                        static_cast<double>(bytes.size()) * 1e-6, now() - reading);
+        }
+    }
+}
+
 TEST(CookedCloth, StandsWhereItIsPut) {
     World world = World::create({.gravity = {0, 0, 0}}).value();
     const CookedCloth cooked = CookedCloth::create(hung_sheet(1)).value();
@@ -213,6 +257,46 @@ TEST(CookedCloth, StandsWhereItIsPut) {
     EXPECT_FALSE(world.add_cloth(cooked, {.translation = {}, .rotation = {0, 0, 0, 2}}));
     world.step(1.0f / 60);
     EXPECT_EQ(world.report().cloths, 1u);
+}
+
+TEST(CookedCloth, OfAnArtistsMeshSaysWhatItDid) {
+    Mesh mesh = make_sheet({.rows = 5, .columns = 6}).value();
+    mesh.rows = mesh.columns = 0;
+    const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    mesh.positions.push_back(mesh.positions[7]);  // 30: split for a renderer
+    mesh.positions.push_back({0.1f, 2, 0});       // 31: a fin's
+    mesh.positions.push_back({3, 3, 3});          // 32: loose
+    for (std::uint32_t& corner : mesh.triangles[0]) corner = corner == 7 ? 30 : corner;
+    const Triangle inner = mesh.triangles[15];
+    mesh.triangles.push_back({inner[0], inner[1], 31});        // at an edge that has two
+    mesh.triangles.push_back({inner[1], inner[0], inner[2]});  // once more
+    mesh.triangles.push_back({inner[0], inner[0], inner[1]});  // none
+    std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+    mesh.texcoords.clear();
+
+    const auto cooked = CookedCloth::create(mesh);
+    ASSERT_TRUE(cooked) << cooked.error().message;
+    const CookReport& report = cooked->report();
+    EXPECT_EQ(report.welded, (std::vector<CookReport::Welded>{{30, 7}}));
+    EXPECT_EQ(report.turned, std::vector<std::uint32_t>{3});
+    EXPECT_EQ(report.loose, (std::vector<std::uint32_t>{31, 32}));
+    EXPECT_EQ(report.dropped, (std::vector<CookReport::Dropped>{{triangles, DropReason::crowded_edge},
+                                                                {triangles + 1, DropReason::doubled},
+                                                                {triangles + 2, DropReason::no_area}}));
+    const ClothInfo& info = cooked->info();
+    EXPECT_EQ(info.welded_vertices, 1u);
+    EXPECT_EQ(info.turned_triangles, 1u);
+    EXPECT_EQ(info.dropped_triangles, 3u);
+    EXPECT_EQ(info.loose_particles, 2u);
+    EXPECT_EQ(info.misoriented_edges, 0u);
+    EXPECT_EQ(info.triangles, triangles);
+
+    World world = World::create().value();
+    const ClothId cloth = world.add_cloth(*cooked).value();
+    ASSERT_TRUE(world.pin(cloth, 0));
+    for (int step = 0; step < 60; ++step) world.step(1.0f / 60);
+    EXPECT_EQ(world.report().flags, StepFlags::none);
+    EXPECT_TRUE(std::isfinite(world.cloth(cloth)->positions[5].y));
 }
 
 TEST(CookedCloth, RefusesWhatAddClothRefuses) {
