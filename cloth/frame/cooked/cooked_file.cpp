@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -12,6 +13,7 @@
 
 #include "cloth/frame/cooked/cooked_cloth.h"
 #include "cloth/frame/validate.h"
+#include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/state_hash.h"
 #include "engine/without_exceptions.h"
@@ -131,6 +133,29 @@ bool are_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, s
            std::ranges::is_sorted(offsets);
 }
 
+bool is_within(float x, float least, float most) {
+    return x >= least && x <= most;  // not-a-number is not
+}
+
+/// Numbers that a mesh could have led to.
+bool are_sound(const ClothModel& model) {
+    constexpr float most = std::numeric_limits<float>::max();
+    const auto all_within = [](const SharedBuffer<float>& numbers, float least) {
+        return std::ranges::all_of(numbers, [=](float x) { return is_within(x, least, most); });
+    };
+    const auto is_near = [](float x) { return is_within(x, -runaway_distance, runaway_distance); };
+    return all_within(model.rest_area, 0) && all_within(model.rest_lengths, 0) &&
+           all_within(model.bending, -most) && all_within(model.bending_excess, -most) &&
+           std::ranges::all_of(
+               model.positions,
+               [&](const Vec4& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z) && p.w == 0; }) &&
+           std::ranges::all_of(model.panel_sides, [&](const std::array<Vec2, 2>& sides) {
+               return std::ranges::all_of(sides, [&](const Vec2& side) {
+                   return is_within(side.x, -most, most) && is_within(side.y, -most, most);
+               });
+           });
+}
+
 /// That no list names what another does not have.
 bool is_whole(const ClothModel& model) {
     const std::size_t n = model.particle_count, springs = model.neighbours.size(),
@@ -200,7 +225,7 @@ Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const Cl
         CookReport report;
         const ListReader reader(*head, saved.subspan(sizeof(CookedHead)));
         for_each_list(model, info, report, reader);
-        if (!reader.fits() || info.size() != 1 || !is_whole(model))
+        if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model))
             return refused("is not whole, though its checksum is right: cook the mesh again");
         model.info = info[0];
         return CookedCloth(std::make_shared<const Impl>(std::move(model), std::move(report), settings));
