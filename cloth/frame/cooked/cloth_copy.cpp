@@ -31,10 +31,7 @@ Cloth::Cloth(const Cloth& cooked)
       surface(cooked.surface),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
-    if (!solver) {
-        solver = make_solver(model, settings, state.positions.span());
-        solver->prepare(settings);
-    }
+    if (!solver) solver = make_solver(model, settings, state.positions.span());
     if (cooked.history) history.emplace(model.particle_count);
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
