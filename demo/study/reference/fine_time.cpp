@@ -88,7 +88,7 @@ FineTime::FineTime(const StudyScene& scene, int threads)
     const Run start(scene, {"", "", "", [](ClothSettings&) {}, {}, false}, 1);
     const Cloth& cloth = start.cloth();
     particles_ = cloth.model.particle_count;
-    triangles_ = cloth.model.triangles;
+    triangles_.assign(cloth.model.triangles.begin(), cloth.model.triangles.end());
     corner_offsets_.assign(cloth.model.corner_offsets.span().begin(),
                            cloth.model.corner_offsets.span().end());
     corner_triangles_.assign(cloth.model.corner_triangles.span().begin(),
