@@ -90,9 +90,9 @@ Result<RestNeighbours> RestNeighbours::find(const RestGraph& graph, float distan
         if (2 * higher.size() > most_per_particle * std::size_t{particles}) return too_far(distance);
     }
 
-    result.offsets_ = AlignedBuffer<std::uint32_t>(std::size_t{particles} + 1);
+    result.offsets_ = SharedBuffer<std::uint32_t>(std::size_t{particles} + 1);
     for (std::uint32_t i = 0; i < particles; ++i) result.offsets_[i + 1] = result.offsets_[i] + counts[i];
-    result.neighbours_ = AlignedBuffer<std::uint32_t>(result.offsets_[particles]);
+    result.neighbours_ = SharedBuffer<std::uint32_t>(result.offsets_[particles]);
     // In order of the lower end: so each list has its lower neighbours before its higher ones.
     std::vector<std::uint32_t> next(result.offsets_.data(), result.offsets_.data() + particles);
     for (std::uint32_t i = 0, k = 0; i < particles; ++i) {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "collision/rest_filter.h"
-#include "engine/aligned_buffer.h"
+#include "engine/shared_buffer.h"
 #include "weft/error.h"
 
 namespace weft {
@@ -38,7 +38,7 @@ class RestNeighbours {
 
   private:
     float distance_ = 0;
-    AlignedBuffer<std::uint32_t> offsets_, neighbours_;
+    SharedBuffer<std::uint32_t> offsets_, neighbours_;
 };
 
 }  // namespace weft

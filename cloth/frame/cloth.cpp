@@ -10,18 +10,6 @@ namespace weft {
 
 namespace {
 
-std::size_t bytes_of(const CookedCloth& model) {
-    return model.positions.bytes() + model.rest_area.bytes() + model.stiffness.bytes() +
-           model.spring_offsets.bytes() + model.neighbours.bytes() + model.rest_lengths.bytes() +
-           model.kinds.bytes() + model.bending.bytes() + model.bending_excess.bytes() +
-           model.corner_offsets.bytes() + model.corner_triangles.bytes() +
-           model.triangles.size() * sizeof(Triangle) +
-           model.panel_sides.size() * sizeof(model.panel_sides[0]) +
-           (model.component_offsets.size() + model.component_particles.size() +
-            model.vertex_to_particle.size()) *
-               sizeof(std::uint32_t);
-}
-
 std::vector<std::uint32_t> particles_of(std::span<const Pin> pins) {
     std::vector<std::uint32_t> particles;
     particles.reserve(pins.size());
@@ -39,9 +27,9 @@ bool has_avoidance(const SelfCollision& settings) {
 
 /// Where a search takes features to lie at rest: a grid's flat pattern, by its first row and column, whose
 /// calm parts it passes over; else where the cloth started.
-std::unique_ptr<const ContactMesh> mesh_of_features(const CookedCloth& model) {
+std::shared_ptr<const ContactMesh> mesh_of_features(const ClothModel& model) {
     if (model.rows < 2 || model.columns < 2)
-        return std::make_unique<const ContactMesh>(model.positions.span(), model.triangles);
+        return std::make_shared<const ContactMesh>(model.positions.span(), model.triangles);
     AlignedBuffer<Vec4> flat(model.particle_count);
     const auto length = [&](std::uint32_t i, std::uint32_t j) {
         return static_cast<float>(rest_length_between(model, i, j));
@@ -52,12 +40,12 @@ std::unique_ptr<const ContactMesh> mesh_of_features(const CookedCloth& model) {
         flat[i].z =
             row == 0 ? 0 : flat[i - model.columns].z + length((row - 1) * model.columns, row * model.columns);
     }
-    return std::make_unique<const ContactMesh>(flat.span(), model.triangles);
+    return std::make_shared<const ContactMesh>(flat.span(), model.triangles);
 }
 
 /// Springs, or their part that are edges of triangles or cross a grid's cells: contact bends cloth round as
 /// far as these let it.
-RestNeighbours find_rest_neighbours(const CookedCloth& model, const SelfCollision& settings, float distance) {
+RestNeighbours find_rest_neighbours(const ClothModel& model, const SelfCollision& settings, float distance) {
     std::vector<std::uint32_t> offsets, neighbours;
     std::vector<float> lengths;
     RestGraph graph{model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()};
@@ -80,7 +68,7 @@ RestNeighbours find_rest_neighbours(const CookedCloth& model, const SelfCollisio
 
 }  // namespace
 
-Cloth::Cloth(CookedCloth cooked, const ClothSettings& initial)
+Cloth::Cloth(ClothModel cooked, const ClothSettings& initial)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
@@ -135,6 +123,7 @@ void Cloth::apply(const ClothSettings& changed) {
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
     if (has_features(self_collision) && !has_zones(self_collision))
         reserve_pairs(other_solver ? *other_solver : *solver);
+    if (!other_solver) solver->make_own(changed);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
 
@@ -176,14 +165,17 @@ void Cloth::apply(const ClothSettings& changed) {
 std::optional<FeatureBuffers> Cloth::make_features(const SelfCollision& of) const {
     if (!has_features(of) || (features && (!has_zones(of) || features->has_zone_memory())))
         return std::nullopt;
-    std::unique_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
+    std::shared_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
     const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get(), .by_zones = has_zones(of)};
     return std::optional<FeatureBuffers>(std::in_place, std::move(made), body);
 }
 
 void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept {
     if (made) {
-        if (made->mesh) contact_mesh = std::move(made->mesh);
+        if (made->mesh) {
+            contact_mesh = std::move(made->mesh);
+            shares_contact_mesh = false;
+        }
         features = std::move(made->contact);
         substep_start = std::move(made->substep_start);
         state.tangles = std::move(made->tangles);
@@ -249,6 +241,7 @@ ContactCloth Cloth::as_body() const {
 void Cloth::make_contact_mesh() {
     if (contact_mesh) return;
     contact_mesh = mesh_of_features(model);
+    shares_contact_mesh = false;
 }
 
 void Cloth::drop_contact_mesh() noexcept {
@@ -369,26 +362,6 @@ void Cloth::restore_start_of_step() {
 float Cloth::distance_of(const SelfCollision& self_collision) const {
     const float part = self_collision.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
     return self_collision.distance > 0 ? self_collision.distance : part * model.info.mean_edge;
-}
-
-ClothInfo Cloth::info() const {
-    ClothInfo info = model.info;
-    double mass_sum = 0;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) mass_sum += static_cast<double>(mass(i));
-    info.mass = static_cast<float>(mass_sum);
-    const float finest = 2 * info.mean_edge;
-    info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
-    std::size_t of_limits = worn.bytes() + areas_without_map.bytes();
-    for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
-    info.bytes = sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
-                 (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
-                 (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-                 (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
-                 surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + body_buffers.bytes() +
-                 collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
-                 partial_counts.bytes() + partial_surveys.bytes();
-    return info;
 }
 
 }  // namespace weft

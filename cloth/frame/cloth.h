@@ -26,6 +26,7 @@
 #include "engine/aligned_buffer.h"
 #include "weft/cloth_id.h"
 #include "weft/settings.h"
+#include "weft/world.h"
 
 namespace weft {
 
@@ -64,13 +65,13 @@ struct CollectedShare {
 /// Memory for features that meet.
 struct FeatureBuffers {
     /// `made`: a mesh of features, if the cloth has none. The body has that, or the one that it has.
-    FeatureBuffers(std::unique_ptr<const ContactMesh>&& made, const ContactCloth& body)
+    FeatureBuffers(std::shared_ptr<const ContactMesh>&& made, const ContactCloth& body)
         : mesh(std::move(made)),
           contact(std::span(&body, 1)),
           substep_start(body.mesh->particles()),
           tangles(body.mesh->particles()) {}
 
-    std::unique_ptr<const ContactMesh> mesh;
+    std::shared_ptr<const ContactMesh> mesh;
     FeatureContact contact;
     AlignedBuffer<Vec4> substep_start;
     AlignedBuffer<TangleMemory> tangles;
@@ -93,7 +94,10 @@ struct FeatureBuffers {
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
-    Cloth(CookedCloth cooked, const ClothSettings& settings);
+    Cloth(ClothModel cooked, const ClothSettings& settings);
+    /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
+    /// no World, and from now on does not change.
+    Cloth(const Cloth& cooked);
 
     /// Takes validated settings over.
     void apply(const ClothSettings& changed);
@@ -169,8 +173,8 @@ struct Cloth {
     /// Frees it, unless it is in use.
     void drop_contact_mesh() noexcept;
 
-    ClothId id;  ///< in its World, from its first step on
-    CookedCloth model;
+    ClothId id{};  ///< in its World, from its first step on
+    ClothModel model;
     mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
@@ -185,7 +189,8 @@ struct Cloth {
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
     std::optional<Contacts> contacts;  ///< only with colliders or features, and if the solver is implicit
-    std::unique_ptr<const ContactMesh> contact_mesh;
+    std::shared_ptr<const ContactMesh> contact_mesh;
+    bool shares_contact_mesh = false;        ///< it is the CookedCloth's
     std::optional<FeatureContact> features;  ///< only with contact: for the cloth alone
     AlignedBuffer<Vec4> substep_start;       ///< likewise: where the substep began
 
@@ -226,7 +231,9 @@ struct Cloth {
 
   private:
     bool has_colliders_ = false;
+    std::size_t shared_bytes_ = 0;  ///< with all others of one CookedCloth
 
+    [[nodiscard]] std::size_t own_bytes() const;
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,
                                                               const Solver& with) const;

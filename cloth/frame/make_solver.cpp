@@ -21,7 +21,7 @@ Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by i
 
 }  // namespace
 
-std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings,
+std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                     std::span<const Vec4> positions) {
     using Made = std::unique_ptr<Solver>;
     return std::visit(

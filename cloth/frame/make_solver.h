@@ -9,7 +9,7 @@ namespace weft {
 
 /// The solver of settings.method, ready for a step. `positions` have inverse masses in w, 0 for pinned
 /// particles. The model must outlive it.
-[[nodiscard]] std::unique_ptr<Solver> make_solver(const CookedCloth& model, const ClothSettings& settings,
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions);
 
 }  // namespace weft

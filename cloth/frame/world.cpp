@@ -39,11 +39,6 @@ Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings&
     return std::make_unique<Cloth>(std::move(cooked).value(), settings);
 }
 
-Error no_cloth() {
-    return {ErrorCode::invalid_argument,
-            "the PreparedCloth has no cloth: a World has taken it over; create another"};
-}
-
 }  // namespace
 
 Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth, std::span<const std::uint32_t> vertices) {
@@ -84,27 +79,6 @@ Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const 
 
 }  // namespace
 
-struct PreparedCloth::Impl {
-    std::unique_ptr<Cloth> cloth;
-};
-PreparedCloth::PreparedCloth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-PreparedCloth::PreparedCloth(PreparedCloth&&) noexcept = default;
-PreparedCloth& PreparedCloth::operator=(PreparedCloth&&) noexcept = default;
-PreparedCloth::~PreparedCloth() = default;
-
-Result<PreparedCloth> PreparedCloth::create(const Mesh& mesh, const ClothSettings& settings) {
-    return without_exceptions([&]() -> Result<PreparedCloth> {
-        auto cloth = make_cloth(mesh, settings);
-        if (!cloth) return cloth.error();
-        return PreparedCloth(std::make_unique<Impl>(std::move(cloth).value()));
-    });
-}
-
-Result<ClothInfo> PreparedCloth::info() const {
-    if (!impl_) return no_cloth();
-    return impl_->cloth->info();
-}
-
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -135,16 +109,6 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
         return impl_->simulation.add(std::move(cloth).value());
-    });
-}
-
-Result<ClothId> World::add_cloth(PreparedCloth&& cloth) {
-    return without_exceptions([&]() -> Result<ClothId> {
-        if (!cloth.impl_) return no_cloth();
-        impl_->simulation.prepare(*cloth.impl_->cloth);
-        const ClothId id = impl_->simulation.add(std::move(cloth.impl_->cloth));
-        cloth.impl_.reset();
-        return id;
     });
 }
 

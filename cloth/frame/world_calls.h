@@ -41,6 +41,11 @@ inline Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t verte
 [[nodiscard]] Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth,
                                                               std::span<const std::uint32_t> vertices);
 
+/// Error: no rotation, or a place that is not finite.
+[[nodiscard]] Result<void> validate_transform(const char* name, const Transform& pose);
+/// Error: something of the cloth would be out of reach once it is moved so.
+[[nodiscard]] Result<void> validate_move(const Cloth& cloth, const RigidMotion& by);
+
 /// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
 template <class Simulation, class Use>
 auto with_cloth(Simulation& simulation, ClothId id, const Use& use)

@@ -4,7 +4,7 @@
 
 namespace weft {
 
-Limits make_limits(const CookedCloth& model, const ClothSettings& settings,
+Limits make_limits(const ClothModel& model, const ClothSettings& settings,
                    std::span<const std::uint32_t> pins) {
     Limits limits;
     if (settings.tethers.enabled) limits.push_back(std::make_unique<LongRangeAttachments>(model));

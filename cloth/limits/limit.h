@@ -19,8 +19,10 @@ class Limit {
 
     /// Makes what other pins need, aside: commit() takes it over. May run out of memory; then nothing has
     /// changed. Pins ascend.
-    virtual void prepare(const CookedCloth& model, std::span<const std::uint32_t> pins) = 0;
+    virtual void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) = 0;
     virtual void commit() noexcept = 0;
+    /// The same for another cloth of the model; what is constant is shared.
+    [[nodiscard]] virtual std::unique_ptr<Limit> clone() const = 0;
 
     /// Puts particles back that are beyond the limit, and takes the velocity at which they leave it.
     virtual void hold(Parallel& parallel, const ClothSettings& settings, std::span<Vec4> positions,
@@ -32,7 +34,7 @@ class Limit {
 using Limits = std::vector<std::unique_ptr<Limit>>;
 
 /// Those that the settings ask for. Pins ascend.
-[[nodiscard]] Limits make_limits(const CookedCloth& model, const ClothSettings& settings,
+[[nodiscard]] Limits make_limits(const ClothModel& model, const ClothSettings& settings,
                                  std::span<const std::uint32_t> pins);
 /// Whether both settings ask for the same ones.
 [[nodiscard]] bool have_same_limits(const ClothSettings& a, const ClothSettings& b);

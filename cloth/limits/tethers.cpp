@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 /// Pins and their holds: those that structural springs join are one. Precondition: pins ascend.
-std::vector<GeodesicSource> group_pins(const CookedCloth& model, std::span<const std::uint32_t> pins) {
+std::vector<GeodesicSource> group_pins(const ClothModel& model, std::span<const std::uint32_t> pins) {
     std::vector<GeodesicSource> sources;
     for (const std::uint32_t pin : pins) sources.push_back({pin, GeodesicReach::none});
     std::vector<std::size_t> reached;
@@ -45,7 +45,7 @@ std::size_t count_groups(std::span<const GeodesicSource> sources) {
 
 }  // namespace
 
-void LongRangeAttachments::prepare(const CookedCloth& model, std::span<const std::uint32_t> pins) {
+void LongRangeAttachments::prepare(const ClothModel& model, std::span<const std::uint32_t> pins) {
     const std::vector<GeodesicSource> sources = group_pins(model, pins);
     geodesics_.march(model, sources);
     std::vector<Layer> layers(std::min(count_groups(sources), Geodesics::most_reached));

@@ -23,10 +23,13 @@ class LongRangeAttachments final : public Limit {
   public:
     static constexpr std::uint32_t none = GeodesicReach::none;
 
-    explicit LongRangeAttachments(const CookedCloth& model) : geodesics_(model) {}
+    explicit LongRangeAttachments(const ClothModel& model) : geodesics_(model) {}
 
     /// Finds each particle's pins and their distances, for steps to come.
-    void prepare(const CookedCloth& model, std::span<const std::uint32_t> pins) override;
+    void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) override;
+    [[nodiscard]] std::unique_ptr<Limit> clone() const override {
+        return std::make_unique<LongRangeAttachments>(*this);
+    }
     void commit() noexcept override { layers_ = std::move(prepared_); }
 
     /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they

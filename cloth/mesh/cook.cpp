@@ -157,11 +157,11 @@ void accumulate_offsets(std::span<std::uint32_t> counts) {
 
 /// Precondition: springs ascend by (a, b). Filling the far ends first leaves every row ascending, since row i
 /// then gets its lower neighbours before its higher ones, each in order.
-void store_springs(std::span<const Spring> springs, CookedCloth& cloth) {
-    cloth.spring_offsets = AlignedBuffer<std::uint32_t>(cloth.particle_count + 1);
-    cloth.neighbours = AlignedBuffer<std::uint32_t>(2 * springs.size());
-    cloth.rest_lengths = AlignedBuffer<float>(2 * springs.size());
-    cloth.kinds = AlignedBuffer<SpringKind>(2 * springs.size());
+void store_springs(std::span<const Spring> springs, ClothModel& cloth) {
+    cloth.spring_offsets = SharedBuffer<std::uint32_t>(cloth.particle_count + 1);
+    cloth.neighbours = SharedBuffer<std::uint32_t>(2 * springs.size());
+    cloth.rest_lengths = SharedBuffer<float>(2 * springs.size());
+    cloth.kinds = SharedBuffer<SpringKind>(2 * springs.size());
 
     for (const Spring& spring : springs) {
         ++cloth.spring_offsets[spring.a + 1];
@@ -181,9 +181,9 @@ void store_springs(std::span<const Spring> springs, CookedCloth& cloth) {
     for (const Spring& spring : springs) store(spring.a, spring.b, spring);
 }
 
-void store_corners(CookedCloth& cloth) {
-    cloth.corner_offsets = AlignedBuffer<std::uint32_t>(cloth.particle_count + 1);
-    cloth.corner_triangles = AlignedBuffer<std::uint32_t>(3 * cloth.triangles.size());
+void store_corners(ClothModel& cloth) {
+    cloth.corner_offsets = SharedBuffer<std::uint32_t>(cloth.particle_count + 1);
+    cloth.corner_triangles = SharedBuffer<std::uint32_t>(3 * cloth.triangles.size());
     for (const Triangle& triangle : cloth.triangles)
         for (const std::uint32_t particle : triangle) ++cloth.corner_offsets[particle + 1];
     accumulate_offsets(cloth.corner_offsets.span());
@@ -194,30 +194,31 @@ void store_corners(CookedCloth& cloth) {
         for (const std::uint32_t particle : cloth.triangles[t]) cloth.corner_triangles[next[particle]++] = t;
 }
 
-void store_rest_areas(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+void store_rest_areas(const Mesh& mesh, const Topology& topology, ClothModel& cloth) {
     std::vector<double> areas(cloth.particle_count, 0.0);
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
         const double third = rest_area(mesh, topology.corners[t]) / 3;
         for (const std::uint32_t particle : topology.triangles[t]) areas[particle] += third;
     }
-    cloth.rest_area = AlignedBuffer<float>(cloth.particle_count);
+    cloth.rest_area = SharedBuffer<float>(cloth.particle_count);
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
         cloth.rest_area[i] = static_cast<float>(areas[i]);
 }
 
-void store_panel_sides(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
+void store_panel_sides(const Mesh& mesh, const Topology& topology, ClothModel& cloth) {
     if (mesh.pattern.empty()) return;
-    cloth.panel_sides.reserve(topology.corners.size());
+    std::vector<std::array<Vec2, 2>> sides;
+    sides.reserve(topology.corners.size());
     for (const Triangle& corners : topology.corners) {
         const Vec2 &origin = mesh.pattern[corners[0]], &one = mesh.pattern[corners[1]],
                    &two = mesh.pattern[corners[2]];
-        cloth.panel_sides.push_back(
-            {{{one.x - origin.x, one.y - origin.y}, {two.x - origin.x, two.y - origin.y}}});
+        sides.push_back({{{one.x - origin.x, one.y - origin.y}, {two.x - origin.x, two.y - origin.y}}});
     }
+    cloth.panel_sides = SharedBuffer<std::array<Vec2, 2>>(sides);
 }
 
-void store_positions(const Mesh& mesh, const Topology& topology, CookedCloth& cloth) {
-    cloth.positions = AlignedBuffer<Vec4>(cloth.particle_count);
+void store_positions(const Mesh& mesh, const Topology& topology, ClothModel& cloth) {
+    cloth.positions = SharedBuffer<Vec4>(cloth.particle_count);
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
         const Vec3& p = mesh.positions[topology.first_vertices[i]];
         cloth.positions[i] = {p.x, p.y, p.z, 0};
@@ -228,13 +229,30 @@ ClothInfo make_info(const Mesh& mesh, const Topology& topology) {
     ClothInfo info;
     info.vertices = static_cast<std::uint32_t>(mesh.positions.size());
     info.particles = topology.particle_count();
+    info.welded_vertices = info.vertices - info.particles;
     info.triangles = static_cast<std::uint32_t>(topology.triangles.size());
     info.components = static_cast<std::uint32_t>(topology.component_offsets.size() - 1);
     info.border_edges = topology.border_edges;
-    info.dropped_triangles = topology.dropped_triangles;
+    info.dropped_triangles = static_cast<std::uint32_t>(topology.dropped.size());
+    info.turned_triangles = static_cast<std::uint32_t>(topology.turned.size());
     info.misoriented_edges = topology.misoriented_edges;
     info.loose_particles = topology.loose_particles;
     return info;
+}
+
+/// Before particles are renumbered.
+CookReport make_report(const Topology& topology) {
+    CookReport report{.welded = {}, .dropped = topology.dropped, .turned = topology.turned, .loose = {}};
+    std::vector<bool> has_triangle(topology.particle_count());
+    for (const Triangle& triangle : topology.triangles)
+        for (const std::uint32_t particle : triangle) has_triangle[particle] = true;
+    for (std::uint32_t vertex = 0; vertex < topology.vertex_to_particle.size(); ++vertex) {
+        const std::uint32_t particle = topology.vertex_to_particle[vertex];
+        const std::uint32_t first = topology.first_vertices[particle];
+        if (first != vertex) report.welded.push_back({vertex, first});
+        if (!has_triangle[particle]) report.loose.push_back(vertex);
+    }
+    return report;
 }
 
 bool is_grid(const Mesh& mesh) {
@@ -307,19 +325,20 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
 
 }  // namespace
 
-Result<CookedCloth> cook(const Mesh& mesh) {
+Result<ClothModel> cook(const Mesh& mesh, CookReport* report) {
     Result<Topology> built = build_topology(mesh);
     if (!built) return built.error();
     Topology& topology = *built;
     if (is_grid(mesh))
         if (Result<void> grid = check_grid(mesh, topology); !grid) return grid.error();
+    if (report != nullptr) *report = make_report(topology);
     // Rows of a grid are in order already: neighbours lie at the same few distances from all particles.
     if (!is_grid(mesh)) renumber(topology, memory_order(topology));
 
     std::vector<Spring> springs = is_grid(mesh) ? springs_of_grid(mesh) : springs_of_mesh(mesh, topology);
     keep_one_per_pair(springs);
 
-    CookedCloth cloth;
+    ClothModel cloth;
     cloth.particle_count = topology.particle_count();
     cloth.rows = mesh.rows;
     cloth.columns = mesh.columns;
@@ -329,19 +348,18 @@ Result<CookedCloth> cook(const Mesh& mesh) {
     store_rest_areas(mesh, topology, cloth);
     store_panel_sides(mesh, topology, cloth);
     store_springs(springs, cloth);
-    cloth.triangles = std::move(topology.triangles);
-    cloth.triangles.shrink_to_fit();
+    cloth.triangles = SharedBuffer<Triangle>(topology.triangles);
     store_corners(cloth);
-    cloth.component_offsets = std::move(topology.component_offsets);
-    cloth.component_particles = std::move(topology.component_particles);
-    cloth.vertex_to_particle = std::move(topology.vertex_to_particle);
+    cloth.component_offsets = SharedBuffer<std::uint32_t>(topology.component_offsets);
+    cloth.component_particles = SharedBuffer<std::uint32_t>(topology.component_particles);
+    cloth.vertex_to_particle = SharedBuffer<std::uint32_t>(topology.vertex_to_particle);
     const std::vector<BendingElement> bending = linear_bending(cloth);
     cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
     store_bending(bending, cloth);
     return cloth;
 }
 
-std::uint32_t half_edge_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
+std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {
     const auto row = model.neighbours.span().subspan(model.spring_offsets[i],
                                                      model.spring_offsets[i + 1] - model.spring_offsets[i]);
     return static_cast<std::uint32_t>(std::ranges::lower_bound(row, j) - row.begin()) +

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/aligned_buffer.h"
+#include "engine/shared_buffer.h"
+#include "weft/cooked_cloth.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
-#include "weft/world.h"
 
 namespace weft {
 
@@ -16,52 +16,52 @@ namespace weft {
 /// alone.
 enum class SpringKind : std::uint8_t { structural, shear, bending };
 
-/// The rest model of a cloth; never changes after cooking. Lists are in compressed rows: those of particle i
-/// are [offsets[i], offsets[i + 1]), in ascending order of what they name, which is the order in which they
-/// are summed.
-struct CookedCloth {
+/// The rest model of a cloth: copies share all of it. Never changes after cooking, but for maps. Lists are in
+/// compressed rows: those of particle i are [offsets[i], offsets[i + 1]), in ascending order of what they
+/// name, which is the order in which they are summed.
+struct ClothModel {
     std::uint32_t particle_count = 0;
     std::uint32_t rows = 0, columns = 0;  ///< of a grid, as in Mesh; 0: a general mesh
-    AlignedBuffer<Vec4> positions;        ///< where the cloth starts [m]; w unused
-    AlignedBuffer<float>
+    SharedBuffer<Vec4> positions;         ///< where the cloth starts [m]; w unused
+    SharedBuffer<float>
         rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
 
-    AlignedBuffer<float> stiffness;  ///< factor of the membrane's at each particle; empty: 1, see Map
+    SharedBuffer<float> stiffness;  ///< factor of the membrane's at each particle; empty: 1, see Map
 
     /// Springs, each stored at both its ends (half-edges), so that a particle gathers all that acts on it.
-    AlignedBuffer<std::uint32_t> spring_offsets;
-    AlignedBuffer<std::uint32_t> neighbours;
-    AlignedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
-    AlignedBuffer<SpringKind> kinds;
+    SharedBuffer<std::uint32_t> spring_offsets;
+    SharedBuffer<std::uint32_t> neighbours;
+    SharedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
+    SharedBuffer<SpringKind> kinds;
     /// Linear bending of rigidity 1 N m: the force on i is the sum of weights times (x_j - x_i) [1/m^2].
-    AlignedBuffer<float> bending;
+    SharedBuffer<float> bending;
     /// What bending's diagonal in relaxation has beyond the sum of its weights, so that it bounds half of the
     /// Hessian: sum of k |c_i| (S - |c_i|) over elements, S being half the sum of their |c| [1/m^2].
-    AlignedBuffer<float> bending_excess;
+    SharedBuffer<float> bending_excess;
 
-    std::vector<Triangle> triangles;  ///< particle indices
+    SharedBuffer<Triangle> triangles;  ///< particle indices
     /// With a pattern: each triangle's sides from its corner 0 to corners 1 and 2, in its panel's plane [m];
     /// else none.
-    std::vector<std::array<Vec2, 2>> panel_sides;
-    AlignedBuffer<std::uint32_t> corner_offsets;  ///< triangles of each particle
-    AlignedBuffer<std::uint32_t> corner_triangles;
+    SharedBuffer<std::array<Vec2, 2>> panel_sides;
+    SharedBuffer<std::uint32_t> corner_offsets;  ///< triangles of each particle
+    SharedBuffer<std::uint32_t> corner_triangles;
 
     /// Connected components, particles of each in ascending order.
-    std::vector<std::uint32_t> component_offsets, component_particles;
+    SharedBuffer<std::uint32_t> component_offsets, component_particles;
 
-    std::vector<std::uint32_t> vertex_to_particle;
+    SharedBuffer<std::uint32_t> vertex_to_particle;
     ClothInfo info;  ///< mass and bytes are filled in by the cloth
 };
 
 /// Precondition: i and j have a half-edge.
-[[nodiscard]] std::uint32_t half_edge_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j);
+[[nodiscard]] std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j);
 /// Of that half-edge [m].
-[[nodiscard]] inline double rest_length_between(const CookedCloth& model, std::uint32_t i, std::uint32_t j) {
+[[nodiscard]] inline double rest_length_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {
     return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
 }
 
-/// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. Faces of no
-/// area are dropped and counted.
-[[nodiscard]] Result<CookedCloth> cook(const Mesh& mesh);
+/// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. `report`, if
+/// there is one, is filled.
+[[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, CookReport* report = nullptr);
 
 }  // namespace weft

@@ -35,7 +35,7 @@ const GeodesicReach* find(std::span<const GeodesicReach> reached, std::uint32_t 
 
 }  // namespace
 
-Geodesics::Geodesics(const CookedCloth& model)
+Geodesics::Geodesics(const ClothModel& model)
     : triangles_(model.triangles.size()), reached_(model.particle_count) {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
         const Triangle& particles = model.triangles[t];
@@ -105,7 +105,7 @@ void Geodesics::cross_triangle(const Triangle& particles, const std::array<Geode
 // In an obtuse triangle the front can reach the far corner before one of the other two. A particle that is
 // reached by a shorter way later goes back into the front, which then corrects what it had reached from
 // there.
-void Geodesics::march(const CookedCloth& model, std::span<const GeodesicSource> sources) {
+void Geodesics::march(const ClothModel& model, std::span<const GeodesicSource> sources) {
     std::ranges::fill(reached_, Reached{});
     front_.clear();
     for (const auto& [particle, group] : sources) reach(particle, {0, particle, group});
@@ -124,8 +124,7 @@ void Geodesics::march(const CookedCloth& model, std::span<const GeodesicSource> 
 }
 
 std::size_t Geodesics::bytes() const noexcept {
-    return triangles_.size() * sizeof(triangles_[0]) + reached_.size() * sizeof(Reached) +
-           front_.capacity() * sizeof(Front);
+    return triangles_.bytes() + reached_.size() * sizeof(Reached) + front_.capacity() * sizeof(Front);
 }
 
 }  // namespace weft

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -36,10 +37,10 @@ class Geodesics {
   public:
     static constexpr std::size_t most_reached = 4;
 
-    explicit Geodesics(const CookedCloth& model);
+    explicit Geodesics(const ClothModel& model);
 
     /// Finds for each particle the groups of sources that are nearest along the cloth.
-    void march(const CookedCloth& model, std::span<const GeodesicSource> sources);
+    void march(const ClothModel& model, std::span<const GeodesicSource> sources);
 
     /// The nearest first; source none: there are no more that can be reached.
     [[nodiscard]] std::span<const GeodesicReach> from(std::uint32_t particle) const {
@@ -58,7 +59,7 @@ class Geodesics {
     void cross_triangle(const Triangle& particles, const std::array<GeodesicCorner, 3>& shape,
                         std::uint32_t from, const GeodesicReach& way);
 
-    std::vector<std::array<GeodesicCorner, 3>> triangles_;
+    SharedBuffer<std::array<GeodesicCorner, 3>> triangles_;
     std::vector<Reached> reached_;
     std::vector<Front> front_;  // a heap, the nearest first
 };

@@ -15,7 +15,7 @@ namespace {
 /// The threads and cells of a sheet.
 class SheetBending {
   public:
-    explicit SheetBending(const CookedCloth& model) : model_(model) {}
+    explicit SheetBending(const ClothModel& model) : model_(model) {}
 
     [[nodiscard]] std::vector<BendingElement> all() {
         elements_.reserve(3 * std::size_t{model_.particle_count});
@@ -59,7 +59,7 @@ class SheetBending {
             {{i, i + 1, i + columns, i + columns + 1}, {1, -1, -1, 1}, static_cast<float>(2 / (a * b))});
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     std::vector<BendingElement> elements_;
 };
 
@@ -91,7 +91,7 @@ double hinge_weight(const Hinge& hinge) {
     return 1.04 / std::sqrt(3 * (3 * (a * a + b * b) + 2 * a * b + c * c) / 8);
 }
 
-std::vector<BendingElement> hinges_of_mesh(const CookedCloth& model) {
+std::vector<BendingElement> hinges_of_mesh(const ClothModel& model) {
     std::vector<BendingElement> elements;
     for (const Hinge& hinge : bending_elements(model).hinges)
         elements.push_back({hinge.particles, hinge.q, static_cast<float>(hinge_weight(hinge))});
@@ -100,11 +100,11 @@ std::vector<BendingElement> hinges_of_mesh(const CookedCloth& model) {
 
 }  // namespace
 
-std::vector<BendingElement> linear_bending(const CookedCloth& model) {
+std::vector<BendingElement> linear_bending(const ClothModel& model) {
     return model.rows > 0 ? SheetBending(model).all() : hinges_of_mesh(model);
 }
 
-void store_bending(const std::vector<BendingElement>& elements, CookedCloth& model) {
+void store_bending(const std::vector<BendingElement>& elements, ClothModel& model) {
     std::vector<double> weights(model.neighbours.size()), excess(model.particle_count);
     for (const BendingElement& element : elements) {
         const double k = static_cast<double>(element.k);
@@ -122,8 +122,8 @@ void store_bending(const std::vector<BendingElement>& elements, CookedCloth& mod
             }
         }
     }
-    model.bending = AlignedBuffer<float>(weights.size());
-    model.bending_excess = AlignedBuffer<float>(excess.size());
+    model.bending = SharedBuffer<float>(weights.size());
+    model.bending_excess = SharedBuffer<float>(excess.size());
     const auto to_float = [](double value) { return static_cast<float>(value); };
     std::ranges::transform(weights, model.bending.data(), to_float);
     std::ranges::transform(excess, model.bending_excess.data(), to_float);

@@ -24,10 +24,10 @@ struct BendingElement {
 /// of their four corners. Together, the plate's B/2 |curvature tensor|^2 with Poisson's ratio 0.
 /// Of a general mesh: Bergou et al. 2006, per pair of triangles that share an edge.
 /// Needs the model's springs and triangles.
-[[nodiscard]] std::vector<BendingElement> linear_bending(const CookedCloth& model);
+[[nodiscard]] std::vector<BendingElement> linear_bending(const ClothModel& model);
 
-/// Sums the elements up in the model: CookedCloth::bending and bending_excess. Precondition: the model has a
+/// Sums the elements up in the model: ClothModel::bending and bending_excess. Precondition: the model has a
 /// half-edge between any two particles of an element.
-void store_bending(const std::vector<BendingElement>& elements, CookedCloth& model);
+void store_bending(const std::vector<BendingElement>& elements, ClothModel& model);
 
 }  // namespace weft

@@ -12,7 +12,7 @@ namespace weft {
 namespace {
 
 /// Along which a triangle's warp runs, in space.
-Vector3 warp_direction(const CookedCloth& model, std::uint32_t triangle, const Vector3& normal) {
+Vector3 warp_direction(const ClothModel& model, std::uint32_t triangle, const Vector3& normal) {
     const Triangle& corners = model.triangles[triangle];
     if (model.columns > 0) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -30,7 +30,7 @@ struct TriangleSide {
     std::uint32_t triangle, corner;
 };
 
-std::vector<TriangleSide> sides_by_edge(const CookedCloth& model) {
+std::vector<TriangleSide> sides_by_edge(const ClothModel& model) {
     std::vector<TriangleSide> sides;
     sides.reserve(3 * model.triangles.size());
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
@@ -51,7 +51,7 @@ struct RestSide {
     std::uint32_t start, end, apex;  ///< particles
 };
 
-RestSide rest_side(const CookedCloth& model, std::uint32_t triangle, std::uint32_t corner) {
+RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_t corner) {
     const RestSides sides = rest_sides(model, triangle);
     const std::array<Eigen::Vector2f, 3> at{Eigen::Vector2f::Zero(), sides.to1, sides.to2};
     const std::uint32_t end = (corner + 1) % 3, apex = (corner + 2) % 3;
@@ -68,7 +68,7 @@ RestSide rest_side(const CookedCloth& model, std::uint32_t triangle, std::uint32
 }
 
 /// Where two triangles are wound against each other the second is seen from behind.
-Hinge make_hinge(const CookedCloth& model, const TriangleSide& one, const TriangleSide& other) {
+Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const TriangleSide& other) {
     const RestSide a = rest_side(model, one.triangle, one.corner);
     const RestSide b = rest_side(model, other.triangle, other.corner);
     const bool agree = a.start == b.end;
@@ -94,7 +94,7 @@ Hinge make_hinge(const CookedCloth& model, const TriangleSide& one, const Triang
 constexpr std::uint32_t no_hinge = ~0u;
 
 /// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
-void append_pairs(const CookedCloth& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
+void append_pairs(const ClothModel& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
                   Bending& bending) {
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t one = of_sides[k], other = of_sides[(k + 2) % 3];
@@ -109,7 +109,7 @@ void append_pairs(const CookedCloth& model, std::uint32_t triangle, std::span<co
 
 }  // namespace
 
-RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle) {
+RestSides rest_sides(const ClothModel& model, std::uint32_t triangle) {
     if (!model.panel_sides.empty()) {
         const auto& sides = model.panel_sides[triangle];
         return {{sides[0].x, sides[0].y}, {sides[1].x, sides[1].y}};
@@ -123,7 +123,7 @@ RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle) {
     return {{to1.dot(warp), to1.dot(weft)}, {to2.dot(warp), to2.dot(weft)}};
 }
 
-Bending bending_elements(const CookedCloth& model) {
+Bending bending_elements(const ClothModel& model) {
     const std::vector<TriangleSide> sides = sides_by_edge(model);
     Bending result;
     std::vector<std::uint32_t> hinge_of_side(sides.size(), no_hinge);

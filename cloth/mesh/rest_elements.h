@@ -18,7 +18,7 @@ struct RestSides {
 
 /// In the panel's own axes for a mesh with a pattern. Else the mesh is the rest shape, and warp runs along
 /// the rows of a grid, or upwards in a general mesh, where triangles that lie flat take +X for it.
-[[nodiscard]] RestSides rest_sides(const CookedCloth& model, std::uint32_t triangle);
+[[nodiscard]] RestSides rest_sides(const ClothModel& model, std::uint32_t triangle);
 
 /// Two triangles about their shared edge: (0, 1, 2) and (1, 0, 3), in the order in which the first is wound.
 struct Hinge {
@@ -54,6 +54,6 @@ struct Bending {
     std::vector<Hinge> hinges;     ///< in ascending order of their edges
     std::vector<HingePair> pairs;  ///< by triangles
 };
-[[nodiscard]] Bending bending_elements(const CookedCloth& model);
+[[nodiscard]] Bending bending_elements(const ClothModel& model);
 
 }  // namespace weft

@@ -10,7 +10,7 @@ namespace weft {
 
 /// Mean factor of the membrane's stiffness at these particles.
 template <std::size_t corners>
-[[nodiscard]] double stiffness_at(const CookedCloth& model,
+[[nodiscard]] double stiffness_at(const ClothModel& model,
                                   const std::array<std::uint32_t, corners>& particles) {
     if (model.stiffness.size() == 0) return 1;
     double sum = 0;
@@ -19,7 +19,7 @@ template <std::size_t corners>
 }
 
 /// Of the cell whose near left corner is `near`.
-[[nodiscard]] inline double stiffness_of_cell(const CookedCloth& model, std::uint32_t near) {
+[[nodiscard]] inline double stiffness_of_cell(const ClothModel& model, std::uint32_t near) {
     return stiffness_at<4>(model, {near, near + 1, near + model.columns, near + model.columns + 1});
 }
 

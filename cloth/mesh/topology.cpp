@@ -11,6 +11,7 @@
 
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
+#include "cloth/mesh/repair.h"
 #include "engine/error_text.h"
 #include "engine/vector.h"
 
@@ -126,82 +127,25 @@ bool has_area(const Mesh& mesh, const Triangle& vertices) {
     return 2 * area > least_relative_height * longest_squared && area >= least_area;
 }
 
-/// One side of a triangle, as found there.
-struct Side {
-    std::uint32_t low, high;  ///< particles, low < high
-    std::uint32_t triangle;
-    std::uint32_t opposite;
-    bool ascending;  ///< the triangle runs from low to high
-};
-
-std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = triangles[t][corner];
-            const std::uint32_t to = triangles[t][(corner + 1) % 3];
-            const std::uint32_t opposite = triangles[t][(corner + 2) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), t, opposite, from < to});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
-    return sides;
-}
-
-/// `sources`: the mesh's numbers of the triangles that were kept, which its maker knows them by.
-Error crowded_edge(const Topology& topology, std::span<const Side> sides,
-                   std::span<const std::uint32_t> sources) {
-    constexpr std::size_t named = 8;
-    std::string triangles;
-    for (std::size_t i = 0; i < std::min(sides.size(), named); ++i)
-        triangles += (i == 0 ? "" : ", ") + text(sources[sides[i].triangle]);
-    if (sides.size() > named) triangles += ", ...";
-    return invalid_mesh(
-        "the edge of vertices " + text(topology.first_vertices[sides[0].low]) + " and " +
-        text(topology.first_vertices[sides[0].high]) + " belongs to " + text(sides.size()) + " triangles (" +
-        triangles +
-        "); an edge may have at most two: delete the others, or give them vertices of their own at "
-        "another position");
-}
-
-Error doubled_triangle(const Topology& topology, std::span<const Side> sides,
-                       std::span<const std::uint32_t> sources) {
-    return invalid_mesh("triangles " + text(sources[sides[0].triangle]) + " and " +
-                        text(sources[sides[1].triangle]) + " join the same three vertices " +
-                        text(topology.first_vertices[sides[0].low]) + ", " +
-                        text(topology.first_vertices[sides[0].high]) + " and " +
-                        text(topology.first_vertices[sides[0].opposite]) + "; delete one of them");
-}
-
-Result<void> build_edges(std::span<const std::uint32_t> sources, Topology& topology) {
-    const std::vector<Side> sides = sides_by_edge(topology.triangles);
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        const Side& first = sides[begin];
-        while (end < sides.size() && sides[end].low == first.low && sides[end].high == first.high) ++end;
-        const std::span<const Side> same(&first, end - begin);
-        if (same.size() > 2) return crowded_edge(topology, same, sources);
-
-        Edge edge{{first.low, first.high}, {first.triangle, Edge::none}, {first.opposite, Edge::none}};
+void build_edges(std::span<const Side> sides, Topology& topology) {
+    topology.edges.reserve(sides.size() / 2);
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::span<const Side> same = sides_of_edge(sides, begin);
+        begin += same.size();
+        Edge edge{
+            {same[0].low, same[0].high}, {same[0].triangle, Edge::none}, {same[0].opposite, Edge::none}};
         if (same.size() == 2) {
-            if (same[1].opposite == first.opposite) return doubled_triangle(topology, same, sources);
             edge.triangles[1] = same[1].triangle;
             edge.opposites[1] = same[1].opposite;
-            if (same[1].ascending == first.ascending) ++topology.misoriented_edges;
         } else {
             ++topology.border_edges;
         }
         topology.edges.push_back(edge);
     }
-    return {};
 }
 
-/// Keeps the mesh's triangles that have an area; returns their numbers in the mesh.
-std::vector<std::uint32_t> keep_triangles(const Mesh& mesh, Topology& topology) {
-    std::vector<std::uint32_t> sources;
-    sources.reserve(mesh.triangles.size());
+/// Keeps the mesh's triangles that have an area.
+void keep_triangles(const Mesh& mesh, Topology& topology) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle& corners = mesh.triangles[t];
         const Triangle particles{topology.vertex_to_particle[corners[0]],
@@ -210,14 +154,13 @@ std::vector<std::uint32_t> keep_triangles(const Mesh& mesh, Topology& topology) 
         const bool repeats =
             particles[0] == particles[1] || particles[1] == particles[2] || particles[2] == particles[0];
         if (repeats || !has_area(mesh, corners)) {
-            ++topology.dropped_triangles;
+            topology.dropped.push_back({t, DropReason::no_area});
             continue;
         }
         topology.triangles.push_back(particles);
         topology.corners.push_back(corners);
-        sources.push_back(t);
+        topology.sources.push_back(t);
     }
-    return sources;
 }
 
 /// The lowest particle of each particle's component. Invariant: parents[i] <= i, so roots are the lowest.
@@ -235,24 +178,6 @@ std::vector<std::uint32_t> component_roots(const Topology& topology) {
     }
     for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = root_of(i);
     return parents;
-}
-
-/// Of each particle.
-std::vector<std::uint32_t> triangle_counts(const Topology& topology) {
-    std::vector<std::uint32_t> counts(topology.particle_count(), 0);
-    for (const Triangle& triangle : topology.triangles)
-        for (const std::uint32_t particle : triangle) ++counts[particle];
-    return counts;
-}
-
-Result<void> check_crowding(const Topology& topology, std::span<const std::uint32_t> counts) {
-    const auto crowded =
-        std::ranges::find_if(counts, [](std::uint32_t count) { return count > most_triangles_at_particle; });
-    if (crowded == counts.end()) return {};
-    return invalid_mesh(
-        "vertex " + text(topology.first_vertices[static_cast<std::size_t>(crowded - counts.begin())]) +
-        " is a corner of " + text(*crowded) + " triangles; at most " + text(most_triangles_at_particle) +
-        " may meet there: cut the faces along other diagonals");
 }
 
 }  // namespace
@@ -319,16 +244,15 @@ Result<Topology> build_topology(const Mesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
         if (topology.vertex_to_particle[i] == topology.particle_count()) topology.first_vertices.push_back(i);
 
-    const std::vector<std::uint32_t> sources = keep_triangles(mesh, topology);
+    keep_triangles(mesh, topology);
     if (topology.triangles.empty())
         return invalid_mesh(
             "all " + text(mesh.triangles.size()) + " triangles of the mesh have no area in its " +
             (mesh.pattern.empty() ? "positions" : "pattern") + "; a cloth needs at least one that has");
-    const std::vector<std::uint32_t> counts = triangle_counts(topology);
-    if (Result<void> crowding = check_crowding(topology, counts); !crowding) return crowding.error();
-    if (Result<void> edges = build_edges(sources, topology); !edges) return edges.error();
+    build_edges(leave_out_crowding(topology), topology);
+    turn_alike(mesh, topology);
     build_components(topology);
-    topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(counts, 0u));
+    topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(triangle_counts(topology), 0u));
     return topology;
 }
 

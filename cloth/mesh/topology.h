@@ -1,6 +1,7 @@
 #pragma once
 // From the vertices and faces of a mesh to particles, triangles, edges and components. The only measure taken
-// is the rest area of a face, because faces without area are dropped.
+// is the rest area of a face: those without are left out, and where two sides are wound against each other
+// the smaller one is turned.
 
 #include <array>
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "weft/cooked_cloth.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
 
@@ -38,7 +40,9 @@ struct Topology {
     /// their first particle. A loose particle is a component of its own.
     std::vector<std::uint32_t> component_offsets, component_particles;
 
-    std::uint32_t dropped_triangles = 0;
+    std::vector<std::uint32_t> sources;  ///< of each triangle: its number in the mesh
+    std::vector<CookReport::Dropped> dropped;
+    std::vector<std::uint32_t> turned;  ///< by their numbers in the mesh
     std::uint32_t misoriented_edges = 0;
     std::uint32_t border_edges = 0;
     std::uint32_t loose_particles = 0;
@@ -48,8 +52,7 @@ struct Topology {
     }
 };
 
-/// Error: see check_mesh; or an edge of more than two triangles, two triangles of the same three particles,
-/// a particle of more than most_triangles_at_particle triangles, or no triangle that has an area.
+/// Leaves out and turns triangles as CookReport says. Error: see check_mesh; or no triangle that has an area.
 [[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
 
 /// Finds the components of the present edges and particles.

@@ -5,7 +5,7 @@
 
 namespace weft {
 
-std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model, const ClothSettings& settings) {
+std::unique_ptr<ImplicitSystem> make_system(const ClothModel& model, const ClothSettings& settings) {
     if (settings.finite_elements.enabled) return std::make_unique<TriangleSystem>(model, settings);
     return std::make_unique<SpringSystem>(model, settings.fabric.stiffening > 0);
 }

@@ -8,7 +8,7 @@
 namespace weft {
 
 /// The system of the settings' force model.
-[[nodiscard]] std::unique_ptr<ImplicitSystem> make_system(const CookedCloth& model,
+[[nodiscard]] std::unique_ptr<ImplicitSystem> make_system(const ClothModel& model,
                                                           const ClothSettings& settings);
 
 /// The settings that make_system reads. All others reach a system at each step.

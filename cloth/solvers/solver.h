@@ -1,6 +1,7 @@
 #pragma once
 // A method as the frame sees it.
 
+#include <memory>
 #include <span>
 
 #include "cloth/mesh/cook.h"
@@ -17,7 +18,7 @@ namespace weft {
 struct SolverStep {
     Parallel& parallel;
     Profiler& profiler;
-    const CookedCloth& model;
+    const ClothModel& model;
     const ClothSettings& settings;
     const StepEquation& equation;
     std::span<Vec4>
@@ -37,7 +38,14 @@ struct SolveResult {
 /// Owns all memory that its method needs. Only its constructor and reserve_pins() take any.
 class Solver {
   public:
+    Solver() = default;
     virtual ~Solver() = default;
+    Solver& operator=(const Solver&) = delete;
+    /// The same for another cloth of this model, with its copy of the model, before its first step: what is
+    /// constant is shared. Null: nothing is; make another.
+    [[nodiscard]] virtual std::unique_ptr<Solver> clone(const ClothModel& /*model*/) const { return nullptr; }
+    /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
+    virtual void make_own(const ClothSettings& /*settings*/) {}
     /// Fills the step's velocities. Pinned particles keep theirs.
     virtual SolveResult solve(const SolverStep& step) = 0;
     /// Whether make_solver() would make the same solver from these settings. Settings that do not matter to
@@ -60,6 +68,9 @@ class Solver {
     /// Makes room for contact of the cloth with itself, with so many pairs. May throw. Of none: frees it.
     virtual void reserve_pairs(std::size_t /*count*/) {}
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
+
+  protected:
+    Solver(const Solver&) = default;
 };
 
 }  // namespace weft

@@ -39,7 +39,7 @@ struct Left {
 template <class Velocity>
 class Pulls {
   public:
-    Pulls(const CookedCloth& model, const StepEquation& equation, const Velocity& velocity)
+    Pulls(const ClothModel& model, const StepEquation& equation, const Velocity& velocity)
         : model_(model), equation_(equation), fabric_(equation.settings.fabric), velocity_(velocity) {}
 
     [[nodiscard]] Vector3 bending(std::uint32_t i, std::uint32_t e) const {
@@ -93,7 +93,7 @@ class Pulls {
         return fabric_.damping * stiffness * n.dot(velocity_(j) - velocity_(i)) * n;
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     const StepEquation& equation_;
     const Fabric& fabric_;
     const Velocity& velocity_;
@@ -103,7 +103,7 @@ class Pulls {
 struct SpringsOfParticle {
     std::array<float, 12> stiffness{}, stiffening{};
 };
-SpringsOfParticle springs_at(const CookedCloth& model, const Fabric& fabric, std::uint32_t i) {
+SpringsOfParticle springs_at(const ClothModel& model, const Fabric& fabric, std::uint32_t i) {
     SpringsOfParticle result;
     const SheetModuli moduli = sheet_moduli(fabric);
     const std::uint32_t row = i / model.columns, column = i % model.columns;
@@ -132,7 +132,7 @@ Vector3 drive_of(const StepEquation& equation, const ExternalRow& external, std:
     return external.row_sum * (external.free_velocity - xyz(equation.base_velocities[i]));
 }
 
-void add_springs(const CookedCloth& model, const StepEquation& equation, std::span<const Vec4> velocities,
+void add_springs(const ClothModel& model, const StepEquation& equation, std::span<const Vec4> velocities,
                  std::uint32_t i, Left& sum) {
     const ExternalRow external = external_row(equation, i);
     if (external.row_sum == 0) return;
@@ -183,7 +183,7 @@ void add_springs(const CookedCloth& model, const StepEquation& equation, std::sp
 
 }  // namespace
 
-StepResidual::StepResidual(const CookedCloth& model, const ClothSettings& settings) : model_(model) {
+StepResidual::StepResidual(const ClothModel& model, const ClothSettings& settings) : model_(&model) {
     if (!settings.finite_elements.enabled) return;
     free_ = AlignedBuffer<Vec4>(model.particle_count);
     left_ = AlignedBuffer<Vec4>(model.particle_count);
@@ -192,12 +192,12 @@ StepResidual::StepResidual(const CookedCloth& model, const ClothSettings& settin
 float StepResidual::operator()(Parallel& parallel, const StepEquation& equation,
                                std::span<const Vec4> velocities, ImplicitSystem* system) {
     if (system != nullptr && left_.size() > 0) return of_elements(parallel, equation, velocities, *system);
-    const std::uint64_t n = model_.particle_count;
+    const std::uint64_t n = model_->particle_count;
     const std::uint64_t samples = std::min(n, std::max(fewest_samples, n / particles_per_sample));
     Left sum;
     for (std::uint64_t s = 0; s < samples; ++s) {
         const auto i = static_cast<std::uint32_t>((2 * s + 1) * n / (2 * samples));
-        add_springs(model_, equation, velocities, i, sum);
+        add_springs(*model_, equation, velocities, i, sum);
     }
     return sum.ratio();
 }

@@ -21,7 +21,11 @@ namespace weft {
 /// less than a hundredth of one. Finite elements are all looked at, which costs a quarter of a step.
 class StepResidual {
   public:
-    StepResidual(const CookedCloth& model, const ClothSettings& settings);
+    StepResidual(const ClothModel& model, const ClothSettings& settings);
+    /// Of another cloth of that model.
+    StepResidual(const StepResidual& other, const ClothModel& model) : StepResidual(other) {
+        model_ = &model;
+    }
     /// `system` is asked for the forces of finite elements only.
     [[nodiscard]] float operator()(Parallel& parallel, const StepEquation& equation,
                                    std::span<const Vec4> velocities, ImplicitSystem* system = nullptr);
@@ -36,7 +40,7 @@ class StepResidual {
     [[nodiscard]] float of_elements(Parallel& parallel, const StepEquation& equation,
                                     std::span<const Vec4> velocities, ImplicitSystem& system);
 
-    const CookedCloth& model_;
+    const ClothModel* model_;
     AlignedBuffer<Vec4> free_, left_;  // of finite elements: v_free, and what it or v leaves
 };
 

@@ -16,7 +16,7 @@ Triangle from_least(const Triangle& t) {
 
 /// Of each cell, by its first corner, which of the four triangles that it may have it has: as bits, of one
 /// cut 1 and 2, of the other 4 and 8. None for a triangle that is no cell's.
-std::vector<std::uint8_t> triangles_of_cells(const CookedCloth& model) {
+std::vector<std::uint8_t> triangles_of_cells(const ClothModel& model) {
     const std::uint32_t columns = model.columns;
     std::vector<std::uint8_t> found(model.particle_count);
     for (const Triangle& triangle : model.triangles) {
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> triangles_of_cells(const CookedCloth& model) {
 
 }  // namespace
 
-GridCells::GridCells(const CookedCloth& model) {
+GridCells::GridCells(const ClothModel& model) {
     if (model.rows < 2 || model.columns < least_columns) return;
     if (model.rows * model.columns != model.particle_count) return;
     if (model.triangles.size() != std::size_t{2} * (model.rows - 1) * (model.columns - 1)) return;

@@ -9,6 +9,7 @@
 #include "cloth/mesh/cook.h"
 #include "cloth/system/grid/grid_windows.h"
 #include "engine/aligned_buffer.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -17,7 +18,7 @@ struct GridCells {
     /// Empty unless the model is a grid, each cell of which has two triangles wound as make_sheet's are.
     /// Empty also for a grid of fewer than least_columns columns: there a cell's far corners would be in the
     /// group of 16 that is just being computed.
-    explicit GridCells(const CookedCloth& model);
+    explicit GridCells(const ClothModel& model);
 
     static constexpr std::uint32_t least_columns = Stencil::lanes;
     static constexpr std::uint32_t most_shared = 4;  ///< floats that a cell has for each corner
@@ -30,7 +31,7 @@ struct GridCells {
     Diagonals diagonals;
     /// How the cell is cut whose first corner a particle is: 1 from there to the far right, -1 from the near
     /// right to the far left. 0: the particle is no cell's first corner.
-    AlignedBuffer<std::int8_t> cuts;
+    SharedBuffer<std::int8_t> cuts;
     GridWindows windows;
 };
 

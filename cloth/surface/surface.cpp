@@ -5,7 +5,7 @@
 
 namespace weft {
 
-Surface::Surface(const CookedCloth& model) : cells_(model) {
+Surface::Surface(const ClothModel& model) : cells_(model) {
     if (!cells_.empty()) return;
     groups_ = TriangleGroups(model);
     rows_ = AlignedBuffer<Vec4>(groups_.rows);

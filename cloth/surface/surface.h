@@ -15,7 +15,7 @@ namespace weft {
 /// A grid's cells, or any mesh's triangles.
 class Surface {
   public:
-    explicit Surface(const CookedCloth& model);
+    explicit Surface(const ClothModel& model);
 
     /// Of particles: means of the triangles' normals, weighted by area; +Y where they cancel out.
     void compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals);

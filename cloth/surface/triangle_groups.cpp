@@ -14,10 +14,8 @@ constexpr std::uint32_t no_triangle = ~0u;
 constexpr std::uint32_t most_owned = TriangleGroups::most_owned;
 
 template <class T>
-AlignedBuffer<T> buffer_of(const std::vector<T>& values) {
-    AlignedBuffer<T> buffer(values.size());
-    std::ranges::copy(values, buffer.data());
-    return buffer;
+SharedBuffer<T> buffer_of(const std::vector<T>& values) {
+    return SharedBuffer<T>(values);
 }
 
 /// The same triangle, beginning with this corner of its.
@@ -29,7 +27,7 @@ Triangle beginning_with(std::uint32_t corner, const Triangle& t) {
 /// Whose each triangle is.
 class Owners {
   public:
-    explicit Owners(const CookedCloth& model)
+    explicit Owners(const ClothModel& model)
         : model_(model), is_owned_(model.triangles.size()), owned_(model.particle_count) {
         for (std::uint32_t i = 0; i < model.particle_count; ++i) share_out(i);
     }
@@ -60,13 +58,13 @@ class Owners {
         }
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     std::vector<bool> is_owned_;
     std::vector<std::array<std::uint32_t, most_owned>> owned_;
 };
 
 /// All rows: triangles, or three times the same corner.
-std::vector<Triangle> rows_of(const CookedCloth& model) {
+std::vector<Triangle> rows_of(const ClothModel& model) {
     const Owners owners(model);
     std::vector<Triangle> rows;
     for (std::uint32_t first = 0; first < model.particle_count; first += lanes)
@@ -117,7 +115,7 @@ std::uint32_t offset_of(std::uint32_t row) {
 
 }  // namespace
 
-TriangleGroups::TriangleGroups(const CookedCloth& model) : particles(model.particle_count) {
+TriangleGroups::TriangleGroups(const ClothModel& model) : particles(model.particle_count) {
     const std::vector<Triangle> triangles = rows_of(model);
     rows = static_cast<std::uint32_t>(triangles.size());
     list_corners(triangles);
@@ -126,7 +124,7 @@ TriangleGroups::TriangleGroups(const CookedCloth& model) : particles(model.parti
 
 void TriangleGroups::list_corners(const std::vector<Triangle>& triangles) {
     std::vector<std::uint32_t> listed_corners;
-    corner_sources = AlignedBuffer<std::uint32_t>(rows / lanes * 3);
+    corner_sources = SharedBuffer<std::uint32_t>(rows / lanes * 3);
     for (std::uint32_t k = 0; k < corner_sources.size(); ++k) {
         const auto corner_in = [&](std::uint32_t lane) { return triangles[k / 3 * lanes + lane][k % 3]; };
         bool is_run = true;
@@ -142,8 +140,8 @@ void TriangleGroups::list_corners(const std::vector<Triangle>& triangles) {
 
 void TriangleGroups::list_sums(std::vector<std::vector<std::uint32_t>> rows_of_particles) {
     const std::uint32_t groups = (particles + lanes - 1) / lanes;
-    first_runs = AlignedBuffer<std::uint32_t>(groups + 1);
-    first_lists = AlignedBuffer<std::uint32_t>(groups + 1);
+    first_runs = SharedBuffer<std::uint32_t>(groups + 1);
+    first_lists = SharedBuffer<std::uint32_t>(groups + 1);
     std::vector<std::uint32_t> all_runs, all_lists;
     for (std::uint32_t g = 0; g < groups; ++g) {
         const auto group =

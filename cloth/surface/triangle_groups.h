@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
-#include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -32,7 +32,7 @@ struct TriangleGroups {
     static constexpr std::uint32_t own_rows(std::uint32_t i) { return most_owned * i; }
 
     TriangleGroups() = default;
-    explicit TriangleGroups(const CookedCloth& model);
+    explicit TriangleGroups(const ClothModel& model);
 
     std::uint32_t particles = 0;
     std::uint32_t rows = 0;  ///< whole groups
@@ -40,11 +40,11 @@ struct TriangleGroups {
     /// Of [group * 3 + corner]: the first of a run of particles, or where in `corner_lists` the sixteen are,
     /// plus `listed`. Lists hold offsets of rows [bytes].
     static constexpr std::uint32_t listed = 1u << 31;
-    AlignedBuffer<std::uint32_t> corner_sources, corner_lists;
+    SharedBuffer<std::uint32_t> corner_sources, corner_lists;
 
     /// What the particles of group g sum besides their own: first the runs of rows that begin at sum_runs[k],
     /// k in [first_runs[g], first_runs[g + 1]), then those of the lists [first_lists[g], first_lists[g + 1]).
-    AlignedBuffer<std::uint32_t> first_runs, sum_runs, first_lists, sum_lists;
+    SharedBuffer<std::uint32_t> first_runs, sum_runs, first_lists, sum_lists;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corner_sources.bytes() + corner_lists.bytes() + first_runs.bytes() + sum_runs.bytes() +

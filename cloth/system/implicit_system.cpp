@@ -50,6 +50,13 @@ void ImplicitSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b
     relax(parallel, b, x, {.step = step}, next);
 }
 
+ImplicitSystem::Neighbours ImplicitSystem::neighbours_of(std::uint32_t i) const noexcept {
+    const Stencil& graph = stencil();
+    const std::uint32_t group = i / Stencil::lanes, slot = graph.group_slots[group];
+    return {graph.neighbours.data() + std::size_t{slot} * Stencil::lanes + i % Stencil::lanes,
+            graph.group_slots[group + 1] - slot, Stencil::lanes};
+}
+
 std::uint32_t ImplicitSystem::entry_between(std::uint32_t i, std::uint32_t j) const {
     const Stencil& graph = stencil();
     std::uint32_t entry = graph.group_slots[i / Stencil::lanes] * Stencil::lanes + i % Stencil::lanes;

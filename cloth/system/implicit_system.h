@@ -47,7 +47,13 @@ class ImplicitSystem {
     explicit ImplicitSystem(std::uint32_t particles)
         : right_side_(particles), partial_sums_(block_count(particles)) {}
     virtual ~ImplicitSystem() = default;
+    ImplicitSystem& operator=(const ImplicitSystem&) = delete;
 
+    /// The same for another cloth of this model, with its copy of the model, before its first step: what is
+    /// constant is shared.
+    [[nodiscard]] virtual std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const = 0;
+    /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
+    virtual void make_own(const Fabric& /*fabric*/) {}
     /// Makes what depends on the fabric alone. A step in another fabric does that first.
     virtual void prepare(const Fabric& /*fabric*/) noexcept {}
 
@@ -85,8 +91,18 @@ class ImplicitSystem {
     virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                                  const Correction& correction, std::span<Vec4> next);
 
-    /// Which particles have a block off the diagonal with one another.
+    /// Which particles have a block off the diagonal with one another. A grid's has no lists.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
+    /// The same of particle i: ascending, each once, and besides as often as is handy i itself.
+    struct Neighbours {
+        const std::uint32_t* first;
+        std::uint32_t count, stride;
+
+        [[nodiscard]] std::uint32_t operator[](std::uint32_t k) const noexcept {
+            return first[std::size_t{k} * stride];
+        }
+    };
+    [[nodiscard]] virtual Neighbours neighbours_of(std::uint32_t i) const noexcept;
     /// The entry that holds the block between two neighbours; where both rows hold it, that of row i.
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
@@ -117,6 +133,8 @@ class ImplicitSystem {
     }
 
   protected:
+    ImplicitSystem(const ImplicitSystem&) = default;
+
     /// Adds what W leaves out to the product, unless it is empty; returns x . that.
     virtual double add_coupling(Parallel& /*parallel*/, std::span<const Vec4> /*x*/,
                                 std::span<Vec4> /*product*/) {

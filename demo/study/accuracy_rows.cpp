@@ -176,7 +176,7 @@ CsvRow compare_reference(const StudyScene& scene, Reference reference,
     CsvRow row = identity(scene, method_of(reference), threads);
     row["status"] = "reference";
     const States& states = references.at(reference);
-    const CookedCloth model = cook(scene.mesh).value();
+    const ClothModel model = cook(scene.mesh).value();
     put_stretch(row, structural_stretch(model, states.at(ComparedFrames::second)));
     for (const NamedReference& other : compared) {
         if (reference == Reference::elements) break;

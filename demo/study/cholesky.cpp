@@ -7,7 +7,7 @@ namespace weft::study {
 
 namespace {
 
-std::vector<ParticlePair> pairs_of(const CookedCloth& model) {
+std::vector<ParticlePair> pairs_of(const ClothModel& model) {
     std::vector<ParticlePair> pairs;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
@@ -24,7 +24,7 @@ Eigen::Matrix3d block_of(const Vec4& spring) {
 
 }  // namespace
 
-CholeskySolver::CholeskySolver(const CookedCloth& model, const ClothSettings& settings,
+CholeskySolver::CholeskySolver(const ClothModel& model, const ClothSettings& settings,
                                std::uint32_t direct_up_to)
     : LinearSolver(model, settings),
       matrix_(model.particle_count, pairs_of(model)),

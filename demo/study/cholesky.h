@@ -13,7 +13,7 @@ namespace weft::study {
 /// linearised once and solved exactly.
 class CholeskySolver final : public LinearSolver {
   public:
-    CholeskySolver(const CookedCloth& model, const ClothSettings& settings,
+    CholeskySolver(const ClothModel& model, const ClothSettings& settings,
                    std::uint32_t direct_up_to = std::numeric_limits<std::uint32_t>::max());
 
   protected:

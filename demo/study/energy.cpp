@@ -7,7 +7,7 @@
 namespace weft::study {
 
 Energy energy_of(const Cloth& cloth, const Vec3& gravity) {
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     const Fabric& fabric = cloth.settings.fabric;
     std::vector<float> stiffness(model.neighbours.size());
     spring_stiffness(model, fabric, stiffness);

@@ -4,7 +4,7 @@
 
 namespace weft::study {
 
-ExplicitEulerSolver::ExplicitEulerSolver(const CookedCloth& model, const ClothSettings& settings)
+ExplicitEulerSolver::ExplicitEulerSolver(const ClothModel& model, const ClothSettings& settings)
     : forces_(model, settings),
       pending_(model.particle_count),
       velocities_(model.particle_count),

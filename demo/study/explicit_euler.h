@@ -16,7 +16,7 @@ namespace weft::study {
 /// step are handed over in the next: the velocities that the cloth shows are those of one step ago.
 class ExplicitEulerSolver final : public Solver {
   public:
-    ExplicitEulerSolver(const CookedCloth& model, const ClothSettings& settings);
+    ExplicitEulerSolver(const ClothModel& model, const ClothSettings& settings);
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool is_implicit() const noexcept override { return false; }
     [[nodiscard]] std::size_t bytes() const noexcept override;

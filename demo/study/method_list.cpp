@@ -168,7 +168,7 @@ void add_explicit(List& list, const StudyScene& scene) {
         const int substeps = explicit_substeps(scene, margin);
         if (substeps == 0) continue;
         MethodPoint* const point = list.add(false, text("substeps", substeps), SymplecticEuler{}, substeps);
-        point->make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+        point->make_solver = [](const ClothModel& model, const ClothSettings& settings) {
             return std::make_unique<ExplicitEulerSolver>(model, settings);
         };
     }
@@ -177,7 +177,7 @@ void add_explicit(List& list, const StudyScene& scene) {
 void add_cholesky(List& list) {
     list.curve("cholesky", "Sparse Cholesky");
     MethodPoint* const point = list.add(true, "one factorisation a step", Jacobi{});
-    point->make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+    point->make_solver = [](const ClothModel& model, const ClothSettings& settings) {
         return std::make_unique<CholeskySolver>(model, settings);
     };
 }

@@ -20,7 +20,7 @@ struct MethodPoint {
     /// Sets method, time scheme, substeps, tethers: all of ClothSettings that the point is about.
     std::function<void(ClothSettings&)> configure;
     /// Of methods that only the study has; empty: the library's own, as configured.
-    std::function<std::unique_ptr<Solver>(const CookedCloth&, const ClothSettings&)> make_solver;
+    std::function<std::unique_ptr<Solver>(const ClothModel&, const ClothSettings&)> make_solver;
     bool is_default = false;  ///< what Weft does if it is told nothing
 
     [[nodiscard]] ClothSettings applied_to(ClothSettings settings) const {

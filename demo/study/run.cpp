@@ -13,8 +13,8 @@ namespace weft::study {
 
 namespace {
 
-CookedCloth cooked(const StudyScene& scene) {
-    Result<CookedCloth> result = cook(scene.mesh);
+ClothModel cooked(const StudyScene& scene) {
+    Result<ClothModel> result = cook(scene.mesh);
     if (!result) throw std::runtime_error(scene.name + ": " + result.error().message);
     return std::move(result).value();
 }

@@ -32,7 +32,7 @@ void stiffen(Fabric& fabric, float times) {
 
 /// Mean of max(0, strain) of the structural springs: slack that folds take up does not offset stretch.
 double tensile_stretch(const Cloth& cloth) {
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     double sum = 0;
     std::size_t springs = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -115,7 +115,7 @@ Hang still_hang(const StabilitySheet& sheet, double stiffness) {
     StudyScene scene = stability_scene(sheet, Start::flat, simulated);
     MethodPoint point;
     point.configure = [](ClothSettings&) {};
-    point.make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+    point.make_solver = [](const ClothModel& model, const ClothSettings& settings) {
         return std::make_unique<CholeskySolver>(model, settings);
     };
     Run run(scene, point, 1);

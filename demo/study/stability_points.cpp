@@ -15,7 +15,7 @@ class ShortChebyshevSolver final : public LinearSolver {
     static constexpr int iterations = 16;
     static constexpr Spectrum interval{.least = 0.1, .largest = 1.7};
 
-    ShortChebyshevSolver(const CookedCloth& model, const ClothSettings& settings)
+    ShortChebyshevSolver(const ClothModel& model, const ClothSettings& settings)
         : LinearSolver(model, settings), scratch_(model.particle_count) {}
     [[nodiscard]] std::size_t bytes() const noexcept override {
         return LinearSolver::bytes() + scratch_.bytes();
@@ -47,7 +47,7 @@ template <class StudySolver>
 StabilityPoint study_only(const std::string& name, const std::string& label, Family family,
                           int substeps = 1) {
     StabilityPoint made = library(name, label, family, SymplecticEuler{}, substeps);
-    made.method.make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+    made.method.make_solver = [](const ClothModel& model, const ClothSettings& settings) {
         return std::make_unique<StudySolver>(model, settings);
     };
     return made;

@@ -15,7 +15,7 @@ struct Stretch {
     double worst, mean;
 };
 /// `positions`: of all particles [m].
-[[nodiscard]] inline Stretch structural_stretch(const CookedCloth& model,
+[[nodiscard]] inline Stretch structural_stretch(const ClothModel& model,
                                                 std::span<const Eigen::Vector3d> positions) {
     Stretch stretch{0, 0};
     std::size_t springs = 0;

@@ -26,7 +26,7 @@ struct Counts {
         const Stencil& stencil = system.stencil();
         const auto n = static_cast<double>(cloth.model.particle_count);
         const double half_edges = static_cast<double>(cloth.model.neighbours.size()) / n;
-        is_grid = system.entries() < stencil.neighbours.size();
+        is_grid = system.entries() < cloth.model.neighbours.size();
         blocks = is_grid ? half_edges / 2 : half_edges;
         triangles = static_cast<double>(cloth.model.triangles.size()) / n;
         contacts = 2 * static_cast<double>(cloth.self_counts.pairs) / n;

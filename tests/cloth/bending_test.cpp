@@ -98,7 +98,7 @@ double energy_per_area(const std::function<Mesh(std::uint32_t)>& mesh_of, double
     double energy[2], area[2];
     for (int k = 0; k < 2; ++k) {
         const std::uint32_t size = k == 0 ? 21 : 41;
-        const CookedCloth model = cook(mesh_of(size)).value();
+        const ClothModel model = cook(mesh_of(size)).value();
         std::vector<Eigen::Vector3d> x;
         double inside = 0;
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -133,7 +133,7 @@ TEST(QuadraticBending, RegularMeshesBendToCylindersAsThePlateDoes) {
 }
 
 TEST(QuadraticBending, FlatClothHasNoneAndRigidMotionAddsNone) {
-    const CookedCloth model = cook(strip(12, 5, 0.1f, true)).value();
+    const ClothModel model = cook(strip(12, 5, 0.1f, true)).value();
     const Bending bending = bending_elements(model);
     std::vector<Eigen::Vector3d> flat, bent, moved;
     const Eigen::Matrix3d turn =

@@ -26,12 +26,12 @@ std::vector<NamedMesh> coloured_meshes() {
     return all;
 }
 
-std::size_t half_edges_of_springs(const CookedCloth& model) {
+std::size_t half_edges_of_springs(const ClothModel& model) {
     return model.neighbours.size() -
            static_cast<std::size_t>(std::ranges::count(model.kinds.span(), SpringKind::bending));
 }
 
-std::uint32_t most_springs(const CookedCloth& model) {
+std::uint32_t most_springs(const ClothModel& model) {
     std::uint32_t most = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i)
         most = std::max(most, model.spring_offsets[i + 1] - model.spring_offsets[i]);
@@ -40,7 +40,7 @@ std::uint32_t most_springs(const CookedCloth& model) {
 
 TEST(Colouring, HasEverySpringOnceAndNoParticleTwiceInAColour) {
     for (const NamedMesh& named : coloured_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const SpringColours colours = colour_springs(model);
         std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
         for (std::uint32_t c = 0; c < colours.colours(); ++c) {
@@ -64,7 +64,7 @@ TEST(Colouring, HasEverySpringOnceAndNoParticleTwiceInAColour) {
 
 TEST(Colouring, NeedsFewColours) {
     for (const NamedMesh& named : coloured_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const std::uint32_t colours = colour_springs(model).colours();
         // Vizing: some colouring has at most one more than the best-connected particle has springs.
         EXPECT_LE(colours, named.mesh.rows > 0 ? 12 : most_springs(model) + 1) << named.name;
@@ -73,7 +73,7 @@ TEST(Colouring, NeedsFewColours) {
 
 TEST(Fibres, HoldEverySpringOnceAndNoParticleTwice) {
     for (const NamedMesh& named : coloured_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
         for (const Fibre& fibre : find_fibres(model)) {
             ASSERT_EQ(fibre.particles.size(), fibre.half_edges.size() + 1);
@@ -93,7 +93,7 @@ TEST(Fibres, HoldEverySpringOnceAndNoParticleTwice) {
 
 TEST(Fibres, AreTheRowsColumnsAndDiagonalsOfAGrid) {
     const std::uint32_t rows = 5, columns = 7;
-    const CookedCloth model = must(cook(must(make_sheet({.rows = rows, .columns = columns}))));
+    const ClothModel model = must(cook(must(make_sheet({.rows = rows, .columns = columns}))));
     const std::vector<Fibre> fibres = find_fibres(model);
     const auto lengths = [&](FibreKind kind) {
         std::vector<std::size_t> springs;
@@ -111,7 +111,7 @@ TEST(Fibres, AreTheRowsColumnsAndDiagonalsOfAGrid) {
 
 TEST(FibreSets, HaveNoParticleTwiceAndEndShorterFibresWithStandIns) {
     for (const NamedMesh& named : coloured_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const FibreSets sets = make_fibre_sets(model);
         std::size_t springs = 0;
         for (const FibreSet& set : sets.sets) {

@@ -23,7 +23,7 @@ struct HalfEdge {
     SpringKind kind;
 };
 
-std::vector<HalfEdge> row(const CookedCloth& cloth, std::uint32_t particle) {
+std::vector<HalfEdge> row(const ClothModel& cloth, std::uint32_t particle) {
     std::vector<HalfEdge> result;
     for (std::uint32_t e = cloth.spring_offsets[particle]; e < cloth.spring_offsets[particle + 1]; ++e)
         result.push_back({cloth.neighbours[e], cloth.rest_lengths[e], cloth.kinds[e]});
@@ -31,14 +31,14 @@ std::vector<HalfEdge> row(const CookedCloth& cloth, std::uint32_t particle) {
 }
 
 /// Of `from`, towards `to`.
-std::optional<HalfEdge> half_edge(const CookedCloth& cloth, std::uint32_t from, std::uint32_t to) {
+std::optional<HalfEdge> half_edge(const ClothModel& cloth, std::uint32_t from, std::uint32_t to) {
     const std::vector<HalfEdge> edges = row(cloth, from);
     const auto at = std::ranges::find(edges, to, &HalfEdge::neighbour);
     return at == edges.end() ? std::nullopt : std::optional(*at);
 }
 
 /// Between the particles of two vertices.
-std::optional<HalfEdge> spring(const CookedCloth& cloth, std::uint32_t from, std::uint32_t to) {
+std::optional<HalfEdge> spring(const ClothModel& cloth, std::uint32_t from, std::uint32_t to) {
     return half_edge(cloth, cloth.vertex_to_particle[from], cloth.vertex_to_particle[to]);
 }
 
@@ -58,7 +58,7 @@ double surface_area(const Mesh& mesh) {
 TEST(Cook, EverySpringIsStoredAtBothEndsAlike) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
-        const CookedCloth cloth = test::must(cook(sample.mesh));
+        const ClothModel cloth = test::must(cook(sample.mesh));
         ASSERT_EQ(cloth.spring_offsets[cloth.particle_count], cloth.neighbours.size());
         for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
             for (const HalfEdge& edge : row(cloth, i)) {
@@ -76,7 +76,7 @@ TEST(Cook, EverySpringIsStoredAtBothEndsAlike) {
 TEST(Cook, RowsAscendStrictly) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
-        const CookedCloth cloth = test::must(cook(sample.mesh));
+        const ClothModel cloth = test::must(cook(sample.mesh));
         for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
             const std::vector<HalfEdge> edges = row(cloth, i);
             for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -90,7 +90,7 @@ TEST(Cook, RowsAscendStrictly) {
 TEST(Cook, CornerListsAreTheTrianglesOfEachParticle) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
-        const CookedCloth cloth = test::must(cook(sample.mesh));
+        const ClothModel cloth = test::must(cook(sample.mesh));
         for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
             std::vector<std::uint32_t> expected;
             for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
@@ -113,7 +113,7 @@ TEST(Cook, RestAreasSumToTheSurface) {
 TEST(Cook, WithoutPatternEverySpringIsAtRest) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
-        const CookedCloth cloth = test::must(cook(sample.mesh));
+        const ClothModel cloth = test::must(cook(sample.mesh));
         for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
             for (const HalfEdge& edge : row(cloth, i))
                 EXPECT_FLOAT_EQ(edge.rest_length,
@@ -124,7 +124,7 @@ TEST(Cook, WithoutPatternEverySpringIsAtRest) {
 TEST(Cook, InfoCountsWhatIsThere) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
-        const CookedCloth cloth = test::must(cook(sample.mesh));
+        const ClothModel cloth = test::must(cook(sample.mesh));
         const ClothInfo& info = cloth.info;
         EXPECT_EQ(info.vertices, sample.mesh.positions.size());
         EXPECT_EQ(info.particles, cloth.particle_count);
@@ -147,7 +147,7 @@ TEST(Cook, InfoCountsWhatIsThere) {
 
 TEST(Cook, GridSpringsRunAlongTheThreads) {
     const std::uint32_t rows = 4, columns = 6;
-    const CookedCloth cloth = test::must(cook(test::must(make_sheet({.rows = rows, .columns = columns}))));
+    const ClothModel cloth = test::must(cook(test::must(make_sheet({.rows = rows, .columns = columns}))));
     const auto at = [&](std::uint32_t r, std::uint32_t c) { return r * columns + c; };
     for (std::uint32_t a = 0; a < rows * columns; ++a) {
         for (std::uint32_t b = 0; b < a; ++b) {
@@ -174,7 +174,7 @@ TEST(Cook, GridSpringsRunAlongTheThreads) {
 
 TEST(Cook, GeneralMeshHasASpringPerEdgeAndAcrossEverySharedEdge) {
     const Mesh mesh = test::sphere(2);  // no pair of opposite particles is joined otherwise
-    const CookedCloth cloth = test::must(cook(mesh));
+    const ClothModel cloth = test::must(cook(mesh));
     const std::uint32_t edges = static_cast<std::uint32_t>(mesh.triangles.size()) * 3 / 2;
     EXPECT_EQ(cloth.info.structural_springs, edges);
     EXPECT_EQ(cloth.info.bending_elements, edges);
@@ -185,7 +185,7 @@ TEST(Cook, StructuralWinsWhereAPairOfOppositesIsAnEdge) {
     Mesh tetrahedron;
     tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-    const CookedCloth cloth = test::must(cook(tetrahedron));
+    const ClothModel cloth = test::must(cook(tetrahedron));
     EXPECT_EQ(cloth.info.structural_springs, 6u);
     EXPECT_EQ(cloth.info.bending_elements, 6u);
 }
@@ -195,7 +195,7 @@ TEST(Cook, OnePairSeenAcrossTwoEdgesGetsOneSpring) {
     Mesh pyramid;
     pyramid.positions = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
     pyramid.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}};
-    const CookedCloth cloth = test::must(cook(pyramid));
+    const ClothModel cloth = test::must(cook(pyramid));
     EXPECT_EQ(cloth.info.structural_springs, 8u);
     EXPECT_EQ(cloth.info.bending_elements, 4u);
     EXPECT_EQ(spring(cloth, 1, 3)->kind, SpringKind::bending);
@@ -212,7 +212,7 @@ Mesh sewn_panels(float gather) {
 }
 
 TEST(Cook, PatternUnfoldsAcrossASeam) {
-    const CookedCloth cloth = test::must(cook(sewn_panels(1)));
+    const ClothModel cloth = test::must(cook(sewn_panels(1)));
     ASSERT_EQ(cloth.particle_count, 4u);
     EXPECT_FLOAT_EQ(spring(cloth, 0, 1)->rest_length, 1);
     EXPECT_FLOAT_EQ(spring(cloth, 0, 2)->rest_length, std::sqrt(1.25f));
@@ -223,7 +223,7 @@ TEST(Cook, PatternUnfoldsAcrossASeam) {
 }
 
 TEST(Cook, SeamOfUnequalPanelsTakesTheMeanLength) {
-    const CookedCloth cloth = test::must(cook(sewn_panels(1.5f)));
+    const ClothModel cloth = test::must(cook(sewn_panels(1.5f)));
     EXPECT_FLOAT_EQ(spring(cloth, 0, 1)->rest_length, 1.25f);
     // Over a base of 1.25 with equal legs l, the apex is sqrt(l^2 - (1.25/2)^2) high.
     const double one = std::sqrt(1.25 - 0.390625), other = std::sqrt(4 + 0.5625 - 0.390625);
@@ -232,11 +232,11 @@ TEST(Cook, SeamOfUnequalPanelsTakesTheMeanLength) {
 
 TEST(Cook, PatternOfAFlatSheetGivesTheSameClothAsTheSheet) {
     Mesh flat = test::loose_sheet(5, 8);
-    const CookedCloth expected = test::must(cook(flat));
+    const ClothModel expected = test::must(cook(flat));
     flat.pattern = flat.texcoords;
     for (Vec3& p : flat.positions)
         p = {p.x, 0.3f * std::sin(9 * p.x), 0.5f * p.z};  // rippled and squeezed in space
-    const CookedCloth cloth = test::must(cook(flat));
+    const ClothModel cloth = test::must(cook(flat));
     ASSERT_EQ(cloth.neighbours.size(), expected.neighbours.size());
     for (std::uint32_t e = 0; e < cloth.neighbours.size(); ++e) {
         EXPECT_EQ(cloth.neighbours[e], expected.neighbours[e]);
@@ -248,10 +248,10 @@ TEST(Cook, PatternOfAFlatSheetGivesTheSameClothAsTheSheet) {
 
 TEST(Cook, PatternOfAGridIsItsRestShape) {
     Mesh grid = test::must(make_sheet({.rows = 4, .columns = 5}));
-    const CookedCloth expected = test::must(cook(grid));
+    const ClothModel expected = test::must(cook(grid));
     grid.pattern = grid.texcoords;
     for (Vec3& p : grid.positions) p.x *= 0.25f;
-    const CookedCloth cloth = test::must(cook(grid));
+    const ClothModel cloth = test::must(cook(grid));
     for (std::uint32_t e = 0; e < cloth.neighbours.size(); ++e)
         EXPECT_NEAR(cloth.rest_lengths[e], expected.rest_lengths[e], 1e-6);
 }
@@ -260,7 +260,7 @@ TEST(Cook, UnrolledTubeIsWeldedAndKeepsItsCircumference) {
     const std::uint32_t rows = 3, columns = 24;
     Mesh tube = test::tube(rows, columns);
     tube.pattern = tube.texcoords;
-    const CookedCloth cloth = test::must(cook(tube));
+    const ClothModel cloth = test::must(cook(tube));
     EXPECT_EQ(cloth.info.vertices - cloth.info.particles, rows);
     const float turn = tube.texcoords[1].x;
     for (std::uint32_t column = 0; column < columns; ++column)
@@ -271,7 +271,7 @@ TEST(Cook, UnrolledTubeIsWeldedAndKeepsItsCircumference) {
 TEST(Cook, LooseParticlesHaveNoAreaAndNoSprings) {
     Mesh mesh = test::fan(4);
     mesh.positions.push_back({7, 7, 7});
-    const CookedCloth cloth = test::must(cook(mesh));
+    const ClothModel cloth = test::must(cook(mesh));
     EXPECT_EQ(cloth.info.loose_particles, 1u);
     EXPECT_EQ(cloth.info.components, 2u);
     EXPECT_EQ(cloth.rest_area[6], 0);
@@ -281,11 +281,11 @@ TEST(Cook, LooseParticlesHaveNoAreaAndNoSprings) {
 
 TEST(Cook, DroppedFacesLeaveNoTrace) {
     Mesh mesh = test::loose_sheet(4, 4);
-    const CookedCloth expected = test::must(cook(mesh));
+    const ClothModel expected = test::must(cook(mesh));
     mesh.triangles.insert(mesh.triangles.begin() + 3, {2, 2, 9});
-    const CookedCloth cloth = test::must(cook(mesh));
+    const ClothModel cloth = test::must(cook(mesh));
     EXPECT_EQ(cloth.info.dropped_triangles, 1u);
-    EXPECT_EQ(cloth.triangles, expected.triangles);
+    EXPECT_TRUE(std::ranges::equal(cloth.triangles, expected.triangles));
     EXPECT_TRUE(std::ranges::equal(cloth.neighbours.span(), expected.neighbours.span()));
 }
 
@@ -308,7 +308,7 @@ TEST(Cook, RefusesAGridWithHolesOrCoincidingParticles) {
 
 TEST(Cook, AGridMayBeCutAlongAnyDiagonalsAndWoundEitherWay) {
     Mesh grid = test::must(make_sheet({.rows = 4, .columns = 5}));
-    const CookedCloth expected = test::must(cook(grid));
+    const ClothModel expected = test::must(cook(grid));
     std::ranges::reverse(grid.triangles);
     for (Triangle& triangle : grid.triangles) std::swap(triangle[0], triangle[2]);
     EXPECT_TRUE(std::ranges::equal(test::must(cook(grid)).neighbours.span(), expected.neighbours.span()));

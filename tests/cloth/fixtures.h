@@ -26,7 +26,7 @@ inline bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
 }
 
-inline double total_rest_area(const CookedCloth& cloth) {
+inline double total_rest_area(const ClothModel& cloth) {
     double total = 0;
     for (const float area : cloth.rest_area.span()) total += static_cast<double>(area);
     return total;

@@ -79,7 +79,7 @@ TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
 }
 
 TEST(GridWindows, AreForGridsAlone) {
-    const CookedCloth grid = must(cook(sheet(30, 45))), mesh = must(cook(loose_sheet(30, 45)));
+    const ClothModel grid = must(cook(sheet(30, 45))), mesh = must(cook(loose_sheet(30, 45)));
     const Diagonals some(grid.spring_offsets.span(), grid.neighbours.span());
     const Diagonals none(mesh.spring_offsets.span(), mesh.neighbours.span());
     EXPECT_GT(GridWindows(some, 7).count(), 0u);
@@ -88,18 +88,18 @@ TEST(GridWindows, AreForGridsAlone) {
 
 TEST(GridWindows, AreEnoughForThreadsOrNone) {
     for (const auto& [rows, columns] : {Size{32, 400}, Size{400, 32}, Size{65, 65}}) {
-        const CookedCloth grid = must(cook(sheet(rows, columns)));
+        const ClothModel grid = must(cook(sheet(rows, columns)));
         const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
         EXPECT_GE(GridWindows(diagonals, 7).count(), 4u) << rows << " x " << columns;
     }
-    const CookedCloth wide = must(cook(sheet(8, 1600)));
+    const ClothModel wide = must(cook(sheet(8, 1600)));
     EXPECT_TRUE(Diagonals(wide.spring_offsets.span(), wide.neighbours.span()).empty());
 }
 
 // However many threads there are: a window a tile, and tiles of four reaches.
 TEST(GridWindows, TakeNoMoreThanFiftyBytesARowOfALargeGrid) {
     for (const std::uint32_t side : {64u, 128u, 256u}) {
-        const CookedCloth grid = must(cook(sheet(side, side)));
+        const ClothModel grid = must(cook(sheet(side, side)));
         const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
         EXPECT_EQ(diagonals.count, 6u);
         EXPECT_LT(GridWindows(diagonals, 7).bytes(), std::size_t{50} * grid.particle_count);

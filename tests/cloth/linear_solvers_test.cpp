@@ -64,7 +64,7 @@ Solved solve(Cloth& cloth, const Method& method, int threads = 1) {
 }
 
 bool has_slack_springs(const Cloth& cloth) {
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
             const Vector3 d = xyz(cloth.state.positions[model.neighbours[e]]) - xyz(cloth.state.positions[i]);

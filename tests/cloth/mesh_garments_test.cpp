@@ -50,7 +50,7 @@ class GarmentsWithPattern : public Garments {};
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-std::map<Pair, float> structural_lengths(const CookedCloth& cloth) {
+std::map<Pair, float> structural_lengths(const ClothModel& cloth) {
     std::map<Pair, float> lengths;
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
         for (std::uint32_t e = cloth.spring_offsets[i]; e < cloth.spring_offsets[i + 1]; ++e)
@@ -67,7 +67,7 @@ TEST_P(Garments, LoadsAndWeldsToTheFilesVertices) {
     EXPECT_EQ(report.ignored_lines, GetParam().file_vertices + GetParam().file_faces);  // vv, t
     EXPECT_EQ(report.triangulated_faces, 0u);
 
-    const Result<CookedCloth> cloth = cook(*mesh);
+    const Result<ClothModel> cloth = cook(*mesh);
     ASSERT_TRUE(cloth) << cloth.error().message;
     EXPECT_EQ(cloth->info.particles, GetParam().file_vertices);
     EXPECT_EQ(cloth->info.triangles, GetParam().file_faces);
@@ -84,8 +84,8 @@ TEST_P(Garments, LoadsAndWeldsToTheFilesVertices) {
 
 TEST_P(GarmentsWithPattern, RestShapeIsTheFlatPattern) {
     const Mesh mesh = test::must(load_obj(file(), {.texcoords_are_pattern = true}));
-    const CookedCloth sewn = test::must(cook(mesh));
-    const CookedCloth flat = test::must(cook(test::must(load_obj(file("-m")))));
+    const ClothModel sewn = test::must(cook(mesh));
+    const ClothModel flat = test::must(cook(test::must(load_obj(file("-m")))));
     ASSERT_EQ(sewn.triangles.size(), flat.triangles.size());
     EXPECT_NEAR(test::total_rest_area(sewn), test::total_rest_area(flat), 1e-6 * test::total_rest_area(flat));
 

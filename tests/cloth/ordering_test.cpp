@@ -42,7 +42,7 @@ Mesh shuffled(const Mesh& mesh, unsigned seed) {
 }
 
 /// Largest difference between the numbers of spring neighbours.
-std::uint32_t bandwidth(const CookedCloth& cloth) {
+std::uint32_t bandwidth(const ClothModel& cloth) {
     std::uint32_t widest = 0;
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
         for (std::uint32_t e = cloth.spring_offsets[i]; e < cloth.spring_offsets[i + 1]; ++e)
@@ -98,7 +98,7 @@ TEST(Ordering, NeighboursAreNearWhateverOrderTheMeshCameIn) {
 
 TEST(Ordering, GroupsHaveFewIdleLanes) {
     for (const unsigned seed : {1u, 2u}) {
-        const CookedCloth cloth = test::must(cook(shuffled(test::loose_sheet(60, 60), seed)));
+        const ClothModel cloth = test::must(cook(shuffled(test::loose_sheet(60, 60), seed)));
         const Stencil stencil(cloth.spring_offsets.span(), cloth.neighbours.span());
         const double fill = static_cast<double>(cloth.neighbours.size()) / (stencil.slots() * Stencil::lanes);
         EXPECT_GT(fill, 0.95) << seed;

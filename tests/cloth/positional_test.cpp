@@ -70,7 +70,7 @@ TEST(Positional, KeepsLinearMomentum) {
 }
 
 /// Makes all springs but one none.
-void keep_one_spring(CookedCloth& model) {
+void keep_one_spring(ClothModel& model) {
     std::ranges::fill(model.kinds.span(), SpringKind::bending);
     const std::uint32_t twin = half_edge_between(model, model.neighbours[0], 0);
     model.kinds[0] = model.kinds[twin] = SpringKind::structural;

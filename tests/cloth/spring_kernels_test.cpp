@@ -241,7 +241,7 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
         SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
         linearise(system, scene, serial);
         const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
-        const CookedCloth& model = scene.model;
+        const ClothModel& model = scene.model;
         for (std::uint32_t i = 0; i < scene.size(); ++i) {
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
                 const std::uint32_t j = model.neighbours[e];

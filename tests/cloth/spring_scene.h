@@ -15,7 +15,7 @@ namespace weft::test {
 
 /// A moving cloth in moving air, a few particles pinned, and all that a step's equation refers to.
 struct SpringScene {
-    CookedCloth model;
+    ClothModel model;
     ClothSettings settings;
     AlignedBuffer<Vec4> positions, velocities, base_velocities, air;
     LinearisedAbout about = LinearisedAbout::base;
@@ -85,7 +85,7 @@ inline Interpolation random_interpolation(const SpringScene& scene, std::uint32_
 /// By how much the sides of triangles shift one another's rest lengths, of each half-edge [m]. None in a
 /// sheet.
 inline std::vector<double> rest_shifts(const SpringScene& scene, std::span<const float> stiffness) {
-    const CookedCloth& model = scene.model;
+    const ClothModel& model = scene.model;
     std::vector<double> shifts(model.neighbours.size());
     for (std::uint32_t t = 0; model.rows == 0 && t < model.triangles.size(); ++t) {
         const TriangleMembrane membrane = triangle_membrane(model, t, scene.settings.fabric);
@@ -111,7 +111,7 @@ struct StiffeningOfEdges {
     std::vector<double> tensions, slopes;
 };
 inline StiffeningOfEdges stiffening_of(const SpringScene& scene) {
-    const CookedCloth& model = scene.model;
+    const ClothModel& model = scene.model;
     StiffeningOfEdges result{std::vector<double>(model.neighbours.size()),
                              std::vector<double>(model.neighbours.size())};
     const auto add = [&](std::uint32_t i, std::uint32_t j, double tension, double slope) {

@@ -13,14 +13,14 @@
 namespace weft::test {
 namespace {
 
-Stencil springs_of(const CookedCloth& model) {
+Stencil springs_of(const ClothModel& model) {
     return {model.spring_offsets.span(), model.neighbours.span()};
 }
 
 TEST(Stencil, HoldsEveryHalfEdgeOnceInItsNodesLaneInOrder) {
     for (const NamedMesh& named : sound_meshes()) {
         SCOPED_TRACE(named.name);
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const Stencil stencil = springs_of(model);
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
             std::uint32_t last_slot = 0;
@@ -41,7 +41,7 @@ TEST(Stencil, HoldsEveryHalfEdgeOnceInItsNodesLaneInOrder) {
 
 TEST(Stencil, KnowsHowFarApartNeighboursAre) {
     for (const NamedMesh& named : sound_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         std::uint32_t farthest = 0;
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
             for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
@@ -54,7 +54,7 @@ TEST(Stencil, KnowsHowFarApartNeighboursAre) {
 
 TEST(Stencil, HasAsManySlotsAsTheBestConnectedNodeNeeds) {
     for (const NamedMesh& named : sound_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const Stencil stencil = springs_of(model);
         for (std::uint32_t g = 0; g < stencil.groups(); ++g) {
             std::uint32_t most = 0;
@@ -68,7 +68,7 @@ TEST(Stencil, HasAsManySlotsAsTheBestConnectedNodeNeeds) {
 
 TEST(Stencil, NodesNameThemselvesWhereTheyNeedNoSlot) {
     for (const NamedMesh& named : sound_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const Stencil stencil = springs_of(model);
         const std::set<std::uint32_t> used(stencil.entries.data(),
                                            stencil.entries.data() + stencil.entries.size());
@@ -85,7 +85,7 @@ TEST(Stencil, NodesNameThemselvesWhereTheyNeedNoSlot) {
 
 TEST(Stencil, RunsHoldTheNeighboursAndEndWithinTheGroups) {
     for (const NamedMesh& named : sound_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const Stencil stencil = springs_of(model);
         for (const std::uint32_t entry : stencil.entries.span()) {
             const std::uint32_t run = stencil.runs[entry / Stencil::lanes];
@@ -97,7 +97,7 @@ TEST(Stencil, RunsHoldTheNeighboursAndEndWithinTheGroups) {
 }
 
 TEST(Stencil, GridsAreReadAsTheyLie) {
-    const CookedCloth model = must(cook(sheet(40, 50)));
+    const ClothModel model = must(cook(sheet(40, 50)));
     const Stencil stencil = springs_of(model);
     // But for the first and last rows, whose missing neighbours would lie outside of the grid.
     for (std::uint32_t g = 8; g + 8 < stencil.groups(); ++g)

@@ -113,7 +113,7 @@ Cloth stretched(bool is_sheet, float displacement) {
 
 /// Of the springs' parts in a cell, or of strains in a triangle [J].
 double sheet_energy(const Cloth& cloth, const Eigen::VectorXd& x) {
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     const Fabric& fabric = cloth.settings.fabric;
     const auto length = [&](std::uint32_t i, std::uint32_t j) {
         return (x.segment<3>(3 * j) - x.segment<3>(3 * i)).norm();

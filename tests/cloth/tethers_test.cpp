@@ -19,7 +19,7 @@ struct Errors {
     double shortest = 0, longest = 0;
 };
 template <class Exact>
-Errors errors_from(const CookedCloth& model, std::uint32_t source, const Exact& exact) {
+Errors errors_from(const ClothModel& model, std::uint32_t source, const Exact& exact) {
     Geodesics geodesics(model);
     geodesics.march(model, std::array{GeodesicSource{source, 0}});
     Errors errors;
@@ -49,7 +49,7 @@ Mesh irregular_sheet(std::uint32_t side) {
 
 TEST(Geodesics, AreStraightLinesOnAFlatSheet) {
     for (const Mesh& mesh : {sheet(30, 40), loose_sheet(30, 30), irregular_sheet(30)}) {
-        const CookedCloth model = must(cook(mesh));
+        const ClothModel model = must(cook(mesh));
         for (const std::uint32_t source : {0u, model.particle_count / 2}) {
             const Eigen::Vector3d from = xyz(model.positions[source]).cast<double>();
             const Errors errors =
@@ -62,7 +62,7 @@ TEST(Geodesics, AreStraightLinesOnAFlatSheet) {
 
 TEST(Geodesics, GoAroundATube) {
     const std::uint32_t columns = 48;
-    const CookedCloth model = must(cook(tube(30, columns)));
+    const ClothModel model = must(cook(tube(30, columns)));
     const std::uint32_t source = model.vertex_to_particle[10 * (columns + 1)];
     const double height = static_cast<double>(model.positions[source].y);
     const double chord_per_angle =
@@ -86,7 +86,7 @@ TEST(Geodesics, GoAroundAHole) {
         const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
         return std::max(std::abs(a.x + b.x + c.x), std::abs(a.z + b.z + c.z)) / 3 < 0.25f;
     });
-    const CookedCloth model = must(cook(mesh));
+    const ClothModel model = must(cook(mesh));
     Geodesics geodesics(model);
     const auto at = [&](std::uint32_t row, std::uint32_t column) {
         return model.vertex_to_particle[row * 41 + column];
@@ -103,7 +103,7 @@ TEST(Geodesics, GoAroundAHole) {
 
 TEST(Geodesics, AreBetweenTheStraightLineAndTheWayAlongTheEdges) {
     for (const NamedMesh& named : sound_meshes()) {
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         Geodesics geodesics(model);
         geodesics.march(model, std::array{GeodesicSource{0, 0}});
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -129,7 +129,7 @@ ClothSettings settings_of(const Method& method, bool tethers, float slack = 1) {
     return settings;
 }
 
-LongRangeAttachments attached(const CookedCloth& model, std::span<const std::uint32_t> pins) {
+LongRangeAttachments attached(const ClothModel& model, std::span<const std::uint32_t> pins) {
     LongRangeAttachments tethers(model);
     tethers.prepare(model, pins);
     tethers.commit();
@@ -150,7 +150,7 @@ struct HungSheet {
     void step() { simulation.step(1.0f / 60); }
 
     [[nodiscard]] double mean_stretch() {
-        const CookedCloth& model = cloth().model;
+        const ClothModel& model = cloth().model;
         double sum = 0;
         std::uint32_t count = 0;
         for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -227,7 +227,7 @@ TEST(Tethers, DoNothingWithinTheirLength) {
 }
 
 TEST(Tethers, TakeTheVelocityAwayFromThePinAndNoOther) {
-    const CookedCloth model = must(cook(sheet(2, 3)));
+    const ClothModel model = must(cook(sheet(2, 3)));
     const LongRangeAttachments tethers = attached(model, std::array{0u});
     AlignedBuffer<Vec4> positions(6), velocities(6);
     for (Vec4& x : positions.span()) x.w = 1;
@@ -266,7 +266,7 @@ TEST(Tethers, FollowThePins) {
 }
 
 TEST(Tethers, TakePinsThatSpringsJoinForOneHold) {
-    const CookedCloth model = must(cook(sheet(6, 6)));
+    const ClothModel model = must(cook(sheet(6, 6)));
     const LongRangeAttachments tethers = attached(model, std::array{0u, 1u, 2u, 3u, 4u, 5u, 30u, 35u});
     ASSERT_EQ(tethers.layers().size(), 3u);
     EXPECT_EQ(tethers.layers()[0].pins[9], 3u);
@@ -276,7 +276,7 @@ TEST(Tethers, TakePinsThatSpringsJoinForOneHold) {
 }
 
 TEST(Tethers, ReachTheFourNearestHoldsAsIfEachWereMarchedAlone) {
-    const CookedCloth model = must(cook(irregular_sheet(20)));
+    const ClothModel model = must(cook(irregular_sheet(20)));
     std::vector<std::uint32_t> pins;
     for (const std::uint32_t vertex : {0u, 19u, 47u, 144u, 210u, 266u, 380u, 399u})
         pins.push_back(model.vertex_to_particle[vertex]);

@@ -297,7 +297,7 @@ TEST(SymplecticEuler, TakesSpringsForcesWhereParticlesAre) {
                          .equation = equation_of(cloth, h),
                          .velocities = cloth.next_velocities.span()});
     const Eigen::VectorXd change = velocity_change(cloth);
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     std::vector<float> stiffness(model.neighbours.size());
     spring_stiffness(model, cloth.settings.fabric, stiffness);
     const auto rigidity = static_cast<double>(cloth.settings.fabric.bending);

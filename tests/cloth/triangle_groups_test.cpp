@@ -68,7 +68,7 @@ std::vector<NamedMesh> grouped_meshes() {
 TEST(TriangleGroups, HoldEveryTriangleOnceWoundAsItWas) {
     for (const NamedMesh& named : grouped_meshes()) {
         SCOPED_TRACE(named.name);
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         std::map<Triangle, int> expected, found;
         for (const Triangle& t : model.triangles) ++expected[turned(t)];
         const TriangleGroups groups(model);
@@ -81,7 +81,7 @@ TEST(TriangleGroups, HoldEveryTriangleOnceWoundAsItWas) {
 TEST(TriangleGroups, ParticlesSumTheirTrianglesOnceAndElseFlatOnes) {
     for (const NamedMesh& named : grouped_meshes()) {
         SCOPED_TRACE(named.name);
-        const CookedCloth model = must(cook(named.mesh));
+        const ClothModel model = must(cook(named.mesh));
         const TriangleGroups groups(model);
         const std::vector<Triangle> rows = triangles_in(groups);
         EXPECT_TRUE(is_flat(rows.back()));
@@ -104,7 +104,7 @@ TEST(TriangleGroups, ParticlesSumTheirTrianglesOnceAndElseFlatOnes) {
 
 // What makes them worth their memory: hardly a row is empty, so no triangle is computed for nothing.
 TEST(TriangleGroups, ShareTrianglesOutEvenly) {
-    const CookedCloth model = must(cook(loose_sheet(60, 70)));
+    const ClothModel model = must(cook(loose_sheet(60, 70)));
     const TriangleGroups groups(model);
     // Where a window's particles lie in another order than its triangles, a few are left over.
     const std::uint32_t own =

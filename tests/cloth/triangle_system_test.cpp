@@ -285,7 +285,7 @@ TEST(TriangleSystem, StripsStretchAndContractByTheirModuli) {
                 for (Vec2& p : mesh.pattern) p = {p.y, -p.x};
             Cloth cloth = elements(mesh, {false, false, 0.0f});
             for (Vec4& v : cloth.state.velocities.span()) v = {};
-            const std::vector<std::uint32_t>& particle_of = cloth.model.vertex_to_particle;
+            const std::span<const std::uint32_t> particle_of = cloth.model.vertex_to_particle;
             for (std::uint32_t r = 0; r <= 4; ++r) cloth.pin(particle_of[r * 9]);
             // The pull: gravity of a strip whose mass all but hangs from its end column, as 1 / w.
             const double own = along_weft ? 200 : 300, other = along_weft ? 300 : 200, force_per_width = 6;

@@ -16,7 +16,7 @@ namespace {
 
 /// A tube whose seam has two vertices at each of its particles, and a value for each vertex.
 struct SewnTube {
-    CookedCloth model = test::must(cook(test::tube(4, 9)));
+    ClothModel model = test::must(cook(test::tube(4, 9)));
     std::vector<float> values = [&] {
         std::vector<float> result(model.vertex_to_particle.size());
         for (std::size_t i = 0; i < result.size(); ++i) result[i] = 0.25f * static_cast<float>(i % 7);

@@ -61,6 +61,8 @@ class Player {
 
     // Each makes the call, and returns its answer where there is one.
     using Answered = std::optional<Result<void>>;
+    [[nodiscard]] Result<CookedCloth> cook(const AddCloth& call) const;
+    Result<ClothId> add(const AddCloth& call);
     Answered make(const Operation& operation, const AddCloth& call);
     Answered make(const Operation&, const MeasureCloth& call);
     Answered make(const Operation& operation, const RemoveCloth&);
@@ -205,8 +207,29 @@ void Player::check_answer(const Operation& operation, const Result<void>& answer
           "failed (" + answer.error().message + ") and changed the World from\n" + before + "to\n" + after);
 }
 
+/// Saved, read back, and refused with one bit turned.
+Result<CookedCloth> Player::cook(const AddCloth& call) const {
+    const Result<CookedCloth> cooked = CookedCloth::create(call.mesh, call.settings);
+    if (!cooked) return cooked.error();
+    std::vector<std::byte> bytes(cooked->save_size());
+    check(cooked->save(bytes).ok(), "a cooked cloth was not saved");
+    std::byte& damaged = bytes[call.damaged_byte % bytes.size()];
+    const auto bit = static_cast<std::byte>(1u << call.damaged_byte % 8);
+    damaged ^= bit;
+    check(!CookedCloth::load(bytes, call.settings), "a damaged cooked cloth was read");
+    damaged ^= bit;
+    return CookedCloth::load(bytes, call.settings);
+}
+
+Result<ClothId> Player::add(const AddCloth& call) {
+    if (!call.cooked) return world_.add_cloth(call.mesh, call.settings);
+    const Result<CookedCloth> cooked = cook(call);
+    if (!cooked) return cooked.error();
+    return world_.add_cloth(*cooked, {.translation = call.place});
+}
+
 Player::Answered Player::make(const Operation& operation, const AddCloth& call) {
-    const auto added = world_.add_cloth(call.mesh, call.settings);
+    const auto added = add(call);
     if (!added) return added.error();
     cloths_[operation.cloth] = *added;
     check(text_of(world_.cloth_settings(*added).value()) == text_of(call.settings),

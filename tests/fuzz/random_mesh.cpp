@@ -125,7 +125,7 @@ Mesh random_bag(Random& random) {
 void make_odd(Random& random, Mesh& mesh) {
     const auto vertex = [&] { return random.below(mesh.positions.size()); };
     const auto triangle = [&]() -> Triangle& { return mesh.triangles[random.below(mesh.triangles.size())]; };
-    switch (random.below(7)) {
+    switch (random.below(9)) {
         case 0: {  // slivers
             const Triangle corners = triangle();
             const Vec3 foot = middle(mesh.positions[corners[0]], mesh.positions[corners[1]]);
@@ -150,6 +150,19 @@ void make_odd(Random& random, Mesh& mesh) {
         case 3:  // wound against its neighbours
             std::swap(triangle()[0], triangle()[1]);
             break;
+        case 6: {  // a fin on an edge, which may have two triangles
+            const Triangle at = triangle();
+            mesh.positions.push_back(random.point(1));
+            if (!mesh.pattern.empty()) mesh.pattern.push_back({random.between(-1, 1), random.between(-1, 1)});
+            mesh.triangles.push_back({at[0], at[1], static_cast<std::uint32_t>(mesh.positions.size() - 1)});
+            break;
+        }
+        case 7: {  // the same triangle again
+            Triangle again = triangle();
+            if (random.chance(0.5)) std::swap(again[0], again[1]);
+            mesh.triangles.push_back(again);
+            break;
+        }
         case 4:  // no area
             triangle()[0] = triangle()[1];
             break;

@@ -223,7 +223,10 @@ void Author::add_cloth() {
     const bool accepted = mesh.answer == Answer::accepted && settings.answer == Answer::accepted;
     // What is refused has no place among the cloths, but for what the mesh alone decides.
     cloths_.push_back({mesh.value, settings.value, refused, {}});
-    add(AddCloth{std::move(mesh.value), settings.value},
+    const bool cooked = random_.chance(0.4);
+    const Vec3 place = cooked ? random_.point(0.3f) : Vec3{};
+    const std::uint32_t damaged = cooked ? random_.below(1u << 31) : 0;
+    add(AddCloth{std::move(mesh.value), settings.value, cooked, place, damaged},
         refused    ? Answer::refused
         : accepted ? Answer::accepted
                    : Answer::either,

@@ -135,11 +135,12 @@ std::string text_of(const WorldSettings& s) {
 
 std::string text_of(const ClothInfo& i) {
     return braced("ClothInfo",
-                  {text_of(i.vertices), text_of(i.particles), text_of(i.triangles), text_of(i.components),
-                   text_of(i.structural_springs), text_of(i.shear_springs), text_of(i.bending_elements),
-                   text_of(i.border_edges), text_of(i.dropped_triangles), text_of(i.misoriented_edges),
+                  {text_of(i.vertices), text_of(i.particles), text_of(i.welded_vertices),
+                   text_of(i.triangles), text_of(i.components), text_of(i.structural_springs),
+                   text_of(i.shear_springs), text_of(i.bending_elements), text_of(i.border_edges),
+                   text_of(i.dropped_triangles), text_of(i.turned_triangles), text_of(i.misoriented_edges),
                    text_of(i.loose_particles), text_of(i.mean_edge), text_of(i.mass),
-                   text_of(i.least_bending), text_of(i.bytes)});
+                   text_of(i.least_bending), text_of(i.bytes), text_of(i.shared_bytes)});
 }
 
 static std::string text_of(const Mesh& mesh) {
@@ -156,7 +157,8 @@ static std::string text_of(const std::vector<std::uint32_t>& vertices) {
 }
 
 static std::string text_of(const AddCloth& call) {
-    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
+    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) +
+           (call.cooked ? "; cooked, put to " + text_of(call.place) : "") + ")";
 }
 static std::string text_of(const MeasureCloth& call) {
     return "measure_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";

@@ -220,13 +220,18 @@ std::vector<Call> other_calls() {
     add("measure_cloth", [mesh = LoweredSheet::mesh(false, side)](Scene& s) {
         return without_value(s.world.measure_cloth(mesh));
     });
-    add("add_prepared_cloth", [mesh = LoweredSheet::mesh(true, side), tethered](Scene& s) -> Answer {
-        auto prepared = PreparedCloth::create(mesh, tethered);
-        if (!prepared) return prepared.error();
-        const auto added = s.world.add_cloth(std::move(*prepared));
-        EXPECT_NE(added.ok(), prepared->has_cloth());
-        return without_value(added);
+    add("add_cooked_cloth", [mesh = LoweredSheet::mesh(true, side), tethered](Scene& s) -> Answer {
+        auto cooked = CookedCloth::create(mesh, tethered);
+        if (!cooked) return cooked.error();
+        return without_value(s.world.add_cloth(*cooked, {.translation = {0, 1, 0}}));
     });
+    const std::vector<std::byte> saved = [&] {
+        const auto cooked = CookedCloth::create(LoweredSheet::mesh(false, side)).value();
+        std::vector<std::byte> bytes(cooked.save_size());
+        EXPECT_TRUE(cooked.save(bytes));
+        return bytes;
+    }();
+    add("load_cooked_cloth", [saved](Scene&) { return without_value(CookedCloth::load(saved)); });
     add("set_enabled", [](Scene& s) { return s.world.set_enabled(s.cloth, false); });
     ClothSettings sleepy;
     sleepy.sleep_speed = 1e-3f;

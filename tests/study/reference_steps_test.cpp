@@ -124,7 +124,7 @@ TEST(Newton, AgreesWithItselfBySolvingDirectlyAndByIterating) {
             [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
             std::uint32_t direct_up_to;
         };
-        point.make_solver = [=](const CookedCloth&, const ClothSettings&) {
+        point.make_solver = [=](const ClothModel&, const ClothSettings&) {
             return std::make_unique<Chosen>(direct_up_to);
         };
         study::Run run(scene, point, 1);

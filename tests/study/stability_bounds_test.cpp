@@ -21,7 +21,7 @@ MethodPoint with_method(const Method& method) {
 
 MethodPoint exact_steps() {
     MethodPoint point = with_method(Jacobi{});
-    point.make_solver = [](const CookedCloth& model, const ClothSettings& settings) {
+    point.make_solver = [](const ClothModel& model, const ClothSettings& settings) {
         return std::make_unique<CholeskySolver>(model, settings);
     };
     return point;

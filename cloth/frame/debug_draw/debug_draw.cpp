@@ -24,7 +24,7 @@ Vec3 colour_of(float strain) {
 }
 
 void draw_strain(const Pen& pen, const Cloth& cloth) {
-    const CookedCloth& model = cloth.model;
+    const ClothModel& model = cloth.model;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         const Vector3 from = xyz(cloth.state.positions[i]);
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {

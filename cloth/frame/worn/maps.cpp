@@ -34,12 +34,13 @@ void Cloth::take_other_solver(std::unique_ptr<Solver>&& made) noexcept {
 }
 
 void Cloth::set_masses(AlignedBuffer<float>&& values) {
-    const AlignedBuffer<float>& before = areas_without_map.size() > 0 ? areas_without_map : model.rest_area;
-    AlignedBuffer<float> areas(model.particle_count), kept;
-    std::ranges::copy(before.span(), areas.data());
+    const std::span<const float> before =
+        areas_without_map.size() > 0 ? areas_without_map.span() : model.rest_area.span();
+    SharedBuffer<float> areas(before);
+    AlignedBuffer<float> kept;
     if (values.size() > 0) {
         kept = AlignedBuffer<float>(model.particle_count);
-        std::ranges::copy(before.span(), kept.data());
+        std::ranges::copy(before, kept.data());
         for (std::uint32_t i = 0; i < model.particle_count; ++i) areas[i] *= values[i];
     }
     std::swap(model.rest_area, areas);
@@ -53,11 +54,12 @@ void Cloth::set_masses(AlignedBuffer<float>&& values) {
 }
 
 void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
-    std::swap(model.stiffness, values);
+    SharedBuffer<float> other(std::move(values));
+    std::swap(model.stiffness, other);
     try {
         take_other_solver(make_other_solver());
     } catch (...) {
-        std::swap(model.stiffness, values);
+        std::swap(model.stiffness, other);
         throw;
     }
 }

@@ -23,7 +23,9 @@ bool is_within_reach(const Vec3& p) {
     return near(p.x) && near(p.y) && near(p.z);
 }
 
-Result<void> validate(const char* name, const Transform& pose) {
+}  // namespace
+
+Result<void> validate_transform(const char* name, const Transform& pose) {
     const Rotation& r = pose.rotation;
     const double length = Eigen::Quaterniond(static_cast<double>(r.w), static_cast<double>(r.x),
                                              static_cast<double>(r.y), static_cast<double>(r.z))
@@ -36,9 +38,8 @@ Result<void> validate(const char* name, const Transform& pose) {
     return {};
 }
 
-/// That everything of a cloth is within reach once it is moved so.
 Result<void> validate_move(const Cloth& cloth, const RigidMotion& by) {
-    const std::vector<std::uint32_t>& particles = cloth.model.vertex_to_particle;
+    const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
     for (std::size_t v = 0; v < particles.size(); ++v) {
         const Vec3 there = to_vec3(by.point(xyz(cloth.state.positions[particles[v]])));
         if (!is_within_reach(there))
@@ -50,6 +51,8 @@ Result<void> validate_move(const Cloth& cloth, const RigidMotion& by) {
     if (!cloth.state.frame) return {};
     return validate_point("the cloth's frame once moved", by.point(cloth.state.frame->target.translation));
 }
+
+namespace {
 
 VertexMap description_of(Map map, std::span<const float> values) {
     constexpr auto least = WhereWelded::least, greatest = WhereWelded::greatest, mean = WhereWelded::mean;
@@ -78,7 +81,7 @@ VertexMap description_of(Map map, std::span<const float> values) {
 Result<void> validate_limits(const Cloth& cloth, std::span<const float> leash,
                              std::span<const float> backstop) {
     if (leash.empty() || backstop.empty()) return {};
-    const std::vector<std::uint32_t>& particles = cloth.model.vertex_to_particle;
+    const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
     for (std::size_t v = 0; v < particles.size(); ++v) {
         const float least = -leash[particles[v]], offset = backstop[particles[v]];
         if (!(offset >= least))
@@ -121,7 +124,7 @@ Result<void> validate_skin(const Cloth& cloth, std::span<const Vec3> places, std
 
 void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3> normals) noexcept {
     SkinState& skin = cloth.state.skin;
-    const std::vector<std::uint32_t>& particles = cloth.model.vertex_to_particle;
+    const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
     const bool has_normals = skin.target_normals.size() > 0;
     for (std::size_t v = 0; v < particles.size(); ++v) {
         skin.target_places[particles[v]] = to_vec4(to_vector(places[v]), 0);
@@ -136,7 +139,7 @@ void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3>
 
 Result<void> World::move_cloth(ClothId id, const Transform& by) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate("by", by); !valid) return valid;
+        if (auto valid = validate_transform("by", by); !valid) return valid;
         const RigidMotion motion = rigid_motion(by);
         if (auto valid = validate_move(cloth, motion); !valid) return valid;
         impl_->simulation.wake_near(cloth);
@@ -148,7 +151,7 @@ Result<void> World::move_cloth(ClothId id, const Transform& by) {
 
 Result<void> World::set_frame(ClothId id, const Transform& pose) {
     return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate("pose", pose); !valid) return valid;
+        if (auto valid = validate_transform("pose", pose); !valid) return valid;
         if (auto valid = validate_point("pose.translation", pose.translation); !valid) return valid;
         impl_->simulation.set_frame(cloth, pose);
         return {};

@@ -13,12 +13,12 @@ namespace weft {
 
 using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clockwise seen from the front
 
-/// Any triangle mesh: several components and borders are fine, edges shared by more than two triangles are
-/// not. Vertices at the same position (split for a renderer at texture seams, say) are welded into one
-/// particle. Triangles lower than a millionth of their longest edge, or smaller than 1e-14 m^2, count as
-/// faces of no area.
+/// Any triangle mesh: several components and borders are fine. Vertices at the same position (split for a
+/// renderer at texture seams, say) are welded into one particle, at no other distance. What a cloth cannot
+/// have is left out or turned by the rules of CookReport, which lists it: triangles of no area, doubled ones,
+/// a third one at an edge, parts that are wound against each other.
 ///
-/// At most 2^26 vertices, 2^27 triangles, and 1024 triangles at one particle. All that reads a mesh takes
+/// At most 2^26 vertices and 2^27 triangles. All that reads a mesh takes
 /// time and memory in proportion to it, up to a logarithm.
 struct Mesh {
     std::vector<Vec3> positions{};  ///< where the cloth starts [m], one per vertex

@@ -16,6 +16,7 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/cooked_cloth.h"
 #include "weft/debug_draw.h"
 #include "weft/drawn_mesh.h"
 #include "weft/error.h"

@@ -11,6 +11,7 @@
 #include "weft/cloth_id.h"
 #include "weft/collider.h"
 #include "weft/contact.h"
+#include "weft/cooked_cloth.h"
 #include "weft/debug_draw.h"
 #include "weft/error.h"
 #include "weft/maps.h"
@@ -23,57 +24,6 @@
 #include "weft/types.h"
 
 namespace weft {
-
-/// What cooking a mesh made of it.
-struct ClothInfo {
-    std::uint32_t vertices = 0;   ///< of the mesh that was given
-    std::uint32_t particles = 0;  ///< after welding
-    std::uint32_t triangles = 0;
-    std::uint32_t components = 0;
-    std::uint32_t structural_springs = 0, shear_springs = 0;
-    std::uint32_t bending_elements = 0;   ///< threads' triples and cells of a sheet; shared edges of a mesh
-    std::uint32_t border_edges = 0;       ///< edges of one triangle
-    std::uint32_t dropped_triangles = 0;  ///< warning: faces of no area, which were left out
-    std::uint32_t misoriented_edges =
-        0;  ///< warning: shared edges whose two triangles are wound against each other
-    std::uint32_t loose_particles =
-        0;                ///< warning: particles of no triangle; they have no mass and stay where they are
-    float mean_edge = 0;  ///< mean rest length of structural springs [m]
-    float mass = 0;       ///< [kg]
-    /// Warning where Fabric::bending is below it [N m]: folds want to be finer than the triangles, so that
-    /// the mesh, not the fabric, says how many there are. Take a finer mesh, or so much bending.
-    ///
-    /// Weight bends cloth over the length s at which its moment, areal_density g s^2, is that of bending by a
-    /// radius of s, B / s: s = (B / (areal_density g))^(1/3), g = 9.81 m/s^2. A fold's tip, half a circle of
-    /// this radius, is to be no fewer than six edges long: s >= 2 mean_edge.
-    float least_bending = 0;
-    /// Memory of this cloth, solver included, within 1 %. Each step reuses it. Tethers to up to four holds
-    /// take 8 bytes a particle each.
-    std::uint64_t bytes = 0;
-    friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
-};
-
-/// A cloth made ready for a World that is to take it over at once: cooking takes a frame and more, and may be
-/// done on any thread, for many cloths at a time.
-class PreparedCloth {
-  public:
-    /// Errors are those of World::add_cloth.
-    [[nodiscard]] static Result<PreparedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
-    PreparedCloth(PreparedCloth&&) noexcept;
-    PreparedCloth& operator=(PreparedCloth&&) noexcept;
-    ~PreparedCloth();
-
-    /// No longer once a World has taken it over.
-    [[nodiscard]] bool has_cloth() const noexcept { return impl_ != nullptr; }
-    /// Error: it has no cloth. In a World with colliders, wind or contact reports it takes more bytes.
-    [[nodiscard]] Result<ClothInfo> info() const;
-
-  private:
-    friend class World;
-    struct Impl;
-    explicit PreparedCloth(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
-};
 
 /// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
 /// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
@@ -102,12 +52,14 @@ class World {
     [[nodiscard]] const WorldSettings& settings() const noexcept;
     Result<void> set_settings(const WorldSettings& settings);
 
-    /// Makes particles, springs and solver memory from the mesh; the mesh is not kept. Errors name the vertex
-    /// or triangle.
+    /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
+    /// cloth alone; the mesh is not kept.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
-    /// Takes it over, which costs what its memory for this World does: .1 ms for a garment. The same cloth as
-    /// by its mesh. Error: it has no cloth; with any, it keeps the one that it has.
-    Result<ClothId> add_cloth(PreparedCloth&& cloth);
+    /// Another cloth of it, with the settings that it was made with, moved from where its mesh lies: the same
+    /// cloth as by the mesh, but that it copies its state alone, and shares what is constant. It does not
+    /// need the CookedCloth any more. Errors: the rotation is none, or a vertex would be out of the 100 km
+    /// around the origin.
+    Result<ClothId> add_cloth(const CookedCloth& cooked, const Transform& place = {});
     /// What cloth_info would say of it; nothing is added. Takes as long as add_cloth, and the memory
     /// meanwhile.
     [[nodiscard]] Result<ClothInfo> measure_cloth(const Mesh& mesh, const ClothSettings& settings = {}) const;

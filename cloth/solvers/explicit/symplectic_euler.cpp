@@ -2,7 +2,7 @@
 
 namespace weft {
 
-SymplecticEulerSolver::SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings)
+SymplecticEulerSolver::SymplecticEulerSolver(const ClothModel& model, const ClothSettings& settings)
     : kind_(settings), system_(make_system(model, settings)), residual_(model, settings) {}
 
 bool SymplecticEulerSolver::serves(const ClothSettings& settings) const {

@@ -13,7 +13,7 @@ namespace weft {
 /// / omega of the stiffest mode, and for less where springs are damped. Drag alone is taken implicitly.
 class SymplecticEulerSolver final : public Solver {
   public:
-    SymplecticEulerSolver(const CookedCloth& model, const ClothSettings& settings);
+    SymplecticEulerSolver(const ClothModel& model, const ClothSettings& settings);
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
     void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }

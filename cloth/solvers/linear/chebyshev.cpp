@@ -57,7 +57,7 @@ void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations,
     }
 }
 
-ChebyshevSolver::ChebyshevSolver(const CookedCloth& model, const ClothSettings& settings)
+ChebyshevSolver::ChebyshevSolver(const ClothModel& model, const ClothSettings& settings)
     : LinearSolver(model, settings),
       scratch_(model.particle_count),
       area_(std::reduce(model.rest_area.span().begin(), model.rest_area.span().end(), 0.0)) {}

@@ -54,7 +54,12 @@ void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations,
 
 class ChebyshevSolver final : public LinearSolver {
   public:
-    ChebyshevSolver(const CookedCloth& model, const ClothSettings& settings);
+    ChebyshevSolver(const ClothModel& model, const ClothSettings& settings);
+    ChebyshevSolver(const ChebyshevSolver& other, const ClothModel& model)
+        : LinearSolver(other, model), scratch_(model.particle_count), area_(other.area_) {}
+    [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
+        return std::make_unique<ChebyshevSolver>(*this, model);
+    }
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<Chebyshev>(settings.method) && serves_system(settings);
     }

@@ -38,7 +38,7 @@ void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> resi
     scale_and_add(parallel, -alpha, vectors.product.span(), residual, vectors.residual.span());
 }
 
-ConjugateGradientSolver::ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings)
+ConjugateGradientSolver::ConjugateGradientSolver(const ClothModel& model, const ClothSettings& settings)
     : LinearSolver(model, settings), vectors_(model.particle_count) {}
 
 bool ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSystem& system,

@@ -149,7 +149,12 @@ CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int ite
 /// Conjugate gradients with the block diagonal as preconditioner (Baraff and Witkin 1998).
 class ConjugateGradientSolver final : public LinearSolver {
   public:
-    ConjugateGradientSolver(const CookedCloth& model, const ClothSettings& settings);
+    ConjugateGradientSolver(const ClothModel& model, const ClothSettings& settings);
+    ConjugateGradientSolver(const ConjugateGradientSolver& other, const ClothModel& model)
+        : LinearSolver(other, model), vectors_(model.particle_count) {}
+    [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
+        return std::make_unique<ConjugateGradientSolver>(*this, model);
+    }
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<ConjugateGradient>(settings.method) && serves_system(settings);
     }

@@ -18,7 +18,7 @@ void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, Al
     }
 }
 
-JacobiSolver::JacobiSolver(const CookedCloth& model, const ClothSettings& settings)
+JacobiSolver::JacobiSolver(const ClothModel& model, const ClothSettings& settings)
     : LinearSolver(model, settings), scratch_(model.particle_count) {}
 
 bool JacobiSolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {

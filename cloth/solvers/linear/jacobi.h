@@ -13,7 +13,12 @@ void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, Al
 
 class JacobiSolver final : public LinearSolver {
   public:
-    JacobiSolver(const CookedCloth& model, const ClothSettings& settings);
+    JacobiSolver(const ClothModel& model, const ClothSettings& settings);
+    JacobiSolver(const JacobiSolver& other, const ClothModel& model)
+        : LinearSolver(other, model), scratch_(model.particle_count) {}
+    [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
+        return std::make_unique<JacobiSolver>(*this, model);
+    }
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<Jacobi>(settings.method) && serves_system(settings);
     }

@@ -4,11 +4,17 @@
 
 namespace weft {
 
-LinearSolver::LinearSolver(const CookedCloth& model, const ClothSettings& settings)
+LinearSolver::LinearSolver(const ClothModel& model, const ClothSettings& settings)
     : kind_(settings),
       system_(make_system(model, settings)),
       mean_motion_(model),
       residual_(model, settings) {}
+
+LinearSolver::LinearSolver(const LinearSolver& other, const ClothModel& model)
+    : kind_(other.kind_),
+      system_(other.system_->clone(model)),
+      mean_motion_(other.mean_motion_),
+      residual_(other.residual_, model) {}
 
 SolveResult LinearSolver::solve(const SolverStep& step) {
     {

@@ -14,7 +14,9 @@ namespace weft {
 /// What the solvers of one linear system share; each says how it solves.
 class LinearSolver : public Solver {
   public:
-    LinearSolver(const CookedCloth& model, const ClothSettings& settings);
+    LinearSolver(const ClothModel& model, const ClothSettings& settings);
+    LinearSolver(const LinearSolver& other, const ClothModel& model);
+    void make_own(const ClothSettings& settings) override { system_->make_own(settings.fabric); }
     SolveResult solve(const SolverStep& step) final;
     void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }
     [[nodiscard]] std::size_t bytes() const noexcept override;

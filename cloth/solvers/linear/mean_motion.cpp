@@ -126,7 +126,7 @@ HWY_EXPORT(sum_piece);
 HWY_EXPORT(subtract_motion);
 HWY_EXPORT(add_motion);
 
-MeanMotion::MeanMotion(const CookedCloth& model)
+MeanMotion::MeanMotion(const ClothModel& model)
     : particles_(model.particle_count),
       components_(Stencil::whole_groups(model.particle_count)),
       sums_(model.component_offsets.size() - 1),

@@ -9,6 +9,7 @@
 #include "cloth/system/contacts.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -22,7 +23,7 @@ struct MotionRows;
 /// stays what it is (deflation: Nicolaides 1987).
 class MeanMotion {
   public:
-    explicit MeanMotion(const CookedCloth& model);
+    explicit MeanMotion(const ClothModel& model);
 
     /// Before the iteration: finds u of each component in which no particle is pinned, and subtracts
     /// (r_i I + G_i) u from b_i. `contacts` may be null.
@@ -61,7 +62,7 @@ class MeanMotion {
     void solve(Parallel& parallel, const ContactRows* contacts, const Vec4* right_side, const Vec4* dv);
 
     std::uint32_t particles_;
-    AlignedBuffer<std::uint32_t> components_;  // of each particle; behind the last one, one past the last
+    SharedBuffer<std::uint32_t> components_;   // of each particle; behind the last one, one past the last
     std::vector<Piece> pieces_;                // block by block
     std::vector<std::uint32_t> block_pieces_;  // pieces of block k: [block_pieces_[k], block_pieces_[k + 1])
     std::vector<std::uint32_t> groups_;        // of 16 particles, that a piece has a particle in

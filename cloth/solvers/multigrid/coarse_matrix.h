@@ -9,6 +9,7 @@
 #include "cloth/system/sparse/stencil.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 #include "engine/simd/symmetric3.h"
 
 namespace weft {
@@ -38,12 +39,12 @@ struct CoarseMatrix {
     CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
 
     Stencil stencil;
-    AlignedBuffer<float> coefficients;       ///< A_IJ per slot: 16 of each entry
-    AlignedBuffer<float> ground;             ///< G_I per group: 16 of each entry
-    AlignedBuffer<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
-    SymmetricRows ground_rows;               ///< G_I by node
-    SymmetricRows links;                     ///< A_IJ by place in the lists, and behind them one that is 0
-    AlignedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
+    AlignedBuffer<float> coefficients;      ///< A_IJ per slot: 16 of each entry
+    AlignedBuffer<float> ground;            ///< G_I per group: 16 of each entry
+    AlignedBuffer<float> inverse_diagonal;  ///< likewise; 0 for nodes without inertia
+    SymmetricRows ground_rows;              ///< G_I by node
+    SymmetricRows links;                    ///< A_IJ by place in the lists, and behind them one that is 0
+    SharedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 };

@@ -1,7 +1,9 @@
 #include "cloth/solvers/multigrid/coarsening.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -20,20 +22,46 @@ struct Voronoi {
     std::vector<std::uint32_t> owner;  // a node of the fine graph
 };
 
+/// A distance and a number as one integer, which goes by the distance first: neither is below 0.
+std::uint64_t packed(float distance, std::uint32_t number) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | number;
+}
+float distance_of(std::uint64_t pair) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(pair >> 32));
+}
+
+/// Takes and gives the least; keeps its memory.
+class Fronts {
+  public:
+    [[nodiscard]] bool empty() const { return heap_.empty(); }
+    void push(std::uint64_t pair) {
+        heap_.push_back(pair);
+        std::ranges::push_heap(heap_, std::greater());
+    }
+    std::uint64_t pop() {
+        std::ranges::pop_heap(heap_, std::greater());
+        const std::uint64_t least = heap_.back();
+        heap_.pop_back();
+        return least;
+    }
+
+  private:
+    std::vector<std::uint64_t> heap_;
+};
+
 /// Claims for `source` all nodes that are nearer to it than to their present owner (Dijkstra 1959).
-void claim(const SpringGraph& graph, std::uint32_t source, Voronoi& voronoi) {
-    using Front = std::pair<float, std::uint32_t>;
-    std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts;
+void claim(const SpringGraph& graph, std::uint32_t source, Voronoi& voronoi, Fronts& fronts) {
     const auto reach = [&](std::uint32_t node, float distance) {
         if (distance >= voronoi.distance[node]) return;
         voronoi.distance[node] = distance;
         voronoi.owner[node] = source;
-        fronts.emplace(distance, node);
+        fronts.push(packed(distance, node));
     };
     reach(source, 0);
     while (!fronts.empty()) {
-        const auto [distance, node] = fronts.top();
-        fronts.pop();
+        const std::uint64_t front = fronts.pop();
+        const float distance = distance_of(front);
+        const auto node = static_cast<std::uint32_t>(front);
         if (distance > voronoi.distance[node]) continue;
         for (std::uint32_t e = graph.offsets[node]; e < graph.offsets[node + 1]; ++e)
             reach(graph.neighbours[e], distance + graph.lengths[e]);
@@ -59,25 +87,25 @@ Voronoi sample_farthest(const SpringGraph& graph, const Components& components,
                     std::vector<std::uint32_t>(graph.nodes(), 0)};
     // Distances only fall: an entry that is out of date is put back with the present one. Ties go to the
     // lower index.
-    using Candidate = std::pair<float, std::int64_t>;
-    std::priority_queue<Candidate> candidates;
+    std::priority_queue<std::uint64_t> candidates;
+    Fronts fronts;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (graph.degree(i) > 0 && wanted[components.of_node[i]] > 0)
-            candidates.emplace(infinity, -std::int64_t{i});
+        if (graph.degree(i) > 0 && wanted[components.of_node[i]] > 0) candidates.push(packed(infinity, ~i));
     }
     while (!candidates.empty()) {
-        const auto [distance, negative] = candidates.top();
+        const std::uint64_t candidate = candidates.top();
         candidates.pop();
-        const auto node = static_cast<std::uint32_t>(-negative);
+        const float distance = distance_of(candidate);
+        const std::uint32_t node = ~static_cast<std::uint32_t>(candidate);
         if (voronoi.distance[node] < distance) {
-            candidates.emplace(voronoi.distance[node], negative);
+            candidates.push(packed(voronoi.distance[node], ~node));
             continue;
         }
         std::uint32_t& wanted_here = wanted[components.of_node[node]];
         if (wanted_here == 0 && distance < infinity) continue;
         if (wanted_here > 0) --wanted_here;
         kept.push_back(node);
-        claim(graph, node, voronoi);
+        claim(graph, node, voronoi, fronts);
     }
     std::ranges::sort(kept);
     return voronoi;

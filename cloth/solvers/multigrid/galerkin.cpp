@@ -50,7 +50,7 @@ RowDifference row_difference(const Interpolation& p, const Link& link) {
 struct Incidence {
     std::vector<std::uint32_t> offsets, links;
 };
-Incidence incidence(const std::vector<Link>& links, std::uint32_t nodes) {
+Incidence incidence(std::span<const Link> links, std::uint32_t nodes) {
     Incidence result{std::vector<std::uint32_t>(nodes + 1), std::vector<std::uint32_t>(2 * links.size())};
     for (const Link& link : links) {
         ++result.offsets[link.first + 1];
@@ -66,10 +66,38 @@ Incidence incidence(const std::vector<Link>& links, std::uint32_t nodes) {
 }
 
 struct Term {
-    std::uint32_t second;  // node of the coarse link; the first is being worked on
+    std::uint32_t first, second;  // nodes of the coarse link
     std::uint32_t fine_link;
     float factor;
 };
+
+/// All terms, those of each link by fine links, ascending.
+std::vector<Term> terms_of(const std::vector<Link>& links, const Interpolation& p) {
+    std::vector<Term> terms;
+    terms.reserve(8 * links.size());
+    for (std::uint32_t link = 0; link < links.size(); ++link) {
+        RowDifference row = row_difference(p, links[link]);
+        for (const Difference& own : row) {
+            for (const Difference& other : row) {
+                const float factor = -own.value * other.value;
+                if (other.coarse > own.coarse && std::abs(factor) > least_factor)
+                    terms.push_back({own.coarse, other.coarse, link, factor});
+            }
+        }
+    }
+    return terms;
+}
+
+/// By a number below `count`; those of one number stay in order.
+template <class Number>
+std::vector<Term> sorted_by(const Number& number, const std::vector<Term>& terms, std::uint32_t count) {
+    std::vector<std::size_t> next(count + std::size_t{1});
+    for (const Term& term : terms) ++next[number(term) + std::size_t{1}];
+    for (std::uint32_t c = 0; c < count; ++c) next[c + 1] += next[c];
+    std::vector<Term> sorted(terms.size());
+    for (const Term& term : terms) sorted[next[number(term)]++] = term;
+    return sorted;
+}
 
 /// Lists as they grow, link by link.
 struct GrowingLists {
@@ -77,11 +105,14 @@ struct GrowingLists {
     std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
     std::vector<std::uint32_t> fine_links;
     std::vector<float> factors;
-    GalerkinLists::Constants constants{.offsets = {0}, .fine_links = {}, .factors = {}, .sums = {}};
+    struct {
+        std::vector<std::uint32_t> offsets{0}, fine_links;
+        std::vector<float> factors;
+    } constants;
 
-    void add(std::uint32_t first, const Term& term, bool is_constant) {
-        if (links.empty() || links.back().first != first || links.back().second != term.second) {
-            links.push_back({first, term.second});
+    void add(const Term& term, bool is_constant) {
+        if (links.empty() || links.back().first != term.first || links.back().second != term.second) {
+            links.push_back({term.first, term.second});
             offsets.push_back(offsets.back());
             constants.offsets.push_back(constants.offsets.back());
         }
@@ -111,19 +142,17 @@ std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
     return order;
 }
 
-GalerkinLists in_groups(GrowingLists&& grown) {
+GalerkinLists in_groups(const GrowingLists& grown) {
     constexpr std::uint32_t lanes = Stencil::lanes;
     const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
     GalerkinLists lists;
-    lists.links = std::move(grown.links);
-    lists.links.shrink_to_fit();
-    lists.constants = std::move(grown.constants);
-    lists.constants.offsets.shrink_to_fit();
-    lists.constants.fine_links.shrink_to_fit();
-    lists.constants.factors.shrink_to_fit();
+    lists.links = SharedBuffer<Link>(grown.links);
+    lists.constants.offsets = SharedBuffer<std::uint32_t>(grown.constants.offsets);
+    lists.constants.fine_links = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
+    lists.constants.factors = SharedBuffer<float>(grown.constants.factors);
     lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
-    lists.places.resize(order.size());
-    lists.group_slots = AlignedBuffer<std::uint32_t>(lists.groups() + 1);
+    lists.places = SharedBuffer<std::uint32_t>(order.size());
+    lists.group_slots = SharedBuffer<std::uint32_t>(lists.groups() + 1);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         lists.places[order[place]] = place;
         std::uint32_t& slots = lists.group_slots[place / lanes + 1];
@@ -132,8 +161,8 @@ GalerkinLists in_groups(GrowingLists&& grown) {
     for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
 
     const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
-    lists.fine_links = AlignedBuffer<std::uint32_t>(entries);
-    lists.factors = AlignedBuffer<float>(entries);
+    lists.fine_links = SharedBuffer<std::uint32_t>(entries);
+    lists.factors = SharedBuffer<float>(entries);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
         const std::uint32_t terms = grown.terms(order[place]);
@@ -158,37 +187,15 @@ std::vector<Link> links_of(const SpringGraph& graph) {
     return links;
 }
 
-// Coarse node by coarse node: all links that touch its support, each once, give the terms of its links to
-// later nodes.
 GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
                                   const std::vector<bool>& is_constant) {
-    const Incidence touching = incidence(links, p.fine);
-    std::vector<std::uint32_t> seen(links.size(), Interpolation::width * p.fine + 1);
+    const auto first = [](const Term& term) { return term.first; };
+    const auto second = [](const Term& term) { return term.second; };
+    const std::vector<Term> terms =
+        sorted_by(first, sorted_by(second, terms_of(links, p), p.coarse), p.coarse);
     GrowingLists lists;
-    std::vector<Term> terms;
-    for (std::uint32_t c = 0; c < p.coarse; ++c) {
-        terms.clear();
-        for (std::uint32_t s = p.offsets[c]; s < p.offsets[c + 1]; ++s) {
-            const std::uint32_t i = p.fine_nodes[s];
-            for (std::uint32_t t = touching.offsets[i]; t < touching.offsets[i + 1]; ++t) {
-                const std::uint32_t link = touching.links[t];
-                if (std::exchange(seen[link], c) == c) continue;
-                RowDifference row = row_difference(p, links[link]);
-                const auto own = std::ranges::find(row, c, &Difference::coarse);
-                for (const Difference& other : row) {
-                    const float factor = -own->value * other.value;
-                    if (other.coarse > c && std::abs(factor) > least_factor)
-                        terms.push_back({other.coarse, link, factor});
-                }
-            }
-        }
-        std::ranges::sort(terms, [](const Term& a, const Term& b) {
-            return std::pair(a.second, a.fine_link) < std::pair(b.second, b.fine_link);
-        });
-        for (const Term& term : terms)
-            lists.add(c, term, !is_constant.empty() && is_constant[term.fine_link]);
-    }
-    return in_groups(std::move(lists));
+    for (const Term& term : terms) lists.add(term, !is_constant.empty() && is_constant[term.fine_link]);
+    return in_groups(lists);
 }
 
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,

@@ -10,6 +10,7 @@
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/system/sparse/stencil.h"
 #include "engine/aligned_buffer.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -27,28 +28,27 @@ struct GalerkinLists {
     /// Terms of fine links whose blocks are a number times the identity, and never change: by coarse link,
     /// those of link k in [offsets[k], offsets[k + 1]).
     struct Constants {
-        std::vector<std::uint32_t> offsets, fine_links;
-        std::vector<float> factors;
+        SharedBuffer<std::uint32_t> offsets, fine_links;
+        SharedBuffer<float> factors;
         AlignedBuffer<float> sums;  ///< of each place: what the terms add up to, over constant_scale()
 
         [[nodiscard]] std::size_t bytes() const noexcept {
-            return (offsets.size() + fine_links.size()) * sizeof(std::uint32_t) +
-                   factors.size() * sizeof(float) + sums.bytes();
+            return offsets.bytes() + fine_links.bytes() + factors.bytes() + sums.bytes();
         }
     } constants;
 
-    std::vector<Link> links;                   ///< of the coarse level, ascending
-    std::vector<std::uint32_t> places;         ///< of each link: which sum is its, group * lanes + lane
-    AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
-    AlignedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]
-    AlignedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
+    SharedBuffer<Link> links;                 ///< of the coarse level, ascending
+    SharedBuffer<std::uint32_t> places;       ///< of each link: which sum is its, group * lanes + lane
+    SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
+    SharedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]
+    SharedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return links.size() * sizeof(Link) + places.size() * sizeof(std::uint32_t) + group_slots.bytes() +
-               fine_links.bytes() + factors.bytes() + constants.bytes();
+        return links.bytes() + places.bytes() + group_slots.bytes() + fine_links.bytes() + factors.bytes() +
+               constants.bytes();
     }
 };
 

@@ -2,7 +2,7 @@
 
 namespace weft {
 
-std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, ImplicitSystem& system) {
+std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system) {
     Parallel serial(1);
     const ClothSettings settings;
     const AlignedBuffer<Vec4> at_rest(model.particle_count);

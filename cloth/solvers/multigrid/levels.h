@@ -13,6 +13,6 @@ namespace weft {
 
 /// Levels with no pins, from the cloth where it starts and the default fabric. `system` is left linearised
 /// about that.
-[[nodiscard]] std::unique_ptr<Multigrid> make_levels(const CookedCloth& model, ImplicitSystem& system);
+[[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system);
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 #include "cloth/solvers/multigrid/multigrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -28,14 +29,13 @@ constexpr Chebyshev2 coarse_smoothing = chebyshev2(0.6f, 3.0f);
 constexpr float first_coarse_step = 2 / (0.5f + 3.0f);
 
 SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions) {
-    const Stencil& stencil = system.stencil();
     const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(parallel);
     SpringGraph graph;
     graph.offsets.push_back(0);
-    for (std::uint32_t i = 0; i < stencil.nodes; ++i) {
-        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-            const std::uint32_t j = stencil.neighbours[s * Stencil::lanes + lane];
+    for (std::uint32_t i = 0; i < system.stencil().nodes; ++i) {
+        const ImplicitSystem::Neighbours row = system.neighbours_of(i);
+        for (std::uint32_t k = 0; k < row.count; ++k) {
+            const std::uint32_t j = row[k];
             if (j == i) continue;
             const std::uint32_t entry = system.entry_between(i, j);
             graph.neighbours.push_back(j);
@@ -54,77 +54,64 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
     : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
-    links_ = links_of(graph);
-    for (const Link& link : links_) {
+    std::vector<Link> links = links_of(graph);
+    std::vector<std::uint32_t> slots, numbers;
+    std::vector<Link> constant_links;
+    std::vector<float> weights;
+    for (const Link& link : links) {
         const float weight = system.constant_block(link.first, link.second);
+        numbers.push_back(weight != 0 ? static_cast<std::uint32_t>(constant_links.size()) : none);
         if (weight == 0) {
-            slots_.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
+            slots.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
             continue;
         }
-        constants_.links.push_back(link);
-        constants_.weights.push_back(weight);
+        constant_links.push_back(link);
+        weights.push_back(weight);
     }
-    std::ranges::sort(slots_);
-    slots_.erase(std::unique(slots_.begin(), slots_.end()), slots_.end());
-    links_.shrink_to_fit();
-    slots_.shrink_to_fit();
-    constants_.links.shrink_to_fit();
-    constants_.weights.shrink_to_fit();
-    make_levels(std::move(graph));
+    std::ranges::sort(slots);
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    slots_ = SharedBuffer<std::uint32_t>(slots);
+    constants_.links = SharedBuffer<Link>(constant_links);
+    constants_.weights = SharedBuffer<float>(weights);
+    make_levels(std::move(graph), std::move(links), numbers);
     if (coarse_.empty()) return;
-    list_constants();
     springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
     set_pins(positions);
 }
 
 // Until all components are small. Each has a ninth of its nodes on the next level; one that has not lost half
 // of them, since lengths of its springs have overflowed, is left to relaxation.
-void Multigrid::make_levels(SpringGraph graph) {
-    std::vector<Link> links = links_;
+void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
+                            std::span<const std::uint32_t> numbers) {
     Components components = components_of(graph);
     for (;;) {
         const std::uint32_t most_direct = coarse_.empty() ? 0 : ComponentSolver::most_nodes;
         Coarsening coarsening = coarsen(graph, components, ratio, most_direct);
         const std::uint32_t nodes = coarsening.interpolation.coarse;
         if (nodes == 0 || nodes > graph.nodes() / 2) break;
-        std::vector<bool> is_constant;  // of the finest links
-        for (std::size_t k = 0; coarse_.empty() && k < links.size(); ++k)
-            is_constant.push_back(std::ranges::binary_search(constants_.links, links[k]));
+        const bool finest = coarse_.empty();
+        std::vector<bool> is_constant;
+        std::vector<std::uint32_t> springs;  // of the finest links
+        for (std::size_t k = 0; finest && k < links.size(); ++k) {
+            is_constant.push_back(numbers[k] != none);
+            springs.push_back(is_constant[k] ? 0 : spring_of(links[k]));
+        }
         GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation, is_constant);
         graph = make_coarse_graph(graph, coarsening, links, lists);
-        links = lists.links;
+        links.assign(lists.links.begin(), lists.links.end());
         components = components_of(graph);
-        if (coarse_.empty()) {
+        if (finest) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
             std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
-            for (std::size_t t = 0; t < lists.fine_links.size(); ++t) {
-                std::uint32_t& link = lists.fine_links[t];
-                link = is_constant[link] ? 0 : spring_of(links_[link]);  // padding may name any
-            }
+            for (std::uint32_t& link : lists.fine_links) link = springs[link];  // padding may name any
+            for (std::uint32_t& link : lists.constants.fine_links) link = numbers[link];
         } else {
-            const std::vector<std::uint32_t>& places = coarse_.back().lists().places;
+            const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
         }
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
     }
     coarse_.shrink_to_fit();
-}
-
-// From links to numbers among the constant ones, and from these to coarse links.
-void Multigrid::list_constants() {
-    GalerkinLists::Constants& terms = coarse_.front().constants();
-    for (std::uint32_t& link : terms.fine_links)
-        link = static_cast<std::uint32_t>(std::ranges::lower_bound(constants_.links, links_[link]) -
-                                          constants_.links.begin());
-    constants_.offsets.assign(constants_.links.size() + 1, 0);
-    for (const std::uint32_t link : terms.fine_links) ++constants_.offsets[link + 1];
-    for (std::size_t k = 0; k < constants_.links.size(); ++k)
-        constants_.offsets[k + 1] += constants_.offsets[k];
-    constants_.coarse_links.resize(terms.fine_links.size());
-    std::vector<std::uint32_t> next(constants_.offsets.begin(), constants_.offsets.end() - 1);
-    for (std::uint32_t k = 0; k + 1 < terms.offsets.size(); ++k)
-        for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t)
-            constants_.coarse_links[next[terms.fine_links[t]]++] = k;
 }
 
 void Multigrid::sum_constant(std::uint32_t k) noexcept {
@@ -138,13 +125,25 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
 }
 
+// A link has terms in those between the coarse nodes that its two ends are interpolated from.
 void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
+    const GalerkinLists& lists = coarse_.front().lists();
+    const Interpolation& p = coarse_.front().interpolation();
     for_each_link_of(particle, [&](std::uint32_t, const Link& link) {
-        const auto at = std::ranges::lower_bound(constants_.links, link);
-        if (at == constants_.links.end() || *at != link) return;
-        const auto number = static_cast<std::size_t>(at - constants_.links.begin());
-        for (std::uint32_t c = constants_.offsets[number]; c < constants_.offsets[number + 1]; ++c)
-            sum_constant(constants_.coarse_links[c]);
+        if (!std::ranges::binary_search(constants_.links, link)) return;
+        std::array<std::uint32_t, 2 * std::size_t{Interpolation::width}> nodes;
+        std::size_t count = 0;
+        for (const std::uint32_t end : {link.first, link.second})
+            for (std::uint32_t e = Interpolation::width * end; e < Interpolation::width * (end + 1); ++e)
+                if (p.weights[e] != 0) nodes[count++] = p.nodes[e];
+        for (const std::uint32_t a : std::span(nodes).first(count)) {
+            for (const std::uint32_t b : std::span(nodes).first(count)) {
+                if (a >= b) continue;
+                const auto at = std::ranges::lower_bound(lists.links, Link{a, b});
+                if (at != lists.links.end() && *at == Link{a, b})
+                    sum_constant(static_cast<std::uint32_t>(at - lists.links.begin()));
+            }
+        }
     });
 }
 
@@ -156,10 +155,9 @@ std::uint32_t Multigrid::spring_of(const Link& link) const {
 
 template <class Body>
 void Multigrid::for_each_link_of(std::uint32_t particle, const Body& body) const {
-    const Stencil& stencil = system_->stencil();
-    const std::uint32_t group = particle / Stencil::lanes, lane = particle % Stencil::lanes;
-    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
-        const std::uint32_t neighbour = stencil.neighbours[s * Stencil::lanes + lane];
+    const ImplicitSystem::Neighbours row = system_->neighbours_of(particle);
+    for (std::uint32_t k = 0; k < row.count; ++k) {
+        const std::uint32_t neighbour = row[k];
         if (neighbour == particle) continue;
         const Link link{std::min(particle, neighbour), std::max(particle, neighbour)};
         body(neighbour, link);
@@ -222,11 +220,13 @@ void Multigrid::set_pins(std::span<const Vec4> positions) {
 
 void Multigrid::reserve_pins(std::size_t count) {
     // All of them where they have the most springs; and each spring has two ends.
-    std::size_t most = 0;
-    const Stencil& stencil = system_->stencil();
-    for (std::uint32_t g = 0; g < stencil.groups(); ++g)
-        most = std::max<std::size_t>(most, stencil.group_slots[g + 1] - stencil.group_slots[g]);
-    held_.reserve(std::min(count * most, 2 * links_.size()));
+    std::size_t most = 0, all = 0;
+    for (std::uint32_t i = 0; i < pinned_.size(); ++i) {
+        const std::size_t of_particle = system_->neighbours_of(i).count;
+        most = std::max(most, of_particle);
+        all += of_particle;
+    }
+    held_.reserve(std::min(count * most, all));
 }
 
 void Multigrid::reserve_pairs(std::size_t count) {
@@ -357,10 +357,8 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 }
 
 std::size_t Multigrid::bytes() const noexcept {
-    std::size_t sum = links_.size() * sizeof(Link) + slots_.size() * sizeof(std::uint32_t) +
-                      springs_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
-                      constants_.links.size() * (sizeof(Link) + sizeof(float)) +
-                      (constants_.offsets.size() + constants_.coarse_links.size()) * sizeof(std::uint32_t) +
+    std::size_t sum = slots_.bytes() + springs_.bytes() + held_.capacity() * sizeof(HeldSpring) +
+                      pinned_.bytes() + constants_.links.bytes() + constants_.weights.bytes() +
                       weights_.bytes() + coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() +
                       remainder_.bytes();
     for (const CoarseLevel& level : coarse_) sum += level.bytes();

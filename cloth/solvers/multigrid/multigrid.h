@@ -17,6 +17,9 @@ class Multigrid {
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
+    /// Another's levels for a system of the same springs: what is constant is shared.
+    Multigrid(const Multigrid& other, const ImplicitSystem& system) : Multigrid(other) { system_ = &system; }
+
     // Pinned particles have no part in coarse motions, and springs to them hold the coarse nodes. What is
     // kept of pins does not depend on the order in which they came and went. Each call may run out of memory,
     // and then has changed nothing.
@@ -44,6 +47,8 @@ class Multigrid {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    Multigrid(const Multigrid&) = default;
+
     /// A spring with a pinned end.
     struct HeldSpring {
         std::uint32_t pinned, neighbour;
@@ -51,16 +56,16 @@ class Multigrid {
         float weight;          // of a constant one, see ImplicitSystem::constant_block
     };
     static constexpr std::uint32_t constant = ~0u;
-    /// Links whose blocks are constant, and which coarse links have terms of each.
+    /// Links whose blocks are constant.
     struct ConstantLinks {
-        std::vector<Link> links;  // ascending
-        std::vector<float> weights;
-        std::vector<std::uint32_t> offsets, coarse_links;
+        SharedBuffer<Link> links;  // ascending
+        SharedBuffer<float> weights;
     };
     using HeldSprings = std::vector<HeldSpring>;
 
-    void make_levels(SpringGraph graph);
-    void list_constants();
+    /// `links`: of the finest level; numbers[k]: which of the constant ones the k-th is, or none.
+    void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
+    static constexpr std::uint32_t none = ~0u;
     void sum_constant(std::uint32_t coarse_link) noexcept;
     /// Sums those again that a particle's links are in.
     void sum_constants_at(std::uint32_t particle) noexcept;
@@ -80,9 +85,8 @@ class Multigrid {
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
     const ImplicitSystem* system_;
-    std::vector<Link> links_;           // of the finest level, ascending
-    std::vector<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
-    AlignedBuffer<Vec4> springs_;       // of these slots: see ImplicitSystem::spring_blocks
+    SharedBuffer<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
+    AlignedBuffer<Vec4> springs_;        // of these slots: see ImplicitSystem::spring_blocks
     ConstantLinks constants_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0

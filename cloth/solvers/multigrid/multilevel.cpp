@@ -12,7 +12,7 @@ namespace weft {
 
 namespace {
 
-double rest_area(const CookedCloth& model) {
+double rest_area(const ClothModel& model) {
     double area = 0;
     for (const float a : model.rest_area.span()) area += static_cast<double>(a);
     return area;
@@ -20,7 +20,7 @@ double rest_area(const CookedCloth& model) {
 
 }  // namespace
 
-MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
+MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings& settings,
                                    std::span<const Vec4> positions)
     : model_(&model),
       kind_(settings),
@@ -32,6 +32,16 @@ MultilevelSolver::MultilevelSolver(const CookedCloth& model, const ClothSettings
       residual_(model, settings) {
     multigrid_->set_pins(positions);
 }
+
+MultilevelSolver::MultilevelSolver(const MultilevelSolver& other, const ClothModel& model)
+    : model_(&model),
+      kind_(other.kind_),
+      system_(other.system_->clone(model)),
+      multigrid_(std::make_unique<Multigrid>(*other.multigrid_, *system_)),
+      vectors_(model.particle_count),
+      sums_(block_count(model.particle_count)),
+      rest_area_(other.rest_area_),
+      residual_(other.residual_, model) {}
 
 bool MultilevelSolver::serves(const ClothSettings& settings) const {
     return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == kind_;
@@ -346,7 +356,7 @@ void MultilevelSolver::reserve_pairs(std::size_t count) {
     }
     if (!component_of_.empty()) return;
     multigrid_->reserve_pairs(count);
-    const std::vector<std::uint32_t>& offsets = model_->component_offsets;
+    const std::span<const std::uint32_t> offsets = model_->component_offsets;
     const auto loose = static_cast<std::uint32_t>(offsets.size() - 1);
     std::vector<std::uint32_t> component_of(model_->particle_count, loose);
     for (std::uint32_t c = 0; c + 1 < offsets.size(); ++c)

@@ -18,8 +18,12 @@ namespace weft {
 
 class MultilevelSolver final : public Solver {
   public:
-    MultilevelSolver(const CookedCloth& model, const ClothSettings& settings,
-                     std::span<const Vec4> positions);
+    MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions);
+    MultilevelSolver(const MultilevelSolver& other, const ClothModel& model);
+    [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
+        return std::make_unique<MultilevelSolver>(*this, model);
+    }
+    void make_own(const ClothSettings& settings) override { system_->make_own(settings.fabric); }
     SolveResult solve(const SolverStep& step) override;
 
     /// A cloth of an island, and its step.
@@ -63,7 +67,7 @@ class MultilevelSolver final : public Solver {
     void weigh_pieces(const SolverStep& step);
     void move_free_pieces(const SolverStep& step, const Vector3& of_touching);
 
-    const CookedCloth* model_;
+    const ClothModel* model_;
     SystemKind kind_;  // by which the system was made
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;

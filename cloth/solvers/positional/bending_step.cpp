@@ -19,7 +19,7 @@ std::vector<std::uint32_t> corners_of(const std::vector<BendingElement>& element
 
 }  // namespace
 
-BendingStep::BendingStep(const CookedCloth& model, const std::vector<BendingElement>& elements)
+BendingStep::BendingStep(const ClothModel& model, const std::vector<BendingElement>& elements)
     : elements_(elements.size()),
       impulses_(elements.size()),
       bounds_(model.particle_count),
@@ -33,7 +33,7 @@ BendingStep::BendingStep(const CookedCloth& model, const std::vector<BendingElem
 }
 
 // With s = B h^2, d = 1 + damping / h and D_i the number that bounds half of bending's Hessian at particle i
-// (see CookedCloth), an element of positions x that have moved by u gives its particles the impulses
+// (see ClothModel), an element of positions x that have moved by u gives its particles the impulses
 //   -c_i s k sum_a c_a (x_a + (d - 1) u_a) / (1 + max_a (s d D_a / m_a)).
 void BendingStep::apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved) {
     const Fabric& fabric = step.settings.fabric;

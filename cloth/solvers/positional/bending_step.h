@@ -14,7 +14,7 @@ namespace weft {
 
 class BendingStep {
   public:
-    explicit BendingStep(const CookedCloth& model) : BendingStep(model, linear_bending(model)) {}
+    explicit BendingStep(const ClothModel& model) : BendingStep(model, linear_bending(model)) {}
     /// Moves particles, which are at start + moved.
     void apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved);
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -22,7 +22,7 @@ class BendingStep {
     }
 
   private:
-    BendingStep(const CookedCloth& model, const std::vector<BendingElement>& elements);
+    BendingStep(const ClothModel& model, const std::vector<BendingElement>& elements);
 
     AlignedBuffer<BendingElement> elements_;
     AlignedBuffer<Vec4> impulses_;  // of each element: to be multiplied by c, over B h^2 [1/m]

@@ -13,7 +13,7 @@ constexpr std::uint32_t no_colour = ~0u;
 /// A proper edge colouring that grows spring by spring.
 class Colouring {
   public:
-    explicit Colouring(const CookedCloth& model)
+    explicit Colouring(const ClothModel& model)
         : model_(model), twins_(twin_half_edges(model)), colour_of_(model.neighbours.size(), no_colour) {
         std::uint32_t most_springs = 0;
         for (std::uint32_t i = 0; i < model.particle_count; ++i)
@@ -93,7 +93,7 @@ class Colouring {
         colour_of_[half_edge] = colour_of_[twins_[half_edge]] = colour;
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     std::vector<std::uint32_t> twins_;
     std::vector<std::uint32_t> colour_of_;   // of each half-edge
     std::vector<std::uint32_t> springs_of_;  // how many each colour has
@@ -103,13 +103,13 @@ class Colouring {
 
 /// Calls body(i, e) for every spring once, e being its half-edge at its lower particle i, in ascending order.
 template <class Body>
-void for_each_spring(const CookedCloth& model, const Body& body) {
+void for_each_spring(const ClothModel& model, const Body& body) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i)
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
             if (i < model.neighbours[e] && model.kinds[e] != SpringKind::bending) body(i, e);
 }
 
-std::vector<std::uint32_t> colours_of_mesh(const CookedCloth& model) {
+std::vector<std::uint32_t> colours_of_mesh(const ClothModel& model) {
     Colouring colouring(model);
     for_each_spring(model, [&](std::uint32_t i, std::uint32_t e) { colouring.colour(i, e); });
     return std::move(colouring).result();
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> colours_of_mesh(const CookedCloth& model) {
 
 /// Springs of one kind and direction form lines, whose springs take two colours in turn. So a colour is
 /// regular in memory, too.
-std::uint32_t grid_colour(const CookedCloth& model, std::uint32_t low, std::uint32_t half_edge) {
+std::uint32_t grid_colour(const ClothModel& model, std::uint32_t low, std::uint32_t half_edge) {
     const std::uint32_t high = model.neighbours[half_edge];
     const std::uint32_t row = low / model.columns, column = low % model.columns;
     const bool along_row = high / model.columns == row;
@@ -132,7 +132,7 @@ std::uint32_t grid_colour(const CookedCloth& model, std::uint32_t low, std::uint
     return no_colour;
 }
 
-std::vector<std::uint32_t> colours_of_grid(const CookedCloth& model) {
+std::vector<std::uint32_t> colours_of_grid(const ClothModel& model) {
     std::vector<std::uint32_t> colours(model.neighbours.size(), no_colour);
     for_each_spring(model, [&](std::uint32_t i, std::uint32_t e) { colours[e] = grid_colour(model, i, e); });
     return colours;
@@ -140,7 +140,7 @@ std::vector<std::uint32_t> colours_of_grid(const CookedCloth& model) {
 
 }  // namespace
 
-SpringColours colour_springs(const CookedCloth& model) {
+SpringColours colour_springs(const ClothModel& model) {
     const std::vector<std::uint32_t> colour_of =
         model.columns > 0 ? colours_of_grid(model) : colours_of_mesh(model);
     std::vector<std::uint32_t> counts;

@@ -36,6 +36,6 @@ struct SpringColours {
 
 /// A grid has 12 colours; a general mesh as many as its best-connected particle has springs, or a few more,
 /// each of about as many springs.
-[[nodiscard]] SpringColours colour_springs(const CookedCloth& model);
+[[nodiscard]] SpringColours colour_springs(const ClothModel& model);
 
 }  // namespace weft

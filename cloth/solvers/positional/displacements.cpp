@@ -4,7 +4,7 @@
 
 namespace weft {
 
-Displacements::Displacements(const CookedCloth& model, std::uint32_t stand_ins)
+Displacements::Displacements(const ClothModel& model, std::uint32_t stand_ins)
     : bending_(model), start_(model.particle_count + stand_ins), moved_(start_.size()) {
     for (std::uint32_t i = 0; i < stand_ins; ++i) start_[model.particle_count + i].x = static_cast<float>(i);
 }

@@ -13,7 +13,7 @@ class Displacements {
   public:
     /// With `stand_ins` particles behind the last one, in places of their own, for lanes that have nothing to
     /// do.
-    Displacements(const CookedCloth& model, std::uint32_t stand_ins);
+    Displacements(const ClothModel& model, std::uint32_t stand_ins);
 
     /// Moves all particles as if nothing but external forces and bending acted.
     void predict(const SolverStep& step);

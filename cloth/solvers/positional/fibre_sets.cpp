@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t none = ~0u;
 
-Vector3 rest_edge(const CookedCloth& model, std::uint32_t i, std::uint32_t half_edge) {
+Vector3 rest_edge(const ClothModel& model, std::uint32_t i, std::uint32_t half_edge) {
     return xyz(model.positions[model.neighbours[half_edge]]) - xyz(model.positions[i]);
 }
 
@@ -24,7 +24,7 @@ struct Continuation {
 
 /// Of each half-edge, that of the same particle in which its fibre goes on, or none. The straightest pairs
 /// are matched first; a turn by more than 60 degrees ends the fibre.
-std::vector<std::uint32_t> match_continuations(const CookedCloth& model) {
+std::vector<std::uint32_t> match_continuations(const ClothModel& model) {
     std::vector<std::uint32_t> partner(model.neighbours.size(), none);
     std::vector<Continuation> candidates;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> match_continuations(const CookedCloth& model) {
 /// Follows continuations from half-edge to half-edge, and cuts where a particle would come twice.
 class FibreWalk {
   public:
-    explicit FibreWalk(const CookedCloth& model)
+    explicit FibreWalk(const ClothModel& model)
         : model_(model),
           twins_(twin_half_edges(model)),
           partner_(match_continuations(model)),
@@ -98,14 +98,14 @@ class FibreWalk {
         return last_fibre_of_[particle] == number();
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     std::vector<std::uint32_t> twins_, partner_;
     std::vector<bool> used_;
     std::vector<std::uint32_t> last_fibre_of_;
     std::vector<Fibre> fibres_;
 };
 
-int up_axis(const CookedCloth& model) {
+int up_axis(const ClothModel& model) {
     Vector3 lower = xyz(model.positions[0]), upper = lower;
     for (const Vec4& p : model.positions.span()) {
         lower = lower.cwiseMin(xyz(p));
@@ -115,7 +115,7 @@ int up_axis(const CookedCloth& model) {
     return extent.y() > 0.01f * extent.maxCoeff() ? 1 : 2;
 }
 
-bool is_vertical(const CookedCloth& model, const Fibre& fibre, int up) {
+bool is_vertical(const ClothModel& model, const Fibre& fibre, int up) {
     float along = 0, across = 0;
     for (std::size_t s = 0; s < fibre.half_edges.size(); ++s) {
         Vector3 edge = rest_edge(model, fibre.particles[s], fibre.half_edges[s]);
@@ -150,7 +150,7 @@ std::vector<std::vector<const Fibre*>> split_into_sets(const std::vector<const F
 /// Appends groups of fibres to the rows of FibreSets.
 class Packer {
   public:
-    explicit Packer(const CookedCloth& model) : model_(model) { result_.rows.push_back(0); }
+    explicit Packer(const ClothModel& model) : model_(model) { result_.rows.push_back(0); }
 
     void add(const std::vector<const Fibre*>& set) {
         const std::uint32_t begin = groups();
@@ -206,7 +206,7 @@ class Packer {
         result_.rows.push_back(result_.rows.back() + rows);
     }
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     FibreSets result_;
     std::vector<std::uint32_t> particles_, half_edges_;
     std::vector<float> rest_lengths_;
@@ -214,7 +214,7 @@ class Packer {
 
 }  // namespace
 
-std::vector<Fibre> find_fibres(const CookedCloth& model) {
+std::vector<Fibre> find_fibres(const ClothModel& model) {
     std::vector<Fibre> fibres = FibreWalk(model).all();
     const int up = up_axis(model);
     for (Fibre& fibre : fibres) {
@@ -224,7 +224,7 @@ std::vector<Fibre> find_fibres(const CookedCloth& model) {
     return fibres;
 }
 
-FibreSets make_fibre_sets(const CookedCloth& model) {
+FibreSets make_fibre_sets(const ClothModel& model) {
     std::vector<Fibre> fibres = find_fibres(model);
     std::ranges::stable_sort(fibres, std::greater<>{}, [](const Fibre& f) { return f.particles.size(); });
     static constexpr std::pair<FibreKind, SpringKind> order[] = {

@@ -25,7 +25,7 @@ struct Fibre {
 
 /// On a grid: rows, columns and diagonals. Structural fibres are vertical if they go further up or down,
 /// where the cloth starts, than across; up is +z for cloth that starts level. Diagonals are shear.
-[[nodiscard]] std::vector<Fibre> find_fibres(const CookedCloth& model);
+[[nodiscard]] std::vector<Fibre> find_fibres(const ClothModel& model);
 
 /// A set's groups [groups_begin, groups_end), in blocks of about equal work.
 struct FibreSet {
@@ -56,6 +56,6 @@ struct FibreSets {
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-[[nodiscard]] FibreSets make_fibre_sets(const CookedCloth& model);
+[[nodiscard]] FibreSets make_fibre_sets(const ClothModel& model);
 
 }  // namespace weft

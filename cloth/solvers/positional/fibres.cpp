@@ -22,7 +22,7 @@ Fibres::SetSolver solver_of(const Fibres& method, FibreKind kind) {
 
 }  // namespace
 
-FibresSolver::FibresSolver(const CookedCloth& model, const ClothSettings& settings,
+FibresSolver::FibresSolver(const ClothModel& model, const ClothSettings& settings,
                            std::span<const Vec4> positions)
     : model_(model),
       method_(std::get<Fibres>(settings.method)),

@@ -14,7 +14,7 @@ namespace weft {
 
 class FibresSolver final : public Solver {
   public:
-    FibresSolver(const CookedCloth& model, const ClothSettings& settings, std::span<const Vec4> positions);
+    FibresSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions);
 
     SolveResult solve(const SolverStep& step) override;
     /// Its memory is made for the set solvers, not for the iterations.
@@ -31,7 +31,7 @@ class FibresSolver final : public Solver {
     void find_compliances(const Fabric& fabric, float h) noexcept;
     void solve_set(const SolverStep& step, const FibreSet& set);
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     Fibres method_;  // that it was made for
     FibreSets sets_;
     Occurrences occurrences_;             // in sets_.particles

@@ -9,7 +9,7 @@
 namespace weft {
 
 /// Of each half-edge, the spring's other one.
-[[nodiscard]] inline std::vector<std::uint32_t> twin_half_edges(const CookedCloth& model) {
+[[nodiscard]] inline std::vector<std::uint32_t> twin_half_edges(const ClothModel& model) {
     std::vector<std::uint32_t> twins(model.neighbours.size());
     for (std::uint32_t i = 0; i < model.particle_count; ++i)
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)

@@ -4,7 +4,7 @@
 
 namespace weft {
 
-XpbdSolver::XpbdSolver(const CookedCloth& model, std::span<const Vec4> positions)
+XpbdSolver::XpbdSolver(const ClothModel& model, std::span<const Vec4> positions)
     : model_(model),
       colours_(colour_springs(model)),
       firsts_(colours_.first.span(), model.particle_count),

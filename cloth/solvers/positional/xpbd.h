@@ -14,7 +14,7 @@ namespace weft {
 
 class XpbdSolver final : public Solver {
   public:
-    XpbdSolver(const CookedCloth& model, std::span<const Vec4> positions);
+    XpbdSolver(const ClothModel& model, std::span<const Vec4> positions);
 
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
@@ -32,7 +32,7 @@ class XpbdSolver final : public Solver {
     void find_responses(const Fabric& fabric, float h) noexcept;
     void find_response(std::uint32_t spring) noexcept;
 
-    const CookedCloth& model_;
+    const ClothModel& model_;
     SpringColours colours_;
     Occurrences firsts_, seconds_;  // of particles among the springs' ends
     XpbdSprings springs_;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/aligned_buffer.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -18,13 +18,13 @@ struct Interpolation {
     Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
 
     std::uint32_t fine = 0, coarse = 0;
-    AlignedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes
-    AlignedBuffer<float> weights;
+    SharedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes
+    SharedBuffer<float> weights;
     std::vector<std::uint32_t> kept;  ///< the fine node that each coarse one is, ascending
 
     /// P^T by rows, ascending, for gathering.
-    AlignedBuffer<std::uint32_t> offsets, fine_nodes;
-    AlignedBuffer<float> fine_weights;
+    SharedBuffer<std::uint32_t> offsets, fine_nodes;
+    SharedBuffer<float> fine_weights;
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 };

@@ -60,8 +60,8 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
             reach = std::max(reach, static_cast<std::uint32_t>(std::abs(rows.difference(node, e))));
     for (std::uint32_t g = 0; g < groups(); ++g)
         group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
-    neighbours = AlignedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
-    runs = AlignedBuffer<std::uint32_t>(slots());
+    neighbours = SharedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
+    runs = SharedBuffer<std::uint32_t>(slots());
     for (std::uint32_t g = 0; g < groups(); ++g) {
         const std::vector<std::int64_t> differences = differences_in(rows, g);
         const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -31,16 +31,25 @@ struct Stencil {
     Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
 
     std::uint32_t nodes = 0;
-    std::uint32_t reach = 0;                   ///< the largest difference between neighbours' numbers
-    AlignedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
-    AlignedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
-    AlignedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run
-    AlignedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
+    std::uint32_t reach = 0;                  ///< the largest difference between neighbours' numbers
+    SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
+    SharedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
+    SharedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run
+    SharedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
-    [[nodiscard]] std::uint32_t slots() const noexcept { return nodes == 0 ? 0 : group_slots[groups()]; }
+    [[nodiscard]] std::uint32_t slots() const noexcept {
+        return group_slots.empty() ? 0 : group_slots[groups()];
+    }
     /// Whose neighbour a slot has in a lane: found by bisection.
     [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
+    /// Leaves the number of nodes and the reach alone.
+    void drop_lists() noexcept {
+        group_slots = {};
+        neighbours = {};
+        runs = {};
+        entries = {};
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return group_slots.bytes() + neighbours.bytes() + runs.bytes() + entries.bytes();
     }

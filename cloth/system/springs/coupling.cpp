@@ -199,7 +199,7 @@ namespace weft {
 HWY_EXPORT(shift);
 HWY_EXPORT(stiffen);
 
-MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens)
+MembraneCoupling::MembraneCoupling(const ClothModel& model, const SpringMatrix& matrix, bool stiffens)
     : groups_((static_cast<std::uint32_t>(model.triangles.size()) + lanes - 1) / lanes),
       corners_(std::size_t{3} * groups_ * lanes),
       rest_lengths_(corners_.size()),
@@ -213,15 +213,10 @@ MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix&
       forces_(corners_.size()),
       partials_(block_count(groups_ * lanes)),
       corner_offsets_(model.corner_offsets.span()),
-      ahead_(3 * model.triangles.size()),
-      behind_(ahead_.size()) {
+      ahead_(3 * model.triangles.size()) {
     std::vector<std::uint32_t> next(corner_offsets_.data(), corner_offsets_.data() + model.particle_count);
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t at = next[model.triangles[t][k]]++;
-            ahead_[at] = place(t, k);
-            behind_[at] = place(t, (k + 2) % 3);
-        }
+        for (std::uint32_t k = 0; k < 3; ++k) ahead_[next[model.triangles[t][k]]++] = place(t, k);
     }
     std::ranges::fill(sources_.span(), static_cast<std::uint32_t>(corners_.size()));
     const auto shifted_by = [&](std::uint32_t i, std::uint32_t j, std::uint32_t side) {
@@ -242,9 +237,16 @@ MembraneCoupling::MembraneCoupling(const CookedCloth& model, const SpringMatrix&
     }
 }
 
+void MembraneCoupling::make_own() {
+    rest_lengths_.make_own();
+    factors_.make_own();
+    stiffness_.make_own();
+    stiffening_.make_own();
+}
+
 // The tension of side k, sum_m C'_km dl_m, over what its spring has for stiffness, is an extension: a shift
 // of its rest length the other way.
-void MembraneCoupling::set(const CookedCloth& model, const SpringMatrix& matrix,
+void MembraneCoupling::set(const ClothModel& model, const SpringMatrix& matrix,
                            const SpringTable& table) noexcept {
     if (empty()) return;
     stiffest_extra_ = 0;
@@ -266,7 +268,7 @@ void MembraneCoupling::set(const CookedCloth& model, const SpringMatrix& matrix,
     }
 }
 
-void MembraneCoupling::set_stiffening(const CookedCloth& model, std::uint32_t triangle,
+void MembraneCoupling::set_stiffening(const ClothModel& model, std::uint32_t triangle,
                                       const Fabric& fabric) noexcept {
     const TriangleStiffening stiffening = triangle_stiffening(model, triangle, fabric);
     const auto number = [&](std::size_t k) -> float& {

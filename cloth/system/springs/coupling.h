@@ -9,6 +9,7 @@
 #include "cloth/system/springs/spring_table.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -20,9 +21,11 @@ class MembraneCoupling {
 
     /// None, as on sheets.
     MembraneCoupling() = default;
-    MembraneCoupling(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens = false);
-    /// For the fabric that the table has.
-    void set(const CookedCloth& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
+    MembraneCoupling(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
+    /// Gives one that is a copy memory of its own for other fabrics. May run out of memory.
+    void make_own();
+    /// For the fabric that the table has. Precondition: make_own().
+    void set(const ClothModel& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
 
     [[nodiscard]] bool empty() const noexcept { return shifts_.size() == 0; }
     /// Works out what force each side has more where particles at `positions` move by x: n_k sum_m S_km n_m .
@@ -32,7 +35,7 @@ class MembraneCoupling {
     void add_forces(std::uint32_t particle, float scale, Vec4& row) const noexcept {
         Vector3 sum = Vector3::Zero();
         for (std::uint32_t c = corner_offsets_[particle]; c < corner_offsets_[particle + 1]; ++c)
-            sum += xyz(forces_[behind_[c]]) - xyz(forces_[ahead_[c]]);
+            sum += xyz(forces_[behind(ahead_[c])]) - xyz(forces_[ahead_[c]]);
         row = to_vec4(xyz(row) + scale * sum, 0);
     }
 
@@ -53,32 +56,36 @@ class MembraneCoupling {
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corners_.bytes() + rest_lengths_.bytes() + factors_.bytes() + sources_.bytes() +
                shifts_.bytes() + stiffness_.bytes() + forces_.bytes() + partials_.bytes() + ahead_.bytes() +
-               behind_.bytes() + stiffening_.bytes() + extra_tensions_.bytes() + extra_stiffness_.bytes();
+               stiffening_.bytes() + extra_tensions_.bytes() + extra_stiffness_.bytes();
     }
 
   private:
+    /// The place of the side that ends where the side at that place begins.
+    [[nodiscard]] static std::uint32_t behind(std::uint32_t ahead) noexcept {
+        return ahead / lanes % 3 == 0 ? ahead + 2 * lanes : ahead - lanes;
+    }
     [[nodiscard]] std::uint32_t place(std::uint32_t triangle, std::uint32_t side) const noexcept {
         return (triangle / lanes * 3 + side) * lanes + triangle % lanes;
     }
 
-    void set_stiffening(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
+    void set_stiffening(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
 
     std::uint32_t groups_ = 0;
-    AlignedBuffer<std::uint32_t> corners_;  // [(group * 3 + corner) * 16 + lane]
-    AlignedBuffer<float> rest_lengths_;     // of sides, likewise
-    AlignedBuffer<float> factors_;          // [(group * 9 + 3 * side + by) * 16 + lane]: shift per extension
-    AlignedBuffer<std::uint32_t> sources_;
+    SharedBuffer<std::uint32_t> corners_;  // [(group * 3 + corner) * 16 + lane]
+    SharedBuffer<float> rest_lengths_;     // of sides, likewise
+    SharedBuffer<float> factors_;          // [(group * 9 + 3 * side + by) * 16 + lane]: shift per extension
+    SharedBuffer<std::uint32_t> sources_;
     AlignedBuffer<float> shifts_;
-    AlignedBuffer<float> stiffness_;  // of each side's spring [N/m]
+    SharedBuffer<float> stiffness_;  // of each side's spring [N/m]
     // Of triangles that stiffen: [(group * 8 + k) * 16 + lane], strains by sides along warp and along weft,
     // then both moduli.
-    AlignedBuffer<float> stiffening_;
+    SharedBuffer<float> stiffening_;
     AlignedBuffer<float> extra_tensions_, extra_stiffness_;
     float stiffest_extra_ = 0;
     AlignedBuffer<Vec4> forces_;  // of each side, along it from its first corner
     AlignedBuffer<double> partials_;
     std::span<const std::uint32_t> corner_offsets_;  // the model's
-    AlignedBuffer<std::uint32_t> ahead_, behind_;    // of particles: the sides of their corners
+    SharedBuffer<std::uint32_t> ahead_;              // of particles: the sides that begin at them
 };
 
 }  // namespace weft

@@ -25,7 +25,7 @@ struct RestStrains {
     Eigen::Matrix3d strains;        // M^-1: xx, yy and xy, the engineers' shear, by extensions of the sides
 };
 
-RestStrains rest_strains(const CookedCloth& model, std::uint32_t triangle) {
+RestStrains rest_strains(const ClothModel& model, std::uint32_t triangle) {
     const RestSides rest = rest_sides(model, triangle);
     const Eigen::Vector2d to1 = rest.to1.cast<double>(), to2 = rest.to2.cast<double>();
     const std::array<Eigen::Vector2d, 3> sides{to1, to2 - to1, -to2};
@@ -44,7 +44,7 @@ RestStrains rest_strains(const CookedCloth& model, std::uint32_t triangle) {
 
 }  // namespace
 
-TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle, const Fabric& fabric) {
+TriangleMembrane triangle_membrane(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) {
     const RestStrains rest = rest_strains(model, triangle);
     TriangleMembrane result;
     result.rest_lengths = rest.lengths;
@@ -63,7 +63,7 @@ TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t trian
     return result;
 }
 
-TriangleStiffening triangle_stiffening(const CookedCloth& model, std::uint32_t triangle,
+TriangleStiffening triangle_stiffening(const ClothModel& model, std::uint32_t triangle,
                                        const Fabric& fabric) {
     const RestStrains rest = rest_strains(model, triangle);
     const double stiffening =
@@ -106,7 +106,7 @@ SheetModuli sheet_moduli(const Fabric& fabric) {
     return {t * warp, t * weft, shear};
 }
 
-void spring_stiffness(const CookedCloth& model, const Fabric& fabric, std::span<float> stiffness) noexcept {
+void spring_stiffness(const ClothModel& model, const Fabric& fabric, std::span<float> stiffness) noexcept {
     std::ranges::fill(stiffness, 0.0f);
     for_each_spring_part(model, fabric,
                          [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {

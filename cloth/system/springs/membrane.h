@@ -41,7 +41,7 @@ struct TriangleMembrane {
     std::array<double, 3> own;
     std::array<std::array<double, 3>, 3> shared;  ///< C' less `own` on the diagonal [N/m]
 };
-[[nodiscard]] TriangleMembrane triangle_membrane(const CookedCloth& model, std::uint32_t triangle,
+[[nodiscard]] TriangleMembrane triangle_membrane(const ClothModel& model, std::uint32_t triangle,
                                                  const Fabric& fabric);
 
 /// What a triangle that stiffens has beside that, by its strains along warp and weft.
@@ -55,7 +55,7 @@ struct TriangleStiffening {
     };
     [[nodiscard]] Extra at(const std::array<double, 3>& extensions) const;
 };
-[[nodiscard]] TriangleStiffening triangle_stiffening(const CookedCloth& model, std::uint32_t triangle,
+[[nodiscard]] TriangleStiffening triangle_stiffening(const ClothModel& model, std::uint32_t triangle,
                                                      const Fabric& fabric);
 
 constexpr double last_stiffening_strain = 1.0 / 6;
@@ -89,7 +89,7 @@ struct SheetModuli {
 struct CellSides {
     double a, b;
 };
-[[nodiscard]] inline CellSides sides_of_cell(const CookedCloth& model, std::uint32_t near) {
+[[nodiscard]] inline CellSides sides_of_cell(const ClothModel& model, std::uint32_t near) {
     const std::uint32_t far = near + model.columns;
     const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
     const double near_side = rest(near, near + 1), far_side = rest(far, far + 1), left = rest(near, far),
@@ -99,7 +99,7 @@ struct CellSides {
 
 /// add(i, j, q [N/m]) for what that cell has of the stiffening of the springs at its sides.
 template <class Add>
-void for_each_stiffening_of_cell(const CookedCloth& model, const Fabric& fabric, std::uint32_t near,
+void for_each_stiffening_of_cell(const ClothModel& model, const Fabric& fabric, std::uint32_t near,
                                  const Add& add) {
     const std::uint32_t far = near + model.columns;
     const auto [a, b] = sides_of_cell(model, near);
@@ -115,7 +115,7 @@ void for_each_stiffening_of_cell(const CookedCloth& model, const Fabric& fabric,
 /// add(i, j, stiffness [N/m], rest length [m]) for what the cell whose near left corner is `near` has of the
 /// springs at its sides and diagonals.
 template <class Add>
-void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, std::uint32_t near,
+void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, std::uint32_t near,
                            const Add& add) {
     const std::uint32_t far = near + model.columns;
     const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
@@ -136,7 +136,7 @@ void for_each_part_of_cell(const CookedCloth& model, const SheetModuli& moduli, 
 /// (i, j): one for each cell or triangle that it is a side of. The stiffness of a spring is their sum, but no
 /// less than 0.
 template <class Body>
-void for_each_spring_part(const CookedCloth& model, const Fabric& fabric, const Body& body) {
+void for_each_spring_part(const ClothModel& model, const Fabric& fabric, const Body& body) {
     const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double rest_length) {
         body(half_edge_between(model, i, j), half_edge_between(model, j, i), stiffness, rest_length);
     };
@@ -153,6 +153,6 @@ void for_each_spring_part(const CookedCloth& model, const Fabric& fabric, const 
 }
 
 /// Of each half-edge [N/m].
-void spring_stiffness(const CookedCloth& model, const Fabric& fabric, std::span<float> stiffness) noexcept;
+void spring_stiffness(const ClothModel& model, const Fabric& fabric, std::span<float> stiffness) noexcept;
 
 }  // namespace weft

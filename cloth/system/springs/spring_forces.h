@@ -19,7 +19,7 @@ struct SpringState {
     const SpringMatrix& matrix;
     const SpringTable& table;
     const MembraneCoupling& coupling;       ///< computed at the positions meant; empty: there is none
-    std::span<const float> bending_excess;  ///< see CookedCloth
+    std::span<const float> bending_excess;  ///< see ClothModel
     std::span<const Vec4> positions;        ///< w inverse mass
     std::span<const Vec4> velocities;
     float time_ahead = 0;  ///< meant are positions + time_ahead x velocities [s]; 0 without a window

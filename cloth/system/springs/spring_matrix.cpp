@@ -214,7 +214,9 @@ SpringMatrix::SpringMatrix(std::span<const std::uint32_t> offsets, std::span<con
       diagonals(offsets, neighbours),
       coefficients(4 * entries()),
       row_sums(stencil.nodes),
-      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {
+    if (!diagonals.empty()) stencil.drop_lists();
+}
 
 std::uint32_t SpringMatrix::entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const {
     if (diagonals.empty()) return stencil.entries[e];

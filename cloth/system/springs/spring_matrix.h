@@ -40,7 +40,7 @@ struct SpringMatrix {
                                  : i + diagonals.differences[entry / Stencil::lanes % diagonals.count];
     }
 
-    Stencil stencil;
+    Stencil stencil;      ///< of a grid without lists
     Diagonals diagonals;  ///< empty for what is no grid
     /// Diagonals along which there is bending alone: d is 0, and neither written nor read.
     std::array<bool, Diagonals::most> isotropic{};

@@ -8,9 +8,9 @@
 
 namespace weft {
 
-SpringSystem::SpringSystem(const CookedCloth& model, bool stiffens)
+SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
     : ImplicitSystem(model.particle_count),
-      model_(model),
+      model_(&model),
       matrix_(model.spring_offsets.span(), model.neighbours.span()),
       table_(model, matrix_, stiffens) {
     windows_ = GridWindows(matrix_.diagonals, 7);
@@ -26,9 +26,23 @@ SpringSystem::SpringSystem(const CookedCloth& model, bool stiffens)
     prepare(Fabric());
 }
 
+std::unique_ptr<ImplicitSystem> SpringSystem::clone(const ClothModel& model) const {
+    auto made = std::make_unique<SpringSystem>(*this);
+    made->model_ = &model;
+    made->matrix_.contacts = nullptr;
+    made->linearised_at_ = {};
+    return made;
+}
+
+void SpringSystem::make_own(const Fabric& fabric) {
+    if (table_.has_membrane_of(fabric)) return;
+    coupling_.make_own();
+    table_.make_own(fabric);
+}
+
 void SpringSystem::prepare(const Fabric& fabric) noexcept {
-    if (!table_.set(model_, matrix_, fabric)) return;
-    coupling_.set(model_, matrix_, table_);
+    if (!table_.set(*model_, matrix_, fabric)) return;
+    coupling_.set(*model_, matrix_, table_);
 }
 
 SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equation,
@@ -44,7 +58,7 @@ SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equat
             .matrix = matrix_,
             .table = table_,
             .coupling = coupling_,
-            .bending_excess = model_.bending_excess.span(),
+            .bending_excess = model_->bending_excess.span(),
             .positions = positions,
             .velocities = velocities,
             .time_ahead = ahead && !placed ? equation.gamma : 0};
@@ -62,7 +76,7 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     // About the base the right side has W's slope, and the matrix must, too.
     linearised_at_ = about == LinearisedAbout::iterate ? state.positions : std::span<const Vec4>();
     elastic_ = equation.gamma * equation.gamma;
-    blocks_in_tiles(parallel, model_.particle_count, windows_,
+    blocks_in_tiles(parallel, model_->particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
                         linearise_contacts(equation, velocities, range);
                         linearise_block(state, about, range, window, matrix_, right_side_.data());
@@ -72,7 +86,7 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
 void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                             std::span<const Vec4> velocities, std::span<Vec4> residual) {
     const SpringState state = state_at(parallel, equation, velocities, LinearisedAbout::iterate);
-    blocks_in_tiles(parallel, model_.particle_count, windows_,
+    blocks_in_tiles(parallel, model_->particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
                         residual_block(state, range, window, residual.data());
                     });
@@ -100,7 +114,7 @@ void SpringSystem::relax_rows(const BlockRange& range, const Vec4* b, const Vec4
 void SpringSystem::subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
                                        std::span<Vec4> x, std::span<Vec4> remainder) {
     if (windows_.empty()) return ImplicitSystem::subtract_first_step(parallel, b, step, x, remainder);
-    blocks_in_tiles(parallel, model_.particle_count, windows_,
+    blocks_in_tiles(parallel, model_->particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
                         subtract_first_step_block(matrix_, range, b.data(), step, remainder.data(), *window);
                     });
@@ -110,7 +124,7 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
                                    const Correction& correction, std::span<Vec4> next) {
     if (windows_.empty()) return ImplicitSystem::relax_corrected(parallel, b, step, x, correction, next);
     blocks_in_tiles(
-        parallel, model_.particle_count, windows_, [&](const BlockRange& range, GridWindow* window) {
+        parallel, model_->particle_count, windows_, [&](const BlockRange& range, GridWindow* window) {
             relax_corrected_block(matrix_, range, b.data(), step, correction, next.data(), *window);
         });
 }
@@ -120,7 +134,7 @@ double SpringSystem::add_coupling(Parallel& parallel, std::span<const Vec4> x, s
     if (coupling_.empty() || linearised_at_.empty()) return 0;
     const double sum = coupling_.stiffen(parallel, linearised_at_, x);
     if (!product.empty()) {
-        parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+        parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
             for (std::uint32_t i = range.begin; i < range.end; ++i)
                 if (matrix_.row_sums[i] != 0) coupling_.add_forces(i, elastic_, product[i]);
         });
@@ -129,8 +143,8 @@ double SpringSystem::add_coupling(Parallel& parallel, std::span<const Vec4> x, s
 }
 
 float SpringSystem::constant_block(std::uint32_t i, std::uint32_t j) const {
-    const std::uint32_t e = half_edge_between(model_, i, j);
-    return model_.kinds[e] == SpringKind::bending ? model_.bending[e] : 0.0f;
+    const std::uint32_t e = half_edge_between(*model_, i, j);
+    return model_->kinds[e] == SpringKind::bending ? model_->bending[e] : 0.0f;
 }
 
 void SpringSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,

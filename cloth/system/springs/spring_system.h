@@ -2,6 +2,7 @@
 // Springs as the linear system of an implicit step.
 
 #include <array>
+#include <memory>
 
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/springs/spring_forces.h"
@@ -14,7 +15,9 @@ namespace weft {
 class SpringSystem final : public ImplicitSystem {
   public:
     /// `stiffens`: for fabrics that do, and others.
-    explicit SpringSystem(const CookedCloth& model, bool stiffens = false);
+    explicit SpringSystem(const ClothModel& model, bool stiffens = false);
+    [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
+    void make_own(const Fabric& fabric) override;
     void prepare(const Fabric& fabric) noexcept override;
 
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -26,6 +29,10 @@ class SpringSystem final : public ImplicitSystem {
     void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                          const Correction& correction, std::span<Vec4> next) override;
     [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] Neighbours neighbours_of(std::uint32_t i) const noexcept override {
+        const std::uint32_t begin = model_->spring_offsets[i];
+        return {model_->neighbours.data() + begin, model_->spring_offsets[i + 1] - begin, 1};
+    }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     [[nodiscard]] std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const override;
     [[nodiscard]] std::size_t entries() const noexcept override { return matrix_.entries(); }
@@ -49,7 +56,7 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
                                        std::span<const Vec4> velocities, LinearisedAbout about);
 
-    const CookedCloth& model_;
+    const ClothModel* model_;
     SpringMatrix matrix_;
     SpringTable table_;
     MembraneCoupling coupling_;

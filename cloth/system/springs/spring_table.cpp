@@ -8,7 +8,7 @@
 
 namespace weft {
 
-SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens)
+SpringTable::SpringTable(const ClothModel& model, const SpringMatrix& matrix, bool stiffens)
     : rest_lengths_(matrix.entries()),
       stiffness_(matrix.entries()),
       bending_(matrix.entries()),
@@ -22,11 +22,21 @@ SpringTable::SpringTable(const CookedCloth& model, const SpringMatrix& matrix, b
     });
 }
 
-bool SpringTable::set(const CookedCloth& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
-    const bool is_same = fabric.warp == fabric_.warp && fabric.weft == fabric_.weft &&
-                         fabric.shear == fabric_.shear && fabric.stiffening == fabric_.stiffening &&
-                         fabric_.areal_density >= 0;
-    if (is_same) return false;
+bool SpringTable::has_membrane_of(const Fabric& fabric) const noexcept {
+    return fabric.warp == fabric_.warp && fabric.weft == fabric_.weft && fabric.shear == fabric_.shear &&
+           fabric.stiffening == fabric_.stiffening && fabric_.areal_density >= 0;
+}
+
+void SpringTable::make_own(const Fabric& fabric) {
+    if (has_membrane_of(fabric)) return;
+    rest_lengths_.make_own();
+    stiffness_.make_own();
+    stiffening_.make_own();
+    slots_.make_own();
+}
+
+bool SpringTable::set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
+    if (has_membrane_of(fabric)) return false;
     fabric_ = fabric;
     std::ranges::fill(stiffness_.span(), 0.0f);
     // Where panels of a seam have sides of two lengths, the spring rests where its parts balance.
@@ -61,7 +71,7 @@ bool SpringTable::set(const CookedCloth& model, const SpringMatrix& matrix, cons
     return true;
 }
 
-void SpringTable::set_stiffening(const CookedCloth& model, const SpringMatrix& matrix) noexcept {
+void SpringTable::set_stiffening(const ClothModel& model, const SpringMatrix& matrix) noexcept {
     if (stiffening_.size() == 0) return;
     std::ranges::fill(stiffening_.span(), 0.0f);
     const auto add = [&](std::uint32_t i, std::uint32_t j, double q) {
@@ -83,7 +93,7 @@ void SpringTable::sum_up_slots() noexcept {
         return std::ranges::count(lanes, lanes[0]) == Stencil::lanes;
     };
     for (std::size_t s = 0; s < slots_.size(); ++s) {
-        const auto lanes = [&](const AlignedBuffer<float>& values) {
+        const auto lanes = [&](const SharedBuffer<float>& values) {
             return values.span().subspan(s * Stencil::lanes, Stencil::lanes);
         };
         const std::span<const float> rest = lanes(rest_lengths_), k = lanes(stiffness_), b = lanes(bending_);

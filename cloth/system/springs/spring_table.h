@@ -5,13 +5,14 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/system/springs/spring_matrix.h"
+#include "engine/shared_buffer.h"
 #include "weft/settings.h"
 
 namespace weft {
 
 /// body(half-edge, entry) for all that have one.
 template <class Body>
-void for_each_entry(const CookedCloth& model, const SpringMatrix& matrix, const Body& body) {
+void for_each_entry(const ClothModel& model, const SpringMatrix& matrix, const Body& body) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
             const std::uint32_t entry = matrix.entry(i, e, model.neighbours[e]);
@@ -31,9 +32,13 @@ struct SpringEntry {
 class SpringTable {
   public:
     /// `stiffens`: for fabrics that do.
-    SpringTable(const CookedCloth& model, const SpringMatrix& matrix, bool stiffens = false);
-    /// Takes O(springs). False: nothing to do, it has that fabric's membrane.
-    bool set(const CookedCloth& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
+    SpringTable(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
+    /// Whether set() has nothing to do.
+    [[nodiscard]] bool has_membrane_of(const Fabric& fabric) const noexcept;
+    /// Gives a table that is a copy memory of its own for another fabric's membrane. May run out of memory.
+    void make_own(const Fabric& fabric);
+    /// Takes O(springs). False: nothing to do, it has that fabric's membrane. Precondition: make_own().
+    bool set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
     enum class SlotKind : std::uint8_t {
         mixed,         ///< look at each lane
@@ -62,10 +67,10 @@ class SpringTable {
 
   private:
     void sum_up_slots() noexcept;
-    void set_stiffening(const CookedCloth& model, const SpringMatrix& matrix) noexcept;
+    void set_stiffening(const ClothModel& model, const SpringMatrix& matrix) noexcept;
 
-    AlignedBuffer<float> rest_lengths_, stiffness_, bending_, stiffening_;
-    AlignedBuffer<Slot> slots_;
+    SharedBuffer<float> rest_lengths_, stiffness_, bending_, stiffening_;
+    SharedBuffer<Slot> slots_;
     Fabric fabric_{.areal_density = -1};  // none yet
     float stiffest_ = 0, stiffest_bending_ = 0;
 };

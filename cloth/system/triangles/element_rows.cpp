@@ -18,7 +18,7 @@ ElementRows::ElementRows(std::uint32_t particles, std::vector<Pair> pairs) : off
     for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
 }
 
-ElementRows ElementRows::of_triangles(const CookedCloth& model, std::span<const Hinge> hinges) {
+ElementRows ElementRows::of_triangles(const ClothModel& model, std::span<const Hinge> hinges) {
     std::vector<Pair> pairs;
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
         pairs.push_back({a, b});
@@ -30,7 +30,7 @@ ElementRows ElementRows::of_triangles(const CookedCloth& model, std::span<const 
     return {model.particle_count, std::move(pairs)};
 }
 
-ElementRows ElementRows::of_quadratic_bending(const CookedCloth& model, const Bending& bending) {
+ElementRows ElementRows::of_quadratic_bending(const ClothModel& model, const Bending& bending) {
     std::vector<Pair> pairs;
     for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float) {
         pairs.push_back({i, j});

@@ -17,9 +17,9 @@ struct ElementRows {
     ElementRows(std::uint32_t particles, std::vector<Pair> pairs);
 
     /// The ends of edges and, for dihedral bending, the apexes of hinges.
-    [[nodiscard]] static ElementRows of_triangles(const CookedCloth& model, std::span<const Hinge> hinges);
+    [[nodiscard]] static ElementRows of_triangles(const ClothModel& model, std::span<const Hinge> hinges);
     /// All that quadratic bending couples.
-    [[nodiscard]] static ElementRows of_quadratic_bending(const CookedCloth& model, const Bending& bending);
+    [[nodiscard]] static ElementRows of_quadratic_bending(const ClothModel& model, const Bending& bending);
 
     /// Where `neighbour` is in the row of `particle`. Precondition: it is.
     [[nodiscard]] std::size_t half_edge(std::uint32_t particle, std::uint32_t neighbour) const;

@@ -9,6 +9,7 @@
 #include "cloth/mesh/rest_elements.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -68,13 +69,13 @@ class HingeElements {
     void bend(const HingePass& pass, std::uint32_t hinge);
     void sum_moments(float rigidity, std::uint32_t hinge);
 
-    AlignedBuffer<Hinge> hinges_;
-    AlignedBuffer<std::uint32_t> partner_offsets_;
-    AlignedBuffer<Partner> partners_;
+    SharedBuffer<Hinge> hinges_;
+    SharedBuffer<std::uint32_t> partner_offsets_;
+    SharedBuffer<Partner> partners_;
     AlignedBuffer<float> bends_;   // angles less those at rest, viscous parts added
     AlignedBuffer<Vec4> results_;  // per hinge its gradient, with moment and stiffness in w
-    AlignedBuffer<std::uint32_t> corner_offsets_;
-    AlignedBuffer<Corner> corners_;  // by particle, hinges ascending
+    SharedBuffer<std::uint32_t> corner_offsets_;
+    SharedBuffer<Corner> corners_;  // by particle, hinges ascending
 };
 
 }  // namespace weft

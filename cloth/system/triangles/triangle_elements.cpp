@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE Point<Lanes> gathered(const Vec4* rows, const AlignedBuffer<std::uint32_t>& nodes,
+HWY_INLINE Point<Lanes> gathered(const Vec4* rows, const SharedBuffer<std::uint32_t>& nodes,
                                  std::uint32_t t) {
     const Lanes3 v = gather_rows(rows, &nodes[t]);
     return {v.x, v.y, v.z};
@@ -82,11 +82,11 @@ namespace weft {
 
 HWY_EXPORT(compute);
 
-TriangleElements::TriangleElements(const CookedCloth& model)
+TriangleElements::TriangleElements(const ClothModel& model)
     : count(static_cast<std::uint32_t>(model.triangles.size())),
       results(std::size_t{(count + Stencil::lanes - 1) / Stencil::lanes + 1} * Stencil::lanes * rows) {
-    for (AlignedBuffer<std::uint32_t>& corner : corners) corner = AlignedBuffer<std::uint32_t>(count);
-    for (AlignedBuffer<float>& values : rest) values = AlignedBuffer<float>(count);
+    for (SharedBuffer<std::uint32_t>& corner : corners) corner = SharedBuffer<std::uint32_t>(count);
+    for (SharedBuffer<float>& values : rest) values = SharedBuffer<float>(count);
     for (std::uint32_t t = 0; t < count; ++t) {
         for (std::size_t k = 0; k < 3; ++k) corners[k][t] = model.triangles[t][k];
         const RestSides sides = rest_sides(model, t);
@@ -102,8 +102,8 @@ TriangleElements::TriangleElements(const CookedCloth& model)
 
 std::size_t TriangleElements::bytes() const noexcept {
     std::size_t sum = results.bytes();
-    for (const AlignedBuffer<std::uint32_t>& corner : corners) sum += corner.bytes();
-    for (const AlignedBuffer<float>& values : rest) sum += values.bytes();
+    for (const SharedBuffer<std::uint32_t>& corner : corners) sum += corner.bytes();
+    for (const SharedBuffer<float>& values : rest) sum += values.bytes();
     return sum;
 }
 

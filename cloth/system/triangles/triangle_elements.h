@@ -9,22 +9,23 @@
 #include "cloth/system/sparse/stencil.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 #include "weft/settings.h"
 
 namespace weft {
 
 /// Rest shapes and results, in groups of 16 triangles.
 struct TriangleElements {
-    explicit TriangleElements(const CookedCloth& model);
+    explicit TriangleElements(const ClothModel& model);
 
     /// Rows per triangle: for each side, from corner k to the next, the three rows of that block of Stiffness
     /// and the force on corner k [N].
     static constexpr std::uint32_t rows_per_side = 4, rows = 3 * rows_per_side;
 
     std::uint32_t count;
-    std::array<AlignedBuffer<std::uint32_t>, 3> corners;  ///< particles
-    std::array<AlignedBuffer<float>, 5> rest;             ///< the members of RestTriangle, in its order
-    AlignedBuffer<Vec4> results;                          ///< per group 16 of each row; last a group of zeros
+    std::array<SharedBuffer<std::uint32_t>, 3> corners;  ///< particles
+    std::array<SharedBuffer<float>, 5> rest;             ///< the members of RestTriangle, in its order
+    AlignedBuffer<Vec4> results;                         ///< per group 16 of each row; last a group of zeros
 
     /// Where the first row of a side is in the results; the others follow, every 16.
     [[nodiscard]] static std::uint32_t side(std::uint32_t triangle, std::uint32_t corner) noexcept {

@@ -7,6 +7,7 @@
 #include "cloth/system/implicit_system.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
+#include "engine/shared_buffer.h"
 
 namespace weft {
 
@@ -18,7 +19,7 @@ struct TriangleMatrix {
     Stencil stencil;
     AlignedBuffer<float> blocks;  ///< per slot 9 times 16 entries of A, by rows
     Stencil scalar_stencil;
-    AlignedBuffer<float> scalars;           ///< a, per entry of the scalar stencil
+    SharedBuffer<float> scalars;            ///< a, per entry of the scalar stencil
     float scale = 0;                        ///< 0: no scalars
     AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     const ContactRows* contacts = nullptr;  ///< G; null: there are no colliders

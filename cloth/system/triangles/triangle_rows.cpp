@@ -174,7 +174,7 @@ namespace weft {
 HWY_EXPORT(linearise);
 HWY_EXPORT(residual);
 
-TriangleSources::TriangleSources(const CookedCloth& model, const TriangleElements& elements,
+TriangleSources::TriangleSources(const ClothModel& model, const TriangleElements& elements,
                                  const Stencil& stencil, const ElementRows& rows) {
     for (Source& source : sources) {
         source.sides = AlignedBuffer<std::uint32_t>(stencil.neighbours.size());

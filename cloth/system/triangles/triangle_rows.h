@@ -18,13 +18,13 @@ namespace weft {
 /// their sum. A side that runs from i to j has its block and the force on i; one that runs from j to i has
 /// the transposed block.
 struct TriangleSources {
-    TriangleSources(const CookedCloth& model, const TriangleElements& elements, const Stencil& stencil,
+    TriangleSources(const ClothModel& model, const TriangleElements& elements, const Stencil& stencil,
                     const ElementRows& rows);
 
     struct Source {
-        AlignedBuffer<std::uint32_t>
+        SharedBuffer<std::uint32_t>
             sides;  ///< per entry of the stencil: TriangleElements::side, or zero_side
-        AlignedBuffer<float>
+        SharedBuffer<float>
             runs_along;  ///< 1 where the triangle runs from the particle to the neighbour, else 0
     };
     std::array<Source, 2> sources;

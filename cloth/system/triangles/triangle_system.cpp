@@ -49,20 +49,19 @@ void clear_rows(const BlockRange& range, TriangleMatrix& matrix) {
 
 }  // namespace
 
-TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings)
+TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& settings)
     : TriangleSystem(model, settings, settings.fabric.bending > 0 ? bending_elements(model) : Bending()) {}
 
-TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
-                               const Bending& bending)
+TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending)
     : TriangleSystem(
           model, settings, bending,
           ElementRows::of_triangles(model, settings.finite_elements.dihedral ? std::span(bending.hinges)
                                                                              : std::span<const Hinge>())) {}
 
-TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& settings,
-                               const Bending& bending, const ElementRows& rows)
+TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending,
+                               const ElementRows& rows)
     : ImplicitSystem(model.particle_count),
-      model_(model),
+      model_(&model),
       elements_(model),
       matrix_(Stencil(rows.offsets, rows.neighbours)),
       sources_(model, elements_, matrix_.stencil, rows),
@@ -76,17 +75,24 @@ TriangleSystem::TriangleSystem(const CookedCloth& model, const ClothSettings& se
     }
 }
 
+std::unique_ptr<ImplicitSystem> TriangleSystem::clone(const ClothModel& model) const {
+    auto made = std::make_unique<TriangleSystem>(*this);
+    made->model_ = &model;
+    made->matrix_.contacts = nullptr;
+    return made;
+}
+
 void TriangleSystem::store_dihedral_bending(const Bending& bending, const ElementRows& rows) {
-    hinges_.emplace(bending, model_.particle_count, [&](std::uint32_t i, std::uint32_t j) {
+    hinges_.emplace(bending, model_->particle_count, [&](std::uint32_t i, std::uint32_t j) {
         return matrix_.stencil.entries[rows.half_edge(i, j)];
     });
 }
 
 void TriangleSystem::store_quadratic_bending(const Bending& bending) {
-    const ElementRows rows = ElementRows::of_quadratic_bending(model_, bending);
+    const ElementRows rows = ElementRows::of_quadratic_bending(*model_, bending);
     matrix_.scalar_stencil = Stencil(rows.offsets, rows.neighbours);
     matrix_.scalars = AlignedBuffer<float>(matrix_.scalar_stencil.neighbours.size());
-    quadratic_ = AlignedBuffer<float>(model_.particle_count);
+    quadratic_ = SharedBuffer<float>(model_->particle_count);
     for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float k) {
         matrix_.scalars[matrix_.scalar_stencil.entries[rows.half_edge(i, j)]] -= k;
         quadratic_[i] -= k;  // rows of the Hessian sum to 0
@@ -117,7 +123,7 @@ void TriangleSystem::make_additions(Parallel& parallel, const StepEquation& equa
                                     std::span<const Vec4> velocities, bool linearised,
                                     LinearisedAbout about) {
     if (additions_.impulses.size() == 0) return;
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+    parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
         if (linearised) clear_rows(range, matrix_);
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             additions_.impulses[i] = {};
@@ -189,7 +195,7 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     if (quadratic_.size() > 0) matrix_.scale = bending_factor(equation) * equation.settings.fabric.bending;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+    parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
         linearise_contacts(equation, velocities, range);
         linearise_block(state, about, range, matrix_, right_side_.data());
     });
@@ -201,14 +207,14 @@ void TriangleSystem::residual(Parallel& parallel, const StepEquation& equation,
     compute_elements(parallel, equation, velocities, true, false);
     make_additions(parallel, equation, velocities, false, LinearisedAbout::iterate);
     const TriangleState state = state_at(equation, velocities);
-    parallel.ranges(model_.particle_count,
+    parallel.ranges(model_->particle_count,
                     [&](const BlockRange& range) { residual_block(state, range, matrix_, residual.data()); });
 }
 
 void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                            LinearisedAbout about) {
     const float gamma = about == LinearisedAbout::base ? 0.0f : equation.gamma;
-    parallel.ranges(model_.particle_count, [&](const BlockRange& range) {
+    parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vec4& base = equation.base_positions[i];
             positions_[i] = to_vec4(xyz(base) + gamma * xyz(velocities[i]), base.w);

@@ -22,8 +22,9 @@ namespace weft {
 /// positive definite, as it is for springs.
 class TriangleSystem final : public ImplicitSystem {
   public:
-    TriangleSystem(const CookedCloth& model, const ClothSettings& settings);
+    TriangleSystem(const ClothModel& model, const ClothSettings& settings);
 
+    [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -44,8 +45,8 @@ class TriangleSystem final : public ImplicitSystem {
                     GridWindow* window) const override;
 
   private:
-    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending);
-    TriangleSystem(const CookedCloth& model, const ClothSettings& settings, const Bending& bending,
+    TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending);
+    TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending,
                    const ElementRows& rows);
     void store_quadratic_bending(const Bending& bending);
     void store_dihedral_bending(const Bending& bending, const ElementRows& rows);
@@ -67,12 +68,12 @@ class TriangleSystem final : public ImplicitSystem {
     void add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities, std::uint32_t i,
                              bool linearised, LinearisedAbout about);
 
-    const CookedCloth& model_;
+    const ClothModel* model_;
     TriangleElements elements_;
     TriangleMatrix matrix_;
     TriangleSources sources_;
     RowAdditions additions_;
-    AlignedBuffer<float> quadratic_;       // see TriangleState
+    SharedBuffer<float> quadratic_;        // see TriangleState
     std::optional<HingeElements> hinges_;  // only with dihedral bending
     AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about
 };

@@ -56,7 +56,7 @@ struct SearchedSheet {
         }
     }
 
-    CookedCloth model;
+    ClothModel model;
     float distance;
     RestNeighbours near_at_rest;
     std::vector<Vec4> positions;

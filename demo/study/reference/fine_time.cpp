@@ -88,7 +88,7 @@ FineTime::FineTime(const StudyScene& scene, int threads)
     const Run start(scene, {"", "", "", [](ClothSettings&) {}, {}, false}, 1);
     const Cloth& cloth = start.cloth();
     particles_ = cloth.model.particle_count;
-    triangles_ = cloth.model.triangles;
+    triangles_.assign(cloth.model.triangles.begin(), cloth.model.triangles.end());
     corner_offsets_.assign(cloth.model.corner_offsets.span().begin(),
                            cloth.model.corner_offsets.span().end());
     corner_triangles_.assign(cloth.model.corner_triangles.span().begin(),
@@ -111,7 +111,7 @@ FineTime::FineTime(const StudyScene& scene, int threads)
     finish(0);
 }
 
-void FineTime::make_springs(const CookedCloth& model, const Fabric& fabric) {
+void FineTime::make_springs(const ClothModel& model, const Fabric& fabric) {
     std::vector<float> stiffness(model.neighbours.size());
     spring_stiffness(model, fabric, stiffness);
     group_slots_.push_back(0);

@@ -34,7 +34,7 @@ class FineTime {
     using Component = std::vector<double>;  // of all particles, padded to whole groups
     using Components = std::array<Component, 3>;
 
-    void make_springs(const CookedCloth& model, const Fabric& fabric);
+    void make_springs(const ClothModel& model, const Fabric& fabric);
     [[nodiscard]] std::vector<Eigen::Vector3d> vectors(const Components& components) const;
     void predict(double h);
     void compute_air();

@@ -103,7 +103,7 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
     return step;
 }
 
-ConvergedSolver::ConvergedSolver(const CookedCloth& model, const ClothSettings& settings, double tolerance)
+ConvergedSolver::ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance)
     : tolerance_(tolerance), approach_settings_(settings) {
     if (model.particle_count <= ExactSolve::usual_limit) return;
     approach_settings_.method = Multilevel{.passes = 16, .iterations = 8};

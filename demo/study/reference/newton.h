@@ -53,7 +53,7 @@ class ConvergedSolver final : public Solver {
     static constexpr double converged = 1e-8;                    ///< of the first residual
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
-    ConvergedSolver(const CookedCloth& model, const ClothSettings& settings, double tolerance = converged);
+    ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance = converged);
     SolveResult solve(const SolverStep& step) override;
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;

@@ -143,7 +143,7 @@ MethodPoint method_of(Reference reference) {
         settings.time_scheme =
             reference == Reference::converged_bdf2 ? TimeScheme::bdf2 : TimeScheme::backward_euler;
     };
-    point.make_solver = [=](const CookedCloth& model,
+    point.make_solver = [=](const ClothModel& model,
                             const ClothSettings& settings) -> std::unique_ptr<Solver> {
         if (reference == Reference::linearised)
             return std::make_unique<CholeskySolver>(model, settings, ExactSolve::usual_limit);

@@ -21,7 +21,7 @@ Eigen::Vector3d direction_of(const Spring& spring, const Eigen::Vector3d& separa
 
 }  // namespace
 
-std::vector<Spring> springs_of(const CookedCloth& model, const Fabric& fabric) {
+std::vector<Spring> springs_of(const ClothModel& model, const Fabric& fabric) {
     std::vector<float> stiffness(model.neighbours.size());
     spring_stiffness(model, fabric, stiffness);
     std::vector<Spring> springs;
@@ -50,7 +50,7 @@ Flat flat(std::span<const Vec4> values) {
     return result;
 }
 
-StepFunctional::StepFunctional(const CookedCloth& model, const StepEquation& equation)
+StepFunctional::StepFunctional(const ClothModel& model, const StepEquation& equation)
     : gamma_(static_cast<double>(equation.gamma)),
       damping_(static_cast<double>(equation.settings.fabric.damping)),
       air_damping_(static_cast<double>(equation.external.air_damping)),

@@ -27,7 +27,7 @@ struct Spring {
     double rest_length;  ///< [m]
     double bending;      ///< the weight that bending has between the two [N/m]
 };
-[[nodiscard]] std::vector<Spring> springs_of(const CookedCloth& model, const Fabric& fabric);
+[[nodiscard]] std::vector<Spring> springs_of(const ClothModel& model, const Fabric& fabric);
 [[nodiscard]] std::vector<ParticlePair> pairs_of(std::span<const Spring> springs);
 
 /// Flat vectors hold x, y, z of particle after particle.
@@ -48,7 +48,7 @@ enum class Curvature {
 
 class StepFunctional {
   public:
-    StepFunctional(const CookedCloth& model, const StepEquation& equation);
+    StepFunctional(const ClothModel& model, const StepEquation& equation);
 
     [[nodiscard]] std::uint32_t particles() const { return static_cast<std::uint32_t>(masses_.size()); }
     [[nodiscard]] const std::vector<Spring>& springs() const { return springs_; }

@@ -1,0 +1,21 @@
+#pragma once
+// What a CookedCloth holds.
+
+#include <memory>
+#include <utility>
+
+#include "cloth/frame/cloth.h"
+#include "weft/cooked_cloth.h"
+
+namespace weft {
+
+struct CookedCloth::Impl {
+    Impl(ClothModel&& model, CookReport&& of_cooking, const ClothSettings& settings)
+        : cloth(std::move(model), settings), info(cloth.info()), report(std::move(of_cooking)) {}
+
+    const Cloth cloth;  ///< never in a World: others are copies of it
+    ClothInfo info;
+    CookReport report;
+};
+
+}  // namespace weft

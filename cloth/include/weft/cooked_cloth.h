@@ -1,0 +1,112 @@
+#pragma once
+// Cloth made ready once, for as many cloths of Worlds as are wanted.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "weft/error.h"
+#include "weft/mesh.h"
+#include "weft/settings.h"
+
+namespace weft {
+
+/// What cooking a mesh made of it.
+struct ClothInfo {
+    std::uint32_t vertices = 0;         ///< of the mesh that was given
+    std::uint32_t particles = 0;        ///< after welding
+    std::uint32_t welded_vertices = 0;  ///< whose particle is that of an earlier vertex
+    std::uint32_t triangles = 0;
+    std::uint32_t components = 0;
+    std::uint32_t structural_springs = 0, shear_springs = 0;
+    std::uint32_t bending_elements = 0;   ///< threads' triples and cells of a sheet; shared edges of a mesh
+    std::uint32_t border_edges = 0;       ///< edges of one triangle
+    std::uint32_t dropped_triangles = 0;  ///< warning: left out, see DropReason
+    std::uint32_t turned_triangles = 0;   ///< warning: wound the other way than their neighbours, and turned
+    std::uint32_t misoriented_edges = 0;  ///< warning: shared edges whose two triangles stay wound against
+                                          ///< each other, as on a Moebius strip
+    std::uint32_t loose_particles =
+        0;                ///< warning: particles of no triangle; they have no mass and stay where they are
+    float mean_edge = 0;  ///< mean rest length of structural springs [m]
+    float mass = 0;       ///< [kg]
+    /// Warning where Fabric::bending is below it [N m]: folds want to be finer than the triangles, so that
+    /// the mesh, not the fabric, says how many there are. Take a finer mesh, or so much bending.
+    ///
+    /// Weight bends cloth over the length s at which its moment, areal_density g s^2, is that of bending by a
+    /// radius of s, B / s: s = (B / (areal_density g))^(1/3), g = 9.81 m/s^2. A fold's tip, half a circle of
+    /// this radius, is to be no fewer than six edges long: s >= 2 mean_edge.
+    float least_bending = 0;
+    /// Memory of this cloth, solver included, within 1 %. Each step reuses it. Tethers to up to four holds
+    /// take 8 bytes a particle each.
+    std::uint64_t bytes = 0;
+    /// Besides, the memory that it shares with all cloths of its CookedCloth: once for all of them. 0 for a
+    /// cloth that was added by its mesh. Other settings may take a cloth of its own what it shared.
+    std::uint64_t shared_bytes = 0;
+    friend bool operator==(const ClothInfo&, const ClothInfo&) = default;
+};
+
+/// Why a triangle is left out. Triangles are taken in the mesh's order, each if it has none of these.
+enum class DropReason : std::uint32_t {
+    no_area,         ///< lower than a millionth of its longest side, or smaller than 1e-14 m^2
+    doubled,         ///< of the same three vertices, once welded, as an earlier one
+    crowded_edge,    ///< a third one at an edge, which bends between two
+    crowded_vertex,  ///< another one at a vertex that has 1024
+};
+
+/// What cooking did to a mesh, item by item. All lists ascend.
+struct CookReport {
+    /// A vertex at exactly the position of an earlier one, whose particle it shares.
+    struct Welded {
+        std::uint32_t vertex, into;
+        friend bool operator==(const Welded&, const Welded&) = default;
+    };
+    struct Dropped {
+        std::uint32_t triangle;
+        DropReason why;
+        friend bool operator==(const Dropped&, const Dropped&) = default;
+    };
+    std::vector<Welded> welded;
+    std::vector<Dropped> dropped;
+    /// Triangles that are now wound the other way. Of triangles that edges join, those turn that have less
+    /// area than those that stay; of equal areas those stay that the first one agrees with.
+    std::vector<std::uint32_t> turned;
+    std::vector<std::uint32_t> loose;  ///< vertices of no triangle that is left
+
+    friend bool operator==(const CookReport&, const CookReport&) = default;
+};
+
+/// All that of a cloth is constant, and one cloth at rest. Cooking takes a frame and more: it may be done on
+/// any thread, for many meshes at a time, and be read back from a file. Copies share what they hold; one may
+/// be added to Worlds on several threads at a time.
+class CookedCloth {
+  public:
+    /// What a mesh may have is repaired or left out as CookReport lists it. Errors, which name the vertex or
+    /// the triangle: a setting out of range; coordinates that are not finite or beyond 100 km; indices of no
+    /// vertex; no triangle left; rows and columns of what is no grid, each cell of which has two triangles.
+    [[nodiscard]] static Result<CookedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
+
+    /// Of the cloth that it holds, which takes as much memory as one that is added by its mesh.
+    [[nodiscard]] const ClothInfo& info() const noexcept;
+    [[nodiscard]] const CookReport& report() const noexcept;
+
+    /// What the mesh was made into, and the report, without the settings: little-endian, with its version and
+    /// a checksum. As many bytes as save() writes.
+    [[nodiscard]] std::size_t save_size() const noexcept;
+    /// Error: another size than save_size().
+    Result<void> save(std::span<std::byte> to) const;
+    /// The bytes may be a mapped file's, at any address; they are not kept. Makes the rest, solver memory
+    /// above all, by these settings: see tests/bench/MEASUREMENTS.md for how long that takes. Errors: a
+    /// setting out of range; what is no such save, of another version, cut short or damaged.
+    [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
+                                                  const ClothSettings& settings = {});
+
+  private:
+    friend class World;
+    struct Impl;
+    explicit CookedCloth(std::shared_ptr<const Impl> impl);
+    std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace weft

@@ -1,0 +1,33 @@
+#pragma once
+// What cooking leaves out of a mesh, and what it turns: see CookReport.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/mesh/topology.h"
+
+namespace weft {
+
+/// One side of a triangle, as found there.
+struct Side {
+    std::uint32_t low, high;  ///< particles, low < high
+    std::uint32_t triangle;
+    std::uint32_t opposite;
+};
+
+/// The sides of the edge of sides[begin], which follow one another.
+[[nodiscard]] std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin);
+/// How many triangles each particle has.
+[[nodiscard]] std::vector<std::uint32_t> triangle_counts(const Topology& topology);
+
+/// Takes triangle by triangle, as the mesh has them, each only if it finds room. Returns the sides of those
+/// that stay, by edges and in these by triangles: two at most of an edge.
+std::vector<Side> leave_out_crowding(Topology& topology);
+
+/// Turns the smaller part of each connected piece whose parts are wound against each other; a piece that no
+/// turning makes alike stays, and its misoriented edges are counted. Needs the edges.
+void turn_alike(const Mesh& mesh, Topology& topology);
+
+}  // namespace weft
