@@ -8,8 +8,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-
 TEST(Recording, ChangesNothing) {
     World plain = World::create().value(), other = World::create().value();
     Bytes bytes;

@@ -15,6 +15,7 @@
 namespace weft::test {
 
 using Bytes = std::vector<std::byte>;
+inline constexpr float h = 1.0f / 60;
 
 inline RecordingSink sink_to(Bytes& bytes) {
     return {[](void* to, std::span<const std::byte> more) {

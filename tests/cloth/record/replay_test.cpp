@@ -136,7 +136,9 @@ TEST(Replay, RefusesAFlipOfAnyByte) {
         bytes[at] ^= std::byte{0x10};
         const auto replayed = replay(bytes, {.threads = 1});
         EXPECT_FALSE(replayed) << "byte " << at;
-        if (!replayed) EXPECT_EQ(replayed.error().code, ErrorCode::malformed_file);
+        if (!replayed) {
+            EXPECT_EQ(replayed.error().code, ErrorCode::malformed_file);
+        }
         bytes[at] ^= std::byte{0x10};
     }
     bytes.push_back(std::byte{});
@@ -172,7 +174,9 @@ TEST(Replay, IsHarmedByNothingThatARecordHolds) {
                 std::byte(1u << (drawn >> 3) % 8);
             seal(bytes, records[k]);
             const auto replayed = replay(bytes, {.threads = 1});
-            if (!replayed) EXPECT_FALSE(replayed.error().message.empty());
+            if (!replayed) {
+                EXPECT_FALSE(replayed.error().message.empty());
+            }
             refused += replayed ? 0 : 1;
             different += replayed && replayed->difference ? 1 : 0;
         }

@@ -12,8 +12,6 @@
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-
 World make_world(int threads) {
     WorldSettings settings;
     settings.threads = threads;
@@ -234,9 +232,9 @@ TEST(StepApart, EndsOnlyWhenWorkHasReturned) {
     WorldSettings settings;
     settings.executor = {.run =
                              [](void* user, std::uint32_t count, Executor::Body body, void* context) {
-                                 Held& h = *static_cast<Held*>(user);
-                                 h.has_begun = true;
-                                 while (!h.may_go_on) std::this_thread::yield();
+                                 Held& held_up = *static_cast<Held*>(user);
+                                 held_up.has_begun = true;
+                                 while (!held_up.may_go_on) std::this_thread::yield();
                                  for (std::uint32_t i = 0; i < count; ++i) body(context, i);
                              },
                          .user = &held,
