@@ -141,7 +141,11 @@ TEST(Describe, HasTheSameLinesForPeople) {
 
 // Sums and greatest values of the cloths' are the step's.
 TEST(Describe, HasReportsOfClothsThatAddUpToTheSteps) {
-    auto simulation = Simulation::create(*find_scene("stack"), {.particles = 1000}, {.threads = 2});
+    SceneOptions options;
+    options.particles = 1000;
+    Overrides overrides;
+    overrides.threads = 2;
+    auto simulation = Simulation::create(*find_scene("stack"), options, overrides);
     ASSERT_TRUE(simulation) << simulation.error().message;
     for (int k = 0; k < 40; ++k) simulation->step(1.0f / 60);
     const World& world = simulation->world();

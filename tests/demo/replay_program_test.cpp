@@ -46,8 +46,12 @@ class ReplayProgram : public testing::Test {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
     }
     static void record_flag() {
-        auto simulation = Simulation::create(*find_scene("flag"), {.particles = 300},
-                                             {.threads = 1, .record = recording()});
+        Overrides overrides;
+        overrides.threads = 1;
+        overrides.record = recording();
+        SceneOptions options;
+        options.particles = 300;
+        auto simulation = Simulation::create(*find_scene("flag"), options, overrides);
         ASSERT_TRUE(simulation) << simulation.error().message;
         for (int k = 0; k < 12; ++k) simulation->step(1.0f / 60);
     }

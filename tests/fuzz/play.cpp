@@ -618,7 +618,9 @@ Played play(const Script& script, const PlayOptions& options) {
 
 void play_all_ways(const Script& script) {
     std::vector<std::byte> recorded;
-    const Played first = play(script, {.recorded = &recorded});
+    PlayOptions as_it_is;
+    as_it_is.recorded = &recorded;
+    const Played first = play(script, as_it_is);
     const Fingerprints& expected = first.fingerprints;
     const auto again = [&](int threads, std::optional<std::size_t> without = {}) {
         return play(script,

@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr int frames = 20;
+constexpr int recorded_frames = 20;
 
 class ReplayOfScenes : public testing::TestWithParam<SceneEntry> {
   protected:
@@ -28,7 +28,7 @@ TEST_P(ReplayOfScenes, HasTheSameBytesInEveryStep) {
                              &recorded};
     {
         SceneRun run(GetParam(), sink);
-        for (int frame = 0; frame < frames; ++frame) {
+        for (int frame = 0; frame < recorded_frames; ++frame) {
             run.before_step();
             run.step();
         }
@@ -37,7 +37,7 @@ TEST_P(ReplayOfScenes, HasTheSameBytesInEveryStep) {
     const auto replayed = replay(recorded, {.threads = 3});
     ASSERT_TRUE(replayed) << replayed.error().message;
     EXPECT_TRUE(replayed->is_whole);
-    EXPECT_EQ(replayed->steps, static_cast<std::uint64_t>(frames));
+    EXPECT_EQ(replayed->steps, static_cast<std::uint64_t>(recorded_frames));
     EXPECT_FALSE(replayed->difference)
         << "step " << replayed->difference->step << ", cloth "
         << (replayed->difference->cloth ? std::to_string(*replayed->difference->cloth) : "none");
