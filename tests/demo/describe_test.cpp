@@ -97,6 +97,17 @@ TEST(Describe, SaysWhichClothRaisedWhichFlag) {
     EXPECT_FALSE(things.world.cloth_report({}));
 }
 
+TEST(Describe, SaysNothingOfClothThatTheLastStepLeftOut) {
+    Things things;
+    ASSERT_NE(things.world.cloth_report(things.cloths[0])->flags, StepFlags::none);
+    ASSERT_TRUE(things.world.set_enabled(things.cloths[0], false));
+    things.world.step(1.0f / 60);
+    const ClothReport report = things.world.cloth_report(things.cloths[0]).value();
+    EXPECT_EQ(report.flags, StepFlags::none);
+    EXPECT_EQ(report.milliseconds, 0);
+    EXPECT_EQ(report.peak_speed, 0);
+}
+
 TEST(Describe, HasCollidersBodiesAndShapes) {
     const Things things;
     const Json json = described(things.world);

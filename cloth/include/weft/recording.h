@@ -17,7 +17,8 @@
 
 namespace weft {
 
-/// Where a recording goes, in place of a file: a host's own memory, or a socket.
+/// Where a recording goes, in place of a file: a host's own memory, or a socket. It must last until
+/// World::stop_recording(), or longer than the World, which writes the end as it goes.
 struct RecordingSink {
     /// Takes the next bytes, a record at most. False: it cannot, and is called no more; then
     /// World::stop_recording() says so. Called by the calls that are recorded, on their thread. Must not

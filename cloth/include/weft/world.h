@@ -331,7 +331,7 @@ class World {
 
     /// From here on writes down every call that changes the World, with all that it is given, and after each
     /// step a hash of each cloth: see replay(). Not recording costs nothing. A recorded step takes longer by
-    /// a hash of the state, some 0.1 ms for 16 000 particles, and may allocate. Errors: something has changed
+    /// a hash of the state, some twentieth with the default, and may allocate. Errors: something has changed
     /// since the World was made; it is recorded already; the file cannot be written.
     Result<void> start_recording(const std::filesystem::path& file);
     Result<void> start_recording(const RecordingSink& sink);

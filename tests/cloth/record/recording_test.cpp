@@ -9,8 +9,8 @@ namespace weft::test {
 namespace {
 
 TEST(Recording, ChangesNothing) {
-    World plain = World::create().value(), other = World::create().value();
     Bytes bytes;
+    World plain = World::create().value(), other = World::create().value();
     ASSERT_TRUE(other.start_recording(sink_to(bytes)));
     EveryCall(plain).play();
     EveryCall(other).play();
@@ -67,8 +67,8 @@ TEST(Recording, LeavesOutWhatWasRefusedAndWhatChangesNothing) {
 }
 
 TEST(Recording, BeginsWithANewWorldOnly) {
-    World world = World::create().value();
     Bytes bytes;
+    World world = World::create().value();
     ASSERT_FALSE(world.stop_recording()) << "nothing is recorded";
     EXPECT_FALSE(world.pin({}, 0));
     ASSERT_TRUE(world.start_recording(sink_to(bytes))) << "a call that was refused changed nothing";
@@ -78,6 +78,9 @@ TEST(Recording, BeginsWithANewWorldOnly) {
     const auto late = world.start_recording(sink_to(bytes));
     ASSERT_FALSE(late);
     EXPECT_NE(late.error().message.find("World::create"), std::string::npos) << late.error().message;
+    World stepped = World::create().value();
+    stepped.step(h);
+    EXPECT_FALSE(stepped.start_recording(sink_to(bytes)));
     EXPECT_FALSE(World::create()->start_recording(RecordingSink{}));
     const auto nowhere = World::create()->start_recording("/no/such/folder/recording");
     ASSERT_FALSE(nowhere);
