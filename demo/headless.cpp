@@ -127,6 +127,7 @@ int run_headless(const Options& options, Simulation& simulation) {
     failures.note(
         save_obj(options.out / "final.obj", current_mesh(simulation.world(), simulation.content())));
     if (!options.trace.empty()) failures.note(simulation.world().write_trace(options.trace));
+    if (!options.overrides.record.empty()) failures.note(simulation.world().stop_recording());
     print_summary(simulation, table, troubles);
     return failures.any() ? 1 : 0;
 }

@@ -44,6 +44,9 @@ void describe(CLI::App& app, Options& options) {
            },
            "Size of window and pictures [pixels] (default: 1280x800)")
         ->type_name("WxH");
+    app.add_option("--record", options.overrides.record,
+                   "Write down all that is done to the World, for weft_replay")
+        ->type_name("FILE");
     app.add_option("--trace", options.trace, "Write the stages' times for Perfetto or chrome://tracing")
         ->type_name("FILE.json");
 }

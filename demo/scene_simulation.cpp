@@ -57,6 +57,9 @@ Result<Simulation> Simulation::create(const SceneEntry& entry, const SceneOption
     auto world = World::create(settings);
     if (!world) return world.error();
 
+    if (!overrides.record.empty())
+        if (auto started = world->start_recording(overrides.record); !started) return started.error();
+
     Simulation simulation(entry, options, std::move(scene), std::move(*world));
     if (auto built = simulation.build(); !built) return built.error();
     if (auto set = apply_to_cloths(simulation.world_, simulation.content_, overrides); !set)

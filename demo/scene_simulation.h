@@ -18,7 +18,8 @@ struct Overrides {
     std::optional<int> iterations;  ///< of the method, whichever it is
     std::optional<int> substeps;
     std::optional<Rung> contact;
-    int threads = 0;  ///< 0: one per core
+    int threads = 0;               ///< 0: one per core
+    std::filesystem::path record;  ///< where the World's calls are written down; empty: nowhere
 };
 
 class Simulation {
@@ -31,7 +32,8 @@ class Simulation {
     const StepReport& step(float dt);
 
     /// The scene from its start, with the settings that the world and the cloths have now. Error: it cannot
-    /// be built any more, and why; what runs goes on as it was.
+    /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is
+    /// of.
     [[nodiscard]] Result<void> restart();
 
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }

@@ -10,9 +10,13 @@ struct StateHash::State {
 };
 
 StateHash::StateHash() : state_(std::make_unique<State>()) {
-    XXH3_64bits_reset(&state_->xxh3);
+    reset();
 }
 StateHash::~StateHash() = default;
+
+void StateHash::reset() noexcept {
+    XXH3_64bits_reset(&state_->xxh3);
+}
 
 std::uint64_t StateHash::value() const noexcept {
     return XXH3_64bits_digest(&state_->xxh3);

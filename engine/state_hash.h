@@ -34,6 +34,8 @@ class StateHash {
         add(std::span(&value, 1));
     }
     [[nodiscard]] std::uint64_t value() const noexcept;
+    /// As it was made.
+    void reset() noexcept;
 
   private:
     void add_bytes(std::span<const std::byte> bytes) noexcept;

@@ -77,6 +77,8 @@ struct Simulation {
 
     /// The shape that it is an instance of; null: it is none, or of one that is not there.
     [[nodiscard]] const HeldShape* held_by(const Collider& collider) const noexcept;
+    /// Of the last step; nothing of a cloth that it did not take.
+    [[nodiscard]] ClothReport report_of(const Cloth& cloth) const;
     /// Of the last step.
     [[nodiscard]] std::span<const Contact> contacts() const noexcept { return contact_reports_.list(); }
     void clear_contacts() noexcept { contact_reports_.clear(); }
@@ -126,6 +128,7 @@ struct Simulation {
     void meet(const Substep& substep);
     template <class Work>
     void for_each_group(const Schedule& schedule, const Work& work);
+    static void share_out_time(const Schedule::Group& group, std::int64_t nanoseconds);
     template <class Work>
     void for_each_cloth(const Work& work);
 
@@ -211,7 +214,7 @@ struct Simulation {
     static void begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part);
     void reserve_collider_ids(bool reported);
     static void update_normals(Parallel& loops, Cloth& cloth);
-    void add_to_report(const Cloth& cloth);
+    void add_to_report(const ClothReport& cloth);
 
     static void log_contact(ContactLog& log, Cloth& cloth, const Contact& contact);
     static void add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "cloth/frame/advance.h"
@@ -74,21 +74,21 @@ void Simulation::step_each(float dt) {
 // one large group after the other. No loop runs within another.
 template <class Work>
 void Simulation::for_each_group(const Schedule& schedule, const Work& work) {
+    const auto take = [&](Worker& worker, const Schedule::Group& group) {
+        const auto timer = timed(Stage::cloths);
+        const auto begin = std::chrono::steady_clock::now();
+        work(worker, group.cloths);
+        share_out_time(group, (std::chrono::steady_clock::now() - begin) / std::chrono::nanoseconds(1));
+    };
     const std::span<const Schedule::Group> small = schedule.side_by_side();
     std::atomic<std::size_t> next = 0;
     parallel.blocks(static_cast<std::uint32_t>(std::min(motions_.size(), small.size())),
                     [&](std::uint32_t thread) {
                         Worker worker{serial_, motions_[thread], contact_reports_.of_thread(thread)};
-                        for (std::size_t i; (i = next.fetch_add(1)) < small.size();) {
-                            const auto timer = timed(Stage::cloths);
-                            work(worker, small[i].cloths);
-                        }
+                        for (std::size_t i; (i = next.fetch_add(1)) < small.size();) take(worker, small[i]);
                     });
     Worker all{parallel, motions_[0], contact_reports_.of_thread(0)};
-    for (const Schedule::Group& group : schedule.in_turn()) {
-        const auto timer = timed(Stage::cloths);
-        work(all, group.cloths);
-    }
+    for (const Schedule::Group& group : schedule.in_turn()) take(all, group);
 }
 
 template <class Work>
@@ -101,7 +101,10 @@ void Simulation::begin(float dt) {
     report = {.step = ++state.steps, .substeps = settings.substeps};
     contact_reports_.clear();
     choose_present(dt);
+    cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->was_stepped = false; });
     for (Cloth* cloth : present_) {
+        cloth->was_stepped = true;
+        cloth->nanoseconds = 0;
         cloth->unsolved = false;
         cloth->contact_count = 0;
     }
@@ -369,40 +372,10 @@ void Simulation::finish(Worker& worker, Cloth& cloth) {
     update_normals(worker.parallel, cloth);
 }
 
-void Simulation::add_to_report(const Cloth& cloth) {
-    ++report.cloths;
-    report.particles += cloth.model.particle_count;
-    report.collider_contacts += cloth.collider_contacts;
-    report.self_contacts += cloth.self_counts.pairs;
-    report.peak_self_contacts = std::max(report.peak_self_contacts, cloth.self_counts.peak);
-    report.self_contacts += cloth.feature_counts.pairs;
-    report.crossings += cloth.feature_counts.tangles.crossings;
-    report.truncated_particles += cloth.feature_counts.truncated;
-    report.unresolved_pairs = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(report.unresolved_pairs + cloth.feature_counts.unresolved,
-                                std::numeric_limits<std::uint32_t>::max()));
-    report.pin_lag = std::max(report.pin_lag, cloth.feature_counts.pin_lag);
-    report.limits_exceeded += cloth.limit_lag.particles;
-    report.limit_lag = std::max(report.limit_lag, cloth.limit_lag.most);
-    report.peak_speed = std::max(report.peak_speed, std::sqrt(cloth.extent.peak_speed_squared));
-    report.residual = std::max(report.residual, cloth.residual);
-    if (cloth.restored) {
-        report.flags = report.flags | StepFlags::state_restored;
-        ++report.restored_cloths;
-    }
-    if (report.peak_speed > 0.999f * settings.max_speed)
-        report.flags = report.flags | StepFlags::speed_limited;
-    if (cloth.unsolved) report.flags = report.flags | StepFlags::unsolved;
-    if (cloth.feature_counts.pin_lag > 0) report.flags = report.flags | StepFlags::pins_stopped;
-    if (cloth.feature_counts.crossed) report.flags = report.flags | StepFlags::crossed;
-    if (cloth.self_counts.dropped > 0 || cloth.feature_counts.overflowed)
-        report.flags = report.flags | StepFlags::contacts_dropped;
-}
-
 void Simulation::end(float dt) {
     for (Cloth* cloth : present_) {
         count_still_time(*cloth, dt);
-        add_to_report(*cloth);
+        add_to_report(report_of(*cloth));
         if (cloth->state.frame) arrive(*cloth->state.frame, dt, settings.max_speed);
     }
     report.cloths += report.sleeping_cloths;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cloth/frame/debug_draw/debug_draw.h"
-#include "cloth/frame/save/parts.h"
+#include "cloth/frame/record/state_hashes.h"
 #include "cloth/frame/save/save.h"
 #include "cloth/frame/validate.h"
 #include "cloth/frame/world_calls.h"
@@ -19,18 +19,6 @@
 namespace weft {
 
 namespace {
-
-struct HashVisitor {
-    static constexpr bool skips_defaults = true;
-    StateHash& hash;
-
-    template <class T, std::size_t extent>
-    void operator()(std::span<T, extent> part) const {
-        hash.add(part);
-    }
-    template <class Head>
-    void head(const Head& /*head*/) const {}
-};
 
 Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
@@ -96,7 +84,7 @@ const WorldSettings& World::settings() const noexcept {
 }
 
 Result<void> World::set_settings(const WorldSettings& settings) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::set_settings, settings)([&]() -> Result<void> {
         if (auto valid = validate(settings); !valid) return valid;
         impl_->simulation.apply(settings);
         return {};
@@ -104,7 +92,7 @@ Result<void> World::set_settings(const WorldSettings& settings) {
 }
 
 Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings) {
-    return without_exceptions([&]() -> Result<ClothId> {
+    return impl_->change(Call::add_cloth, mesh, settings)([&]() -> Result<ClothId> {
         auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
@@ -113,7 +101,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
 }
 
 Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& settings) const {
-    return without_exceptions([&]() -> Result<ClothInfo> {
+    return impl_->read("measure_cloth", [&]() -> Result<ClothInfo> {
         const auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
@@ -122,7 +110,7 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 }
 
 Result<void> World::remove_cloth(ClothId id) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::remove_cloth, id)([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
         const auto* const cloth = simulation.cloths.find(id);
         if (cloth == nullptr) return stale_id("ClothId", id);
@@ -134,22 +122,28 @@ Result<void> World::remove_cloth(ClothId id) {
 }
 
 Result<void> World::set_enabled(ClothId id, bool on) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (!on) impl_->simulation.wake_near(cloth);
-        cloth.set_enabled(on);
-        return {};
+    return impl_->change(Call::set_enabled, id, on)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (!on) impl_->simulation.wake_near(cloth);
+            cloth.set_enabled(on);
+            return {};
+        });
     });
 }
 
 Result<bool> World::is_asleep(ClothId id) const {
-    return with_cloth(impl_->simulation, id,
-                      [](const Cloth& cloth) { return Result<bool>(cloth.is_asleep()); });
+    return impl_->read("is_asleep", [&] {
+        return with_cloth(impl_->simulation, id,
+                          [](const Cloth& cloth) { return Result<bool>(cloth.is_asleep()); });
+    });
 }
 
 Result<void> World::wake(ClothId id) {
-    return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
-        cloth.wake();
-        return {};
+    return impl_->change(Call::wake, id)([&] {
+        return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
+            cloth.wake();
+            return {};
+        });
     });
 }
 
@@ -159,42 +153,36 @@ Result<ClothSettings> World::cloth_settings(ClothId id) const {
 }
 
 Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate(settings); !valid) return valid;
-        if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
-            if (auto valid = validate_for_maps(settings); !valid) return valid;
-        impl_->simulation.apply(cloth, settings);
-        return {};
+    return impl_->change(Call::set_cloth_settings, id, settings)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate(settings); !valid) return valid;
+            if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
+                if (auto valid = validate_for_maps(settings); !valid) return valid;
+            impl_->simulation.apply(cloth, settings);
+            return {};
+        });
     });
 }
 
 Result<ClothInfo> World::cloth_info(ClothId id) const {
-    return with_cloth(impl_->simulation, id,
-                      [](const Cloth& cloth) { return Result<ClothInfo>(cloth.info()); });
-}
-
-Result<const ClothView&> World::cloth(ClothId id) const {
-    return with_cloth(impl_->simulation, id, [](const Cloth& cloth) {
-        const ClothState& state = cloth.state;
-        cloth.view = {.positions = state.positions.span(),
-                      .previous_positions = state.previous_positions.span(),
-                      .velocities = state.velocities.span(),
-                      .normals = state.normals.span(),
-                      .triangles = cloth.model.triangles,
-                      .vertex_to_particle = cloth.model.vertex_to_particle,
-                      .bounds = {cloth.extent.lower, cloth.extent.upper}};
-        return Result<const ClothView&>(cloth.view);
+    return impl_->read("cloth_info", [&] {
+        return with_cloth(impl_->simulation, id,
+                          [](const Cloth& cloth) { return Result<ClothInfo>(cloth.info()); });
     });
 }
 
 Result<void> World::pin(ClothId id, std::span<const std::uint32_t> vertices) {
-    return with_particles(impl_->simulation, id, vertices,
-                          [](Cloth& cloth, const auto& particles) { cloth.pin(particles); });
+    return impl_->change(Call::pin, id, vertices)([&] {
+        return with_particles(impl_->simulation, id, vertices,
+                              [](Cloth& cloth, const auto& particles) { cloth.pin(particles); });
+    });
 }
 
 Result<void> World::unpin(ClothId id, std::span<const std::uint32_t> vertices) {
-    return with_particles(impl_->simulation, id, vertices,
-                          [](Cloth& cloth, const auto& particles) { cloth.unpin(particles); });
+    return impl_->change(Call::unpin, id, vertices)([&] {
+        return with_particles(impl_->simulation, id, vertices,
+                              [](Cloth& cloth, const auto& particles) { cloth.unpin(particles); });
+    });
 }
 
 Result<void> World::move_pin(ClothId id, std::uint32_t vertex, const Vec3& target) {
@@ -203,69 +191,54 @@ Result<void> World::move_pin(ClothId id, std::uint32_t vertex, const Vec3& targe
 
 Result<void> World::move_pins(ClothId id, std::span<const std::uint32_t> vertices,
                               std::span<const Vec3> targets) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (vertices.size() != targets.size())
-            return Error{ErrorCode::invalid_argument, std::to_string(vertices.size()) + " vertices and " +
-                                                          std::to_string(targets.size()) +
-                                                          " targets: give as many of each"};
-        for (std::size_t k = 0; k < vertices.size(); ++k) {
-            if (auto valid = validate_point("a pin's target", targets[k]); !valid) return valid;
-            if (const auto pin = pin_of(cloth, vertices[k]); !pin) return pin.error();
-        }
-        for (std::size_t k = 0; k < vertices.size(); ++k)
-            (*pin_of(cloth, vertices[k]))->target = to_vector(targets[k]);
-        return {};
+    return impl_->change(Call::move_pins, id, vertices, targets)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (vertices.size() != targets.size())
+                return Error{ErrorCode::invalid_argument, std::to_string(vertices.size()) + " vertices and " +
+                                                              std::to_string(targets.size()) +
+                                                              " targets: give as many of each"};
+            for (std::size_t k = 0; k < vertices.size(); ++k) {
+                if (auto valid = validate_point("a pin's target", targets[k]); !valid) return valid;
+                if (const auto pin = pin_of(cloth, vertices[k]); !pin) return pin.error();
+            }
+            for (std::size_t k = 0; k < vertices.size(); ++k)
+                (*pin_of(cloth, vertices[k]))->target = to_vector(targets[k]);
+            return {};
+        });
     });
 }
 
-const StepReport& World::step(float dt) noexcept {
-    StepReport& report = impl_->simulation.report;
-    if (dt >= least_step && dt <= greatest_step) {
-        impl_->simulation.parallel.lend([&] { impl_->simulation.step(dt); });
-    } else {
-        impl_->simulation.clear_contacts();
-        report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
-    }
-    return report;
-}
-
-const StepReport& World::report() const noexcept {
-    return impl_->simulation.report;
-}
-
-std::span<const Contact> World::contacts() const noexcept {
-    return impl_->simulation.contacts();
-}
-
 std::span<const StageTime> World::profile() const {
+    if (impl_->is_in_step()) return {};
     return impl_->simulation.profiler.stages();
 }
 
 Result<void> World::start_trace(std::size_t max_events) {
-    return without_exceptions([&] { return impl_->simulation.profiler.start_trace(max_events); });
+    return impl_->read("start_trace", [&] { return impl_->simulation.profiler.start_trace(max_events); });
 }
 
 Result<void> World::write_trace(const std::filesystem::path& file) const {
-    return without_exceptions([&] { return impl_->simulation.profiler.write_trace(file); });
+    return impl_->read("write_trace", [&] { return impl_->simulation.profiler.write_trace(file); });
 }
 
 void World::debug_draw(const DebugCanvas& canvas, DebugParts parts) const {
-    weft::debug_draw(impl_->simulation, canvas, parts);
+    if (!impl_->is_in_step()) weft::debug_draw(impl_->simulation, canvas, parts);
 }
 
 std::size_t World::save_size() const noexcept {
-    return weft::save_size(impl_->simulation);
+    return impl_->is_in_step() ? 0 : weft::save_size(impl_->simulation);
 }
 
 Result<void> World::save(std::span<std::byte> to) const {
-    return without_exceptions([&] { return weft::save(impl_->simulation, to); });
+    return impl_->read("save", [&] { return weft::save(impl_->simulation, to); });
 }
 
 Result<void> World::restore(std::span<const std::byte> saved) {
-    return without_exceptions([&] { return weft::restore(impl_->simulation, saved); });
+    return impl_->change(Call::restore, saved)([&] { return weft::restore(impl_->simulation, saved); });
 }
 
 std::uint64_t World::state_hash() const {
+    if (impl_->is_in_step()) return 0;
     StateHash hash;
     for_each_part(std::as_const(impl_->simulation), HashVisitor{hash});
     return hash.value();

@@ -1,20 +1,76 @@
 #pragma once
 // What calls of the public World share.
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "cloth/frame/record/recorder.h"
 #include "cloth/frame/simulation.h"
 #include "engine/without_exceptions.h"
 #include "weft/world.h"
 
 namespace weft {
 
+/// Where a step that was begun is.
+enum class StepPhase : std::uint32_t { none, begun, working, done };
+
 struct World::Impl {
     explicit Impl(const WorldSettings& settings) : simulation(settings) {}
     Simulation simulation;
+    std::unique_ptr<Recorder> recorder;  ///< null: nothing is recorded
+    bool has_changed = false;            ///< since the World was made
+
+    std::atomic<StepPhase> phase = StepPhase::none;
+    float dt = 0;              ///< of the step that was begun
+    StepReport last, refused;  ///< while one is: of the one before; step()'s answer
+
+    [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
+    /// Error: a step was begun.
+    [[nodiscard]] Result<void> refuse_in_step(const char* call) const {
+        if (!is_in_step()) return {};
+        return Error{ErrorCode::invalid_argument, std::string(call) +
+                                                      ": a step was begun, and has to end "
+                                                      "first; call end_step"};
+    }
+
+    /// change(call, what it is given)(act) makes a call that changes the World, and writes it down if it
+    /// succeeds.
+    template <class... Arguments>
+    auto change(Call call, const Arguments&... arguments) noexcept {
+        return [this, call, &arguments...](const auto& act) noexcept {
+            return without_exceptions([&]() -> decltype(act()) {
+                if (auto ready = refuse_in_step(name_of(call)); !ready) return ready.error();
+                auto done = act();
+                if (!done) return done;
+                has_changed = true;
+                if (!recorder) return done;
+                if constexpr (std::is_same_v<decltype(done), Result<void>>)
+                    recorder->note(call, arguments...);
+                else
+                    recorder->note(call, *done, arguments...);
+                return done;
+            });
+        };
+    }
+    /// Makes a call that reads what steps write.
+    template <class Act>
+    auto read(const char* call, const Act& act) const noexcept -> decltype(act()) {
+        return without_exceptions([&]() -> decltype(act()) {
+            if (auto ready = refuse_in_step(call); !ready) return ready.error();
+            return act();
+        });
+    }
+
+    /// Copies what can be read meanwhile.
+    void begin_step(float step);
+    void take_step() noexcept;
+    void end_step() noexcept;
 };
 
 template <class Id>

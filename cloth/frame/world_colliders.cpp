@@ -52,7 +52,7 @@ Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider
 }  // namespace
 
 Result<ShapeId> World::add_shape(const Shape& shape) {
-    return without_exceptions([&]() -> Result<ShapeId> {
+    return impl_->change(Call::add_shape, shape)([&]() -> Result<ShapeId> {
         auto held = HeldShape::make(shape);
         if (!held) return held.error();
         return impl_->simulation.shapes.insert(std::make_unique<HeldShape>(std::move(held).value()));
@@ -60,7 +60,7 @@ Result<ShapeId> World::add_shape(const Shape& shape) {
 }
 
 Result<void> World::deform_shape(ShapeId id, std::span<const Vec3> vertices) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::deform_shape, id, vertices)([&]() -> Result<void> {
         auto* const held = impl_->simulation.shapes.find(id);
         if (held == nullptr) return stale_id("ShapeId", id);
         return (*held)->deform(vertices, impl_->simulation.state.steps + 1);
@@ -68,7 +68,7 @@ Result<void> World::deform_shape(ShapeId id, std::span<const Vec3> vertices) {
 }
 
 Result<void> World::remove_shape(ShapeId id) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::remove_shape, id)([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
         const auto* const held = simulation.shapes.find(id);
         if (held == nullptr) return stale_id("ShapeId", id);
@@ -94,7 +94,7 @@ Result<ShapeInfo> World::shape_info(ShapeId id) const {
 }
 
 Result<ColliderId> World::add_collider(const Collider& collider) {
-    return without_exceptions([&]() -> Result<ColliderId> {
+    return impl_->change(Call::add_collider, collider)([&]() -> Result<ColliderId> {
         Simulation& simulation = impl_->simulation;
         if (const auto valid = validate(collider); !valid) return valid.error();
         if (const auto there = validate_instance(simulation, collider); !there) return there.error();
@@ -111,25 +111,29 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
 }
 
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
-    return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) {
-        if (!have_same_surface(slot.target, target)) {
-            impl_->simulation.wake_near(slot.target);
-            impl_->simulation.wake_near(target);
-        }
-        slot.target = target;
+    return impl_->change(Call::move_collider, id, target)([&] {
+        return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) {
+            if (!have_same_surface(slot.target, target)) {
+                impl_->simulation.wake_near(slot.target);
+                impl_->simulation.wake_near(target);
+            }
+            slot.target = target;
+        });
     });
 }
 
 Result<void> World::place_collider(ColliderId id, const Collider& place) {
-    return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
-        impl_->simulation.wake_near(slot.current);
-        slot = {.current = place, .target = place};
-        impl_->simulation.wake_near(place);
+    return impl_->change(Call::place_collider, id, place)([&] {
+        return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
+            impl_->simulation.wake_near(slot.current);
+            slot = {.current = place, .target = place};
+            impl_->simulation.wake_near(place);
+        });
     });
 }
 
 Result<void> World::remove_collider(ColliderId id) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::remove_collider, id)([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
         const ColliderSlot* const slot = simulation.state.colliders.find(id);
         if (slot == nullptr) return stale_id("ColliderId", id);
@@ -142,7 +146,7 @@ Result<void> World::remove_collider(ColliderId id) {
 }
 
 Result<Collider> World::collider(ColliderId id) const {
-    return without_exceptions([&]() -> Result<Collider> {
+    return impl_->read("collider", [&]() -> Result<Collider> {
         const ColliderSlot* slot = impl_->simulation.state.colliders.find(id);
         if (slot == nullptr) return stale_id("ColliderId", id);
         return slot->current;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "cloth/frame/worn/rigid_motion.h"
+#include "tests/fuzz/recording.h"
 #include "tests/fuzz/snapshot.h"
 #include "tests/fuzz/text.h"
 
@@ -47,12 +48,16 @@ class Player {
 
     Played play() {
         Fingerprints fingerprints;
+        if (options_.recorded != nullptr && !world_.start_recording(sink_to(*options_.recorded)))
+            throw Failure{0, "a new World cannot be recorded"};
         for (played = 0; played < script_.operations.size(); ++played) {
             const Operation& operation = script_.operations[played];
             const bool left_out = options_.without && operation.cloth == *options_.without;
             if (!left_out) call(operation);
             fingerprints.push_back(fingerprints_now());
         }
+        if (options_.recorded != nullptr && !world_.stop_recording())
+            throw Failure{0, "the recording broke off"};
         return {std::move(fingerprints), std::move(restored_)};
     }
 
@@ -635,7 +640,10 @@ Played play(const Script& script, const PlayOptions& options) {
 }
 
 void play_all_ways(const Script& script) {
-    const Played first = play(script);
+    std::vector<std::byte> recorded;
+    PlayOptions as_it_is;
+    as_it_is.recorded = &recorded;
+    const Played first = play(script, as_it_is);
     const Fingerprints& expected = first.fingerprints;
     const auto again = [&](int threads, std::optional<std::size_t> without = {}) {
         return play(script,
@@ -645,6 +653,7 @@ void play_all_ways(const Script& script) {
     const std::vector<bool> none(script.cloths, false);
     compare(expected, again(1), none, "with one thread");
     compare(expected, again(2), none, "with two threads");
+    if (script.seed % 3 == 0) check_recording(script.seed, recorded);
     const std::size_t without = script.seed % script.cloths;
     std::vector<bool> left_out = can_meet(script);
     left_out[without] = true;

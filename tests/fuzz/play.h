@@ -23,6 +23,7 @@ struct PlayOptions {
     /// Of a play in which other saves than these were refused, since cloths had come and gone: in ascending
     /// order. Null: all are tried.
     const std::vector<std::size_t>* restored = nullptr;
+    std::vector<std::byte>* recorded = nullptr;  ///< where the World is recorded; null: nowhere
 };
 
 /// Of the positions and velocities of each cloth, after each operation; 0 for cloths that are not there.

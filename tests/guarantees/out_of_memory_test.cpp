@@ -310,6 +310,13 @@ std::vector<Call> other_calls() {
     calls.push_back({.name = "set_settings_first_air",
                      .make = [](Scene& s) { return s.world.set_settings(Scene::windy()); },
                      .bare = true});
+    add("step_apart", [](Scene& s) {
+        const Answer begun = s.world.begin_step(frame_time);
+        return begun ? s.world.end_step() : begun;
+    });
+    add("describe", [](Scene& s) { return without_value(s.world.describe()); });
+    add("describe_json", [](Scene& s) { return without_value(s.world.describe(DescriptionFormat::json)); });
+    add("cloth_report", [](Scene& s) { return without_value(s.world.cloth_report(s.cloth)); });
     add("profile", [](Scene& s) {
         static_cast<void>(s.world.profile());
         return Answer();

@@ -75,8 +75,12 @@ std::string cannot_run(const SceneEntry& entry) {
            std::string(entry.name);
 }
 
-SceneRun::SceneRun(const SceneEntry& entry, int threads, const Executor& executor)
+SceneRun::SceneRun(const SceneEntry& entry, int threads, const Executor& executor,
+                   const RecordingSink* record)
     : scene_(entry.make()), world_(need(World::create(settings_of(*scene_, threads, executor)))) {
+    if (record != nullptr)
+        if (auto started = world_.start_recording(*record); !started)
+            throw std::runtime_error(started.error().message);
     const SceneOptions options{.particles = particles,
                                .garment = entry.needs_garment ? garment() : std::filesystem::path()};
     need(scene_->build(world_, options));

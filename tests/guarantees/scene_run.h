@@ -23,6 +23,8 @@ class SceneRun {
     /// test program.
     SceneRun(const SceneEntry& entry, int threads) : SceneRun(entry, threads, {}) {}
     SceneRun(const SceneEntry& entry, const Executor& executor) : SceneRun(entry, 1, executor) {}
+    /// Recorded from the start.
+    SceneRun(const SceneEntry& entry, const RecordingSink& record) : SceneRun(entry, 1, {}, &record) {}
 
     /// What the scene moves before a step of 1/60 s, and then the step.
     void before_step();
@@ -31,7 +33,8 @@ class SceneRun {
     [[nodiscard]] World& world() { return world_; }
 
   private:
-    SceneRun(const SceneEntry& entry, int threads, const Executor& executor);
+    SceneRun(const SceneEntry& entry, int threads, const Executor& executor,
+             const RecordingSink* record = nullptr);
 
     std::unique_ptr<Scene> scene_;
     World world_;

@@ -71,7 +71,7 @@ auto with_body(Simulation& simulation, BodyId id, const Use& use)
 }  // namespace
 
 Result<BodyId> World::add_body(const BodySettings& settings, const BodyState& state) {
-    return without_exceptions([&]() -> Result<BodyId> {
+    return impl_->change(Call::add_body, settings, state)([&]() -> Result<BodyId> {
         if (const auto valid = validate_body(settings); !valid) return valid.error();
         if (const auto valid = validate_body(state); !valid) return valid.error();
         return impl_->simulation.add_body({settings, state});
@@ -79,9 +79,11 @@ Result<BodyId> World::add_body(const BodySettings& settings, const BodyState& st
 }
 
 Result<void> World::remove_body(BodyId id) {
-    return with_body(impl_->simulation, id, [&](BodySlot&) -> Result<void> {
-        impl_->simulation.remove_body(id);
-        return {};
+    return impl_->change(Call::remove_body, id)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot&) -> Result<void> {
+            impl_->simulation.remove_body(id);
+            return {};
+        });
     });
 }
 
@@ -91,44 +93,52 @@ Result<BodySettings> World::body_settings(BodyId id) const {
 }
 
 Result<void> World::set_body_settings(BodyId id, const BodySettings& settings) {
-    return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
-        if (auto valid = validate_body(settings); !valid) return valid;
-        slot.settings = settings;
-        return {};
+    return impl_->change(Call::set_body_settings, id, settings)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
+            if (auto valid = validate_body(settings); !valid) return valid;
+            slot.settings = settings;
+            return {};
+        });
     });
 }
 
 Result<BodyState> World::body_state(BodyId id) const {
-    return with_body(impl_->simulation, id,
-                     [](const BodySlot& slot) { return Result<BodyState>(slot.state); });
+    return impl_->read("body_state", [&] {
+        return with_body(impl_->simulation, id,
+                         [](const BodySlot& slot) { return Result<BodyState>(slot.state); });
+    });
 }
 
 Result<void> World::set_body_state(BodyId id, const BodyState& state) {
-    return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
-        if (auto valid = validate_body(state); !valid) return valid;
-        slot.state = state;
-        impl_->simulation.place_carried_colliders();
-        return {};
+    return impl_->change(Call::set_body_state, id, state)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
+            if (auto valid = validate_body(state); !valid) return valid;
+            slot.state = state;
+            impl_->simulation.place_carried_colliders();
+            return {};
+        });
     });
 }
 
 Result<void> World::attach_collider(BodyId id, ColliderId collider) {
-    Simulation& simulation = impl_->simulation;
-    return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
-        ColliderSlot* const carried_one = simulation.state.colliders.find(collider);
-        if (carried_one == nullptr) return stale_id("ColliderId", collider);
-        if (std::holds_alternative<Plane>(carried_one->current.shape))
-            return Error{ErrorCode::invalid_argument,
-                         "the collider is a Plane, which has no end; attach a Box"};
-        carried_one->body = id;
-        carried_one->own = carried(carried_one->current, pose_of(slot.state).inverse());
-        carried_one->target = carried_one->current;
-        return {};
+    return impl_->change(Call::attach_collider, id, collider)([&] {
+        Simulation& simulation = impl_->simulation;
+        return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
+            ColliderSlot* const carried_one = simulation.state.colliders.find(collider);
+            if (carried_one == nullptr) return stale_id("ColliderId", collider);
+            if (std::holds_alternative<Plane>(carried_one->current.shape))
+                return Error{ErrorCode::invalid_argument,
+                             "the collider is a Plane, which has no end; attach a Box"};
+            carried_one->body = id;
+            carried_one->own = carried(carried_one->current, pose_of(slot.state).inverse());
+            carried_one->target = carried_one->current;
+            return {};
+        });
     });
 }
 
 Result<void> World::detach_collider(ColliderId collider) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::detach_collider, collider)([&]() -> Result<void> {
         ColliderSlot* const slot = impl_->simulation.state.colliders.find(collider);
         if (slot == nullptr) return stale_id("ColliderId", collider);
         slot->body = {};
@@ -137,19 +147,21 @@ Result<void> World::detach_collider(ColliderId collider) {
 }
 
 Result<void> World::attach(BodyId id, ClothId cloth, std::span<const std::uint32_t> vertices) {
-    Simulation& simulation = impl_->simulation;
-    return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
-        const std::unique_ptr<Cloth>* const found = simulation.cloths.find(cloth);
-        if (found == nullptr) return stale_id("ClothId", cloth);
-        const auto particles = particles_of(**found, vertices);
-        if (!particles) return particles.error();
-        (*found)->attach(id, pose_of(slot.state), *particles);
-        return {};
+    return impl_->change(Call::attach, id, cloth, vertices)([&] {
+        Simulation& simulation = impl_->simulation;
+        return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
+            const std::unique_ptr<Cloth>* const found = simulation.cloths.find(cloth);
+            if (found == nullptr) return stale_id("ClothId", cloth);
+            const auto particles = particles_of(**found, vertices);
+            if (!particles) return particles.error();
+            (*found)->attach(id, pose_of(slot.state), *particles);
+            return {};
+        });
     });
 }
 
 Result<void> World::detach(ClothId cloth, std::span<const std::uint32_t> vertices) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::detach, cloth, vertices)([&]() -> Result<void> {
         const std::unique_ptr<Cloth>* const found = impl_->simulation.cloths.find(cloth);
         if (found == nullptr) return stale_id("ClothId", cloth);
         const auto particles = particles_of(**found, vertices);
@@ -160,6 +172,7 @@ Result<void> World::detach(ClothId cloth, std::span<const std::uint32_t> vertice
 }
 
 std::span<const BodyImpulse> World::body_impulses() const noexcept {
+    if (impl_->is_in_step()) return {};
     return impl_->simulation.body_impulses();
 }
 

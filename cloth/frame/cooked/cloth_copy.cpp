@@ -66,7 +66,7 @@ std::size_t Cloth::own_bytes() const {
            surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + body_buffers.bytes() +
            collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
-           partial_counts.bytes() + partial_surveys.bytes();
+           partial_counts.bytes() + partial_surveys.bytes() + (shown ? shown->bytes() : 0);
 }
 
 }  // namespace weft

@@ -138,69 +138,79 @@ void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3>
 }  // namespace
 
 Result<void> World::move_cloth(ClothId id, const Transform& by) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate_transform("by", by); !valid) return valid;
-        const RigidMotion motion = rigid_motion(by);
-        if (auto valid = validate_move(cloth, motion); !valid) return valid;
-        impl_->simulation.wake_near(cloth);
-        impl_->simulation.parallel.lend([&] { impl_->simulation.move(cloth, motion); });
-        cloth.wake();
-        return {};
+    return impl_->change(Call::move_cloth, id, by)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_transform("by", by); !valid) return valid;
+            const RigidMotion motion = rigid_motion(by);
+            if (auto valid = validate_move(cloth, motion); !valid) return valid;
+            impl_->simulation.wake_near(cloth);
+            impl_->simulation.parallel.lend([&] { impl_->simulation.move(cloth, motion); });
+            cloth.wake();
+            return {};
+        });
     });
 }
 
 Result<void> World::set_frame(ClothId id, const Transform& pose) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate_transform("pose", pose); !valid) return valid;
-        if (auto valid = validate_point("pose.translation", pose.translation); !valid) return valid;
-        impl_->simulation.set_frame(cloth, pose);
-        return {};
+    return impl_->change(Call::set_frame, id, pose)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_transform("pose", pose); !valid) return valid;
+            if (auto valid = validate_point("pose.translation", pose.translation); !valid) return valid;
+            impl_->simulation.set_frame(cloth, pose);
+            return {};
+        });
     });
 }
 
 Result<void> World::leave_frame(ClothId id) {
-    return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
-        cloth.state.frame.reset();
-        return {};
+    return impl_->change(Call::leave_frame, id)([&] {
+        return with_cloth(impl_->simulation, id, [](Cloth& cloth) -> Result<void> {
+            cloth.state.frame.reset();
+            return {};
+        });
     });
 }
 
 Result<void> World::set_map(ClothId id, Map map, std::span<const float> values) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        const VertexMap described = description_of(map, values);
-        if (described.name[0] == 0)
-            return out_of_range("map", static_cast<double>(map), "one of Map's values");
-        if ((map == Map::mass || map == Map::stiffness) && !values.empty())
-            if (auto valid = validate_for_maps(cloth.settings); !valid) return valid;
-        AlignedBuffer<float> of_particles;
-        if (!values.empty()) {
-            auto remapped =
-                remap_to_particles(described, cloth.model.vertex_to_particle, cloth.model.particle_count);
-            if (!remapped) return remapped.error();
-            of_particles = std::move(remapped).value();
-        }
-        if (map == Map::pin) return set_pins(cloth, of_particles.span());
-        const WornLimits& worn = cloth.worn;
-        auto valid =
-            validate_limits(cloth, map == Map::leash ? std::as_const(of_particles).span() : worn.leash.span(),
-                            map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
-        if (!valid) return valid;
-        cloth.set_map(map, std::move(of_particles));
-        cloth.wake();
-        return {};
+    return impl_->change(Call::set_map, id, map, values)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            const VertexMap described = description_of(map, values);
+            if (described.name[0] == 0)
+                return out_of_range("map", static_cast<double>(map), "one of Map's values");
+            if ((map == Map::mass || map == Map::stiffness) && !values.empty())
+                if (auto valid = validate_for_maps(cloth.settings); !valid) return valid;
+            AlignedBuffer<float> of_particles;
+            if (!values.empty()) {
+                auto remapped =
+                    remap_to_particles(described, cloth.model.vertex_to_particle, cloth.model.particle_count);
+                if (!remapped) return remapped.error();
+                of_particles = std::move(remapped).value();
+            }
+            if (map == Map::pin) return set_pins(cloth, of_particles.span());
+            const WornLimits& worn = cloth.worn;
+            auto valid = validate_limits(
+                cloth, map == Map::leash ? std::as_const(of_particles).span() : worn.leash.span(),
+                map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
+            if (!valid) return valid;
+            cloth.set_map(map, std::move(of_particles));
+            cloth.wake();
+            return {};
+        });
     });
 }
 
 Result<void> World::set_skin(ClothId id, std::span<const Vec3> places, std::span<const Vec3> normals) {
-    return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-        if (auto valid = validate_skin(cloth, places, normals); !valid) return valid;
-        take_skin(cloth, places, normals);
-        return {};
+    return impl_->change(Call::set_skin, id, places, normals)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_skin(cloth, places, normals); !valid) return valid;
+            take_skin(cloth, places, normals);
+            return {};
+        });
     });
 }
 
 Result<void> World::shift_origin(const Vec3& to) {
-    return without_exceptions([&]() -> Result<void> {
+    return impl_->change(Call::shift_origin, to)([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
         if (!is_finite(to)) return out_of_range("to", to, "finite");
         const RigidMotion motion{.shift = -to_vector(to).cast<double>()};

@@ -39,6 +39,8 @@ enum class StepFlags : std::uint32_t {
     /// By contact, something crosses that did not when the step began: a fault of Weft, please report it.
     /// Only builds with assertions look for it, since that takes as long as a search.
     crossed = 1u << 6,
+    /// By step(): World::begin_step() began a step that has not ended. Nothing was done; call end_step().
+    step_under_way = 1u << 7,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
     return static_cast<StepFlags>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -87,6 +89,28 @@ struct StepReport {
     /// their iterations or substeps grow: with few, about 1 is what they have.
     float residual = 0;
     float milliseconds = 0;  ///< the whole step
+};
+
+/// Of one cloth, what StepReport has of all together; of cloth that was not stepped, nothing.
+struct ClothReport {
+    StepFlags flags = StepFlags::none;
+    bool enabled = true, asleep = false;
+    std::uint32_t particles = 0;
+    std::uint32_t collider_contacts = 0;
+    /// Of cloths that were solved together in contact, the first has all pairs, crossings, truncations and
+    /// lags of pins, and the flags of these.
+    std::uint32_t self_contacts = 0;
+    std::uint32_t peak_self_contacts = 0;
+    std::uint32_t truncated_particles = 0;
+    std::uint32_t crossings = 0;
+    std::uint32_t unresolved_pairs = 0;
+    float pin_lag = 0;
+    std::uint32_t limits_exceeded = 0;
+    float limit_lag = 0;
+    float peak_speed = 0;
+    float residual = 0;
+    /// That its threads took for it; cloths that are solved together share this by their particles.
+    float milliseconds = 0;
 };
 
 }  // namespace weft

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "weft/body.h"
 #include "weft/cloth_id.h"
@@ -17,6 +18,7 @@
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
+#include "weft/recording.h"
 #include "weft/report.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"
@@ -25,9 +27,9 @@
 
 namespace weft {
 
-/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step() or
-/// change of this cloth. Particles are numbered by Weft; vertex_to_particle leads there from the mesh's own
-/// vertices.
+/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step(),
+/// begin_step(), end_step() or change of this cloth. Particles are numbered by Weft; vertex_to_particle leads
+/// there from the mesh's own vertices.
 struct ClothView {
     std::span<const Vec4> positions{};  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
     /// At the start of the last step; blend by FixedStepFrame::alpha.
@@ -38,6 +40,9 @@ struct ClothView {
     std::span<const std::uint32_t> vertex_to_particle{};
     Bounds bounds{};  ///< of the positions
 };
+
+/// How World::describe() writes.
+enum class DescriptionFormat : std::uint8_t { text, json };
 
 /// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each
 /// other.
@@ -204,6 +209,27 @@ class World {
     /// call that changes it.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
+    /// What the cloth had of the last step; which cloth raised which flag.
+    [[nodiscard]] Result<ClothReport> cloth_report(ClothId id) const;
+
+    /// step() in three: begin_step() and end_step() on the host's own thread, and between them work() in one
+    /// task of the host's, on any thread, while the host draws. Same bytes as by step(). Calls of one World
+    /// still are one thread's at a time, but for these while work() runs: cloth(), report(), settings(),
+    /// cloth_settings(), body_settings(), shape_info(), and those that are refused.
+    ///
+    /// From begin_step() to end_step() a cloth()'s view shows copies: all buffers as the last step left them.
+    /// report() is the last step's, too. begin_step() makes the copies: it takes the time, and from the first
+    /// call on the memory, of 64 bytes a particle (step() takes neither). All other calls are refused by
+    /// their name, step() by StepFlags::step_under_way; those that have no error to give give nothing: no
+    /// contacts, impulses or stages, a hash and a size of 0, and nothing drawn.
+    ///
+    /// Errors: a step was begun already; dt out of step()'s range.
+    Result<void> begin_step(float dt);
+    /// Takes the step that was begun, by all threads of the World. Error: none was begun, or it was taken.
+    Result<void> work();
+    /// Shows what the step came to; views and report() are of it. What work() was not called for it does
+    /// itself. Errors: no step was begun; work() has not returned.
+    Result<void> end_step();
 
     /// What touched what in the last step, and how hard: the strongest that WorldSettings::contact_reports
     /// has room for, of StepReport::contacts; triggers', which have no strength, where there is room left.
@@ -231,6 +257,10 @@ class World {
     /// as it takes to draw. Only exceptions of the canvas leave it.
     void debug_draw(const DebugCanvas& canvas, DebugParts parts) const;
 
+    /// All that it holds, with settings, memory, what each cost in the last step, and the flags that each
+    /// raised: for people, or as JSON, whose keys are the names of this interface.
+    [[nodiscard]] Result<std::string> describe(DescriptionFormat format = DescriptionFormat::text) const;
+
     /// Of all that changes from step to step, pins and colliders included: the same for any number of
     /// threads, with the same binary.
     [[nodiscard]] std::uint64_t state_hash() const;
@@ -251,7 +281,18 @@ class World {
     /// cloths, shapes or colliders, or settings by which they have another state.
     Result<void> restore(std::span<const std::byte> saved);
 
+    /// From here on writes down every call that changes the World, with all that it is given, and after each
+    /// step a hash of each cloth: see replay(). Not recording costs nothing. A recorded step takes longer by
+    /// a hash of the state, some twentieth with the default, and may allocate. Errors: something has changed
+    /// since the World was made; it is recorded already; the file cannot be written.
+    Result<void> start_recording(const std::filesystem::path& file);
+    Result<void> start_recording(const RecordingSink& sink);
+    /// So does the World's end. Errors: nothing is recorded; some of it could not be written, or had no
+    /// memory: the recording breaks off there, and the World went on.
+    Result<void> stop_recording();
+
   private:
+    friend class Replayer;
     struct Impl;
     explicit World(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

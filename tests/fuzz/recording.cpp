@@ -1,0 +1,97 @@
+#include "tests/fuzz/recording.h"
+
+#include <cstring>
+#include <string>
+
+#include "cloth/frame/record/record_format.h"
+#include "tests/fuzz/play.h"
+
+namespace weft::fuzz {
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+void check_that(bool holds, const std::string& what) {
+    if (!holds) throw Failure{0, "its recording: " + what};
+}
+
+void seal(Bytes& bytes, std::size_t at) {
+    RecordHead head;
+    std::memcpy(&head, bytes.data() + at, sizeof head);
+    StateHash hasher;
+    hasher.add(std::span<const std::byte>(bytes).subspan(at + sizeof head, head.bytes));
+    head.hash = hasher.value();
+    head.own_hash = head.hash_of_head(hasher);
+    std::memcpy(bytes.data() + at, &head, sizeof head);
+}
+
+/// Where records begin that a flipped bit makes take no longer: settings may ask for any number of passes.
+std::vector<std::size_t> harmless_records(const Bytes& bytes) {
+    std::vector<std::size_t> found;
+    for (std::size_t at = sizeof(RecordingHead); at < bytes.size();) {
+        RecordHead head;
+        std::memcpy(&head, bytes.data() + at, sizeof head);
+        const auto call = static_cast<Call>(head.call);
+        const bool sets = call == Call::create || call == Call::set_settings || call == Call::add_cloth ||
+                          call == Call::set_cloth_settings;
+        if (!sets && head.bytes > 0) found.push_back(at);
+        at += sizeof head + head.bytes;
+    }
+    return found;
+}
+
+void replay_flipped(Random& random, const Bytes& recorded, bool sealed) {
+    Bytes bytes = recorded;
+    std::size_t at = random.below(bytes.size());
+    if (sealed) {
+        const std::vector<std::size_t> records = harmless_records(bytes);
+        if (records.empty()) return;
+        const std::size_t record = records[random.below(records.size())];
+        RecordHead head;
+        std::memcpy(&head, bytes.data() + record, sizeof head);
+        at = record + sizeof head + random.below(head.bytes);
+        bytes[at] ^= std::byte(1u << random.below(8));
+        seal(bytes, record);
+    } else {
+        bytes[at] ^= std::byte(1u << random.below(8));
+    }
+    const auto replayed = replay(bytes, {.threads = 1});
+    if (!replayed) {
+        check_that(replayed.error().code == ErrorCode::malformed_file && !replayed.error().message.empty(),
+                   "refused otherwise: " + replayed.error().message);
+        return;
+    }
+    check_that(sealed, "byte " + std::to_string(at) + " is flipped, and nobody notices");
+}
+
+}  // namespace
+
+RecordingSink sink_to(Bytes& bytes) {
+    return {[](void* to, std::span<const std::byte> more) {
+                auto& all = *static_cast<Bytes*>(to);
+                all.insert(all.end(), more.begin(), more.end());
+                return true;
+            },
+            &bytes};
+}
+
+void check_recording(std::uint64_t seed, std::span<const std::byte> recorded) {
+    Random random(seed);
+    const auto whole = replay(recorded, {.threads = 2});
+    check_that(whole.ok(), whole ? "" : whole.error().message);
+    check_that(!whole->difference,
+               whole->difference ? "step " + std::to_string(whole->difference->step) + " differs" : "");
+    check_that(whole->is_whole, "it breaks off");
+
+    const auto cut = recorded.first(random.below(recorded.size()));
+    const auto broken = replay(cut, {.threads = 1});
+    check_that(
+        broken ? !broken->is_whole && !broken->difference : broken.error().code == ErrorCode::malformed_file,
+        "cut off after " + std::to_string(cut.size()) + " bytes");
+    const Bytes bytes(recorded.begin(), recorded.end());
+    replay_flipped(random, bytes, false);
+    replay_flipped(random, bytes, true);
+}
+
+}  // namespace weft::fuzz
