@@ -262,6 +262,14 @@ ImpulseBuffers Cloth::make_impulses(bool reported) const {
             .in_triggers = AlignedBuffer<DeepestInTrigger>(block_count(count))};
 }
 
+ColliderBuffers Cloth::make_collider_buffers(bool any_colliders) const {
+    ColliderBuffers made;
+    if (!any_colliders) return made;
+    made.part_start = AlignedBuffer<Vec4>(model.particle_count);
+    made.whole.emplace(model.triangles, model.particle_count, model.info.mean_edge);
+    return made;
+}
+
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
     const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
     return {.forces = sized(on), .velocities = sized(on && gusts)};
@@ -385,7 +393,8 @@ ClothInfo Cloth::info() const {
                  (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
                  (features ? features->bytes() + contact_mesh->bytes() + substep_start.bytes() : 0) +
                  surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + body_buffers.bytes() +
+                 missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
+                 (whole ? whole->bytes() : 0) + body_buffers.bytes() +
                  collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
                  partial_counts.bytes() + partial_surveys.bytes();
     return info;
