@@ -13,7 +13,7 @@ namespace weft {
 
 namespace {
 
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 32, most_searches = 4;
 /// What is kept of the thickness: between particles, which keep all of it, sides are chords round what is
 /// thin.
 constexpr float part_of_thickness = 0.5f;
@@ -128,19 +128,21 @@ void WholeTriangles::find_owned() {
 
 std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                                        const ClothSide& cloth, float h, const CollidingParticles& particles) {
-    std::uint32_t moved = 0;
-    bool has_paths = false;
+    std::uint32_t met = 0;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
         const Cores cores(motion, h, cloth.thickness + motion.end.thickness, mean_edge_);
         if (cores.empty()) continue;
-        if (!has_paths) find_paths(parallel, particles);
-        has_paths = true;
         const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_};
-        const std::uint32_t near = find_near(parallel, meeting);
-        if (near > 0) moved += push_out(meeting, near);
+        // What has been pushed draws triangles along that were not near.
+        for (int search = 0; search < most_searches; ++search) {
+            find_paths(parallel, particles);
+            const std::uint32_t moved = push_out(meeting, find_near(parallel, meeting));
+            met += search == 0 ? moved : 0;
+            if (moved == 0) break;
+        }
     }
-    return moved;
+    return met;
 }
 
 void WholeTriangles::find_paths(Parallel& parallel, const CollidingParticles& particles) {
