@@ -183,6 +183,7 @@ struct Simulation {
     [[nodiscard]] std::uint32_t collide_with_bodies(Worker& worker, Cloth& cloth, float h,
                                                     std::span<const Vec4> starts);
     void place_attached(Cloth& cloth);
+    void join_attached(Cloth& cloth, std::uint32_t number);
     void finish_part_of_bodies(std::span<Cloth* const> cloths);
     void end_bodies(const Substep& substep);
     /// Those that a cloth of this mask meets, but for those that bodies carry.

@@ -199,7 +199,7 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_worn(worker, cloth);
     place_attached(cloth);
     if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 ||
-        cloth.collider_contacts > 0)
+        cloth.collider_contacts > 0 || !cloth.attached.empty())
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 

@@ -146,6 +146,11 @@ class Contacts {
         if (has_pairs()) set_xyz(of_colliders_[particle], xyz(of_colliders_[particle]) + impulse);
         set_xyz(rows_.impulses[particle], xyz(rows_.impulses[particle]) + impulse);
     }
+    /// To a body.
+    [[nodiscard]] bool is_attached(std::uint32_t particle) const noexcept {
+        const auto at = std::ranges::lower_bound(attached_, particle, {}, &Attachment::particle);
+        return at != attached_.end() && at->particle == particle;
+    }
     /// Whether a collider or a body that it is attached to has a hold of it.
     [[nodiscard]] bool is_held(std::uint32_t particle) const noexcept {
         return presses_collider(particle) || is_attached(particle);
@@ -175,10 +180,6 @@ class Contacts {
     void add_pairs(const BlockRange& range);
     void attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
                       const BlockRange& range);
-    [[nodiscard]] bool is_attached(std::uint32_t particle) const noexcept {
-        const auto at = std::ranges::lower_bound(attached_, particle, {}, &Attachment::particle);
-        return at != attached_.end() && at->particle == particle;
-    }
     /// Impulses of colliders alone.
     [[nodiscard]] AlignedBuffer<Vec4>& of_colliders() noexcept {
         return has_pairs() ? of_colliders_ : rows_.impulses;

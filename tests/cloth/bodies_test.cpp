@@ -154,6 +154,56 @@ TEST(Bodies, TheFlagPullsItsPole) {
     EXPECT_LT((given - expected).norm(), 0.03 * weight);
 }
 
+/// The longest that an edge gets in two seconds, times its length at rest, and the fastest particle.
+struct Worst {
+    float stretch = 0, speed = 0;
+};
+Worst worst_of_flight(const BodySettings& settings, const Vec3& where,
+                      std::span<const std::uint32_t> attached, const Vec3& wind) {
+    constexpr std::uint32_t side = 20;
+    World world = World::create({.wind = {.velocity = wind, .gust = 0.3f}, .threads = 1}).value();
+    const Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
+    const ClothId cloth =
+        world.add_cloth(mesh, {.fabric = {.warp = 2000, .weft = 2000, .shear = 500}}).value();
+    const BodyId body = world.add_body(settings, {.position = where}).value();
+    EXPECT_TRUE(world.attach(body, cloth, attached));
+    Worst worst;
+    for (int k = 0; k < 120; ++k) {
+        world.step(body_step);
+        const ClothView view = world.cloth(cloth).value();
+        for (const Triangle& t : view.triangles) {
+            const float along = (xyz(view.positions[t[0]]) - xyz(view.positions[t[1]])).norm();
+            const float rest = (to_vector(mesh.positions[t[0]]) - to_vector(mesh.positions[t[1]])).norm();
+            worst.stretch = std::max(worst.stretch, along / rest);
+        }
+        worst.speed = std::max(worst.speed, world.report().peak_speed);
+    }
+    return worst;
+}
+
+// The row's particles have an inertia of 8e-4 kg m^2 about its middle.
+TEST(Bodies, APoleLighterThanWhatIsAttachedToItFliesWithItsFlag) {
+    std::vector<std::uint32_t> row(20);
+    for (std::uint32_t i = 0; i < 20; ++i) row[i] = i;
+    for (const Vec3& inertia : {Vec3{1e-5f, 1e-5f, 1e-5f}, Vec3{1e-3f, 1e-3f, 1e-3f},
+                                Vec3{0.02f, 1e-4f, 0.02f}, Vec3{1e-4f, 0.02f, 0.02f}}) {
+        const Worst worst = worst_of_flight({.mass = 0.05f, .inertia = inertia, .gravity_scale = 0},
+                                            {0, 0, -0.5f}, row, {1, 0, 4});
+        EXPECT_LT(worst.stretch, 1.4f) << inertia.x << " " << inertia.y;
+        EXPECT_LT(worst.speed, 12) << inertia.x << " " << inertia.y;
+    }
+}
+
+TEST(Bodies, AWeightTakesTheClothThatIsAttachedToItAlong) {
+    for (const float aside : {0.0f, 0.25f}) {
+        const Worst worst =
+            worst_of_flight({.mass = 0.8f, .inertia = {1e-3f, 1e-3f, 1e-3f}}, {aside, 0, aside},
+                            std::vector<std::uint32_t>{189, 190, 209, 210}, {});
+        EXPECT_LT(worst.stretch, 1.4f) << aside;
+        EXPECT_LT(worst.speed, 20) << aside;
+    }
+}
+
 TEST(Bodies, WhatIsAttachedGoesAlong) {
     SheetAndBody scene({.side = 9, .mass = 0, .state = {.position = {0, 0.5f, 0}}}, Held::free);
     const std::vector<std::uint32_t> vertices{0, 8};

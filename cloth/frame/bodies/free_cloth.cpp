@@ -11,14 +11,18 @@ Eigen::Vector3d wide(const Vec4& v) {
     return xyz(v).cast<double>();
 }
 
+bool takes_part(const Cloth& cloth, std::size_t body) {
+    return !cloth.collected[body].in_part.isZero(0);
+}
+
 bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation,
                             std::span<const MovingBody> bodies) {
     if (!cloth.state.pins.empty() || equation.pairs != nullptr || cloth.model.component_offsets.size() != 2)
         return false;
     bool any = false;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-        if (cloth.collected[k].in_part.isZero(0)) continue;
-        if (bodies[k].inverse_mass == 0) return false;
+        if (!takes_part(cloth, k)) continue;
+        if (bodies[k].inverse_mass == 0 || bodies[k].inverse_inertia.minCoeff() == 0) return false;
         any = true;
     }
     if (!any) return false;
@@ -41,6 +45,11 @@ struct Motion {
         angular += m * x.cross(v);
         inertia += m * (x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose());
     }
+    void add(const MovingBody& body) {
+        add(1 / body.inverse_mass, body.end.position.cast<double>(), body.now.head<3>());
+        angular += body.inertia() * body.now.tail<3>();
+        inertia += body.inertia();
+    }
 };
 
 Eigen::Vector3d place(const StepEquation& equation, std::uint32_t i, const Eigen::Vector3d& v) {
@@ -51,6 +60,34 @@ template <class Visit>
 void for_each_free(const StepEquation& equation, const Visit& visit) {
     for (std::uint32_t i = 0; i < equation.positions.size(); ++i)
         if (equation.positions[i].w > 0) visit(i, 1 / static_cast<double>(equation.positions[i].w));
+}
+
+Motion motion_of(const StepEquation& equation, std::span<const Vec4> velocities) {
+    Motion sum;
+    for_each_free(equation, [&](std::uint32_t i, double m) {
+        const Eigen::Vector3d v = wide(velocities[i]);
+        sum.add(m, place(equation, i, v), v);
+    });
+    return sum;
+}
+
+Vector6 momentum_of(const Motion& motion) {
+    Vector6 sum;
+    sum << motion.linear, motion.angular;
+    return sum;
+}
+
+/// The velocity, of the common centre and about it, that all of it gains by this momentum about the origin.
+Vector6 as_one(const Motion& all, const Vector6& gained) {
+    const Eigen::Vector3d centre = all.centre / all.mass;
+    const Eigen::Matrix3d about_centre =
+        all.inertia -
+        all.mass * (centre.squaredNorm() * Eigen::Matrix3d::Identity() - centre * centre.transpose());
+    const Eigen::Vector3d linear = gained.head<3>(), angular = gained.tail<3>() - centre.cross(linear);
+    Vector6 change;
+    change << linear / all.mass,
+        (about_centre + 1e-9 * about_centre.trace() * Eigen::Matrix3d::Identity()).ldlt().solve(angular);
+    return change;
 }
 
 /// What the cloth should have when the part ends.
@@ -98,32 +135,41 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
 
 }  // namespace
 
-void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation,
-                               std::span<const MovingBody> bodies) {
+void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::span<MovingBody> bodies) {
     if (!is_free_but_for_bodies(cloth, equation, bodies)) return;
     const std::span<Vec4> velocities = cloth.next_velocities.span();
-    const Vector6 target = owed(cloth, equation, bodies, velocities);
+    const Vector6 missing =
+        owed(cloth, equation, bodies, velocities) - momentum_of(motion_of(equation, velocities));
+    const auto for_each_body = [&](const auto& visit) {
+        for (std::size_t k = 0; k < bodies.size(); ++k)
+            if (takes_part(cloth, k)) visit(bodies[k], cloth.collected[k].in_part);
+    };
+    const auto motion_of_all = [&] {
+        Motion all = motion_of(equation, velocities);
+        for_each_body([&](const MovingBody& body, const Vector6&) { all.add(body); });
+        return all;
+    };
+    const Vector6 target = missing + momentum_of(motion_of_all());
     constexpr int rounds = 3;  // since what moves ends elsewhere
     for (int round = 0; round < rounds; ++round) {
-        Motion now;
-        for_each_free(equation, [&](std::uint32_t i, double m) {
-            const Eigen::Vector3d v = wide(velocities[i]);
-            now.add(m, place(equation, i, v), v);
-        });
-        const Eigen::Vector3d centre = now.centre / now.mass;
-        const Eigen::Vector3d linear = target.head<3>() - now.linear;
-        const Eigen::Vector3d angular = target.tail<3>() - now.angular - centre.cross(linear);
-        const Eigen::Matrix3d inertia =
-            now.inertia -
-            now.mass * (centre.squaredNorm() * Eigen::Matrix3d::Identity() - centre * centre.transpose());
-        const Eigen::Vector3d turn =
-            (inertia + 1e-9 * inertia.trace() * Eigen::Matrix3d::Identity()).ldlt().solve(angular);
-        const Eigen::Vector3d shift = linear / now.mass;
-        if (!shift.allFinite() || !turn.allFinite()) return;
+        const Motion all = motion_of_all();
+        const Vector6 change = as_one(all, target - momentum_of(all));
+        if (!change.allFinite()) return;
+        const Eigen::Vector3d centre = all.centre / all.mass, turn = change.tail<3>();
+        const auto change_at = [&](const Eigen::Vector3d& place) -> Eigen::Vector3d {
+            return change.head<3>() + turn.cross(place - centre);
+        };
         for_each_free(equation, [&](std::uint32_t i, double /*m*/) {
             const Eigen::Vector3d v = wide(velocities[i]);
-            const Eigen::Vector3d moved = v + shift + turn.cross(place(equation, i, v) - centre);
-            velocities[i] = to_vec4(moved.cast<float>(), 0);
+            velocities[i] = to_vec4((v + change_at(place(equation, i, v))).cast<float>(), 0);
+        });
+        for_each_body([&](MovingBody& body, Vector6& given) {
+            Vector6 its;
+            its << change_at(body.end.position.cast<double>()), turn;
+            given.head<3>() += its.head<3>() / body.inverse_mass;
+            given.tail<3>() += body.inertia() * turn;
+            body.now += its;
+            body.find_end();
         });
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 #include <limits>
 
 #include "cloth/frame/bodies/free_cloth.h"
@@ -58,17 +59,13 @@ Bounds grown(const Bounds& box, float by) {
     return {to_vec3(to_vector(box.lower) - margin), to_vec3(to_vector(box.upper) + margin)};
 }
 
-/// The end of a part: where the body is, and how it moves with what cloth gave it. Angular momentum stays as
-/// it is while the inertia turns with the body.
+/// The end of a part: where the body is, and how it moves with what cloth gave it.
 void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
-    Vector6 after = body.drift + body.root * (body.root.transpose() * given);
+    const Vector6 after = body.drift + body.root * (body.root.transpose() * given);
     if (!is_solved_for) {
         body.now = after;
         body.find_end();
     }
-    if (body.is_uneven())
-        after.tail<3>() =
-            body.inverse_inertia_at(body.end.rotation) * (body.momentum + Eigen::Vector3d(given.tail<3>()));
     body.start = body.end;
     body.velocity = after;
 }
@@ -212,7 +209,7 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
         const BodySettings& of = stage.settings[k];
         body.h = h;
         body.gamma = gamma;
-        body.set_root();
+        body.set_root(body.start.rotation);
         body.drift = body.velocity;
         if (body.inverse_mass > 0)
             body.drift.head<3>() +=
@@ -239,9 +236,15 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
             body.momentum = body.inverse_inertia_at(body.start.rotation).inverse() * body.drift.tail<3>();
             body.turn_freely();
         }
-        body.free = body.drift + moved_by(echo);
         body.expected = are_solved_with_bodies(cloths) ? Vector6(expected - echo) : Vector6(Vector6::Zero());
-        body.expect();
+        const auto expect = [&] {
+            body.free = body.drift + moved_by(echo);
+            body.expect();
+        };
+        expect();
+        if (!body.is_uneven()) continue;
+        body.turn_inertia();
+        expect();
     }
 }
 
@@ -259,6 +262,7 @@ void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equatio
         cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
     }
     keep_momentum_with_bodies(cloth, equation, bodies_->moving);
+    bodies_->coupling.move_colliders();
     for (std::size_t k = 0; k < cloth.collected.size(); ++k)
         cloth.state.shares[k].echo =
             cloth.history ? to_floats(cloth.collected[k].in_part) : std::array<float, 6>{};
@@ -303,19 +307,39 @@ std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, floa
     return touching;
 }
 
-/// Attached particles are where their bodies are.
+/// Attached particles are where their bodies are. Both get the velocity at which their momentum is what it
+/// was: were the body alone to give way it would fly where they are heavier than it is.
 void Simulation::place_attached(Cloth& cloth) {
-    if (!cloth.meets_bodies) return;
-    for (const Attachment& attached : cloth.attached) {
-        const std::uint32_t i = attached.particle;
-        if (!(cloth.state.positions[i].w > 0)) continue;
-        const MovingBody& body = bodies_->moving[attached.body];
-        const Vector3 place = body.end * attached.own;
-        const Vector3 velocity = body.velocity_at(place);
+    if (!cloth.meets_bodies || cloth.attached.empty()) return;
+    for (std::uint32_t body = 0; body < bodies_->moving.size(); ++body) join_attached(cloth, body);
+}
+
+void Simulation::join_attached(Cloth& cloth, std::uint32_t number) {
+    MovingBody& body = bodies_->moving[number];
+    const auto for_each_free = [&](const auto& visit) {
+        for (const Attachment& attached : cloth.attached) {
+            const Vec4& position = cloth.state.positions[attached.particle];
+            if (attached.body == number && position.w > 0)
+                visit(attached.particle, Vector3(body.end * attached.own), 1 / position.w);
+        }
+    };
+    Matrix6 inertia = Matrix6::Zero();
+    Vector6 lacking = Vector6::Zero();
+    for_each_free([&](std::uint32_t i, const Vector3& place, float mass) {
+        const Eigen::Vector3d arm = (place - body.end.position).cast<double>();
+        inertia += at_arm(arm, static_cast<double>(mass) * Eigen::Matrix3d::Identity());
+        const Vector3 lacks = mass * (xyz(cloth.state.velocities[i]) - body.velocity_at(place));
+        lacking += wrench(arm, lacks.cast<double>());
+    });
+    const Matrix6 joint = Matrix6::Identity() + body.root.transpose() * inertia * body.root;
+    const Vector6 along_root = joint.ldlt().solve(Vector6(body.root.transpose() * lacking));
+    const Vector6 change = body.root * along_root;
+    body.now += change;
+    cloth.collected[number].in_part += lacking - inertia * change;
+    for_each_free([&](std::uint32_t i, const Vector3& place, float /*mass*/) {
         set_xyz(cloth.state.positions[i], place);
-        collect_change(cloth, attached.body, i, velocity - xyz(cloth.state.velocities[i]));
-        set_xyz(cloth.state.velocities[i], velocity);
-    }
+        set_xyz(cloth.state.velocities[i], body.velocity_at(place));
+    });
 }
 
 void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {

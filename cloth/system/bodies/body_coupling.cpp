@@ -16,22 +16,9 @@ Eigen::Matrix3d matrix_of(const Symmetric3& g) {
     return m;
 }
 
-Eigen::Matrix3d crossing(const Eigen::Vector3d& r) {
-    Eigen::Matrix3d m;
-    m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    return m;
-}
-
 /// Of the body's point at `arm`.
 Eigen::Vector3d velocity_at(const Vector6& velocity, const Vector3& arm) {
     return velocity.head<3>() + Eigen::Vector3d(velocity.tail<3>()).cross(arm.cast<double>());
-}
-
-Matrix6 stiffness_at(const Symmetric3& block, const Vector3& arm) {
-    const Eigen::Matrix3d g = matrix_of(block), x = crossing(arm.cast<double>());
-    Matrix6 s;
-    s << g, -g * x, x * g, -x * g * x;
-    return s;
 }
 
 }  // namespace
@@ -77,7 +64,7 @@ void BodyCoupling::gather(std::size_t cloth, std::span<const Vec4> velocities) {
         Eliminated& body = eliminated_[push.body];
         const std::uint32_t i = push.particle;
         const Eigen::Vector3d arm = push.arm.cast<double>();
-        body.stiffness += stiffness_at(contacts.rows().block(i), push.arm);
+        body.stiffness += at_arm(arm, matrix_of(contacts.rows().block(i)));
         body.pressed += wrench(arm, contacts.of_colliders(i, xyz(velocities[i])).cast<double>());
         if (!is_first_) return;
         const Vector6 kept = wrench(arm, forgotten(equation, i).cast<double>());
@@ -159,9 +146,7 @@ void BodyCoupling::follow() {
         moving.now += body.answer;
         moving.find_end();
     }
-    for (const CarriedCollider& collider : carried_) {
-        bodies_[collider.body].move(*collider.own, motions_[collider.motion]);
-    }
+    move_colliders();
     for (std::size_t cloth = 0; cloth < equations_.size(); ++cloth) {
         Contacts& contacts = *equations_[cloth]->contacts;
         for (const BodyPush& push : contacts.pushes()) {
@@ -169,6 +154,11 @@ void BodyCoupling::follow() {
             contacts.add_impulse(push.particle, contacts.rows().block(push.particle) * v);
         }
     }
+}
+
+void BodyCoupling::move_colliders() {
+    for (const CarriedCollider& collider : carried_)
+        bodies_[collider.body].move(*collider.own, motions_[collider.motion]);
 }
 
 }  // namespace weft

@@ -56,6 +56,8 @@ class BodyCoupling {
     // The cloths' velocities have changed: bodies, their colliders and what contacts give at rest follow.
     void look(std::size_t cloth, std::span<const Vec4> velocities);
     void follow();
+    /// Colliders to where bodies are by now.
+    void move_colliders();
 
   private:
     struct Eliminated {

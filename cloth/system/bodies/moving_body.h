@@ -22,6 +22,15 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
     return w;
 }
 
+/// A^T g A, where A gives the velocity at `arm` of a body's: what a mass or a spring there is to the body.
+[[nodiscard]] inline Matrix6 at_arm(const Eigen::Vector3d& arm, const Eigen::Matrix3d& g) {
+    Eigen::Matrix3d x;
+    x << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    Matrix6 sum;
+    sum << g, -g * x, x * g, -x * g * x;
+    return sum;
+}
+
 /// Turned about an axis of the World by the length of `turn` [rad].
 [[nodiscard]] inline Eigen::Quaternionf turned(const Eigen::Quaternionf& rotation, const Vector3& turn) {
     const float angle = turn.norm();
@@ -44,8 +53,9 @@ struct MovingBody {
     Vector6 now = Vector6::Zero();       ///< velocity at its end, as far as it is known
     BodyPose end;                        ///< likewise
 
-    void set_root() {
-        const Eigen::Matrix3d axes = start.rotation.cast<double>().toRotationMatrix();
+    /// With its axes turned so.
+    void set_root(const Eigen::Quaternionf& rotation) {
+        const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
         root.setZero();
         root.topLeftCorner<3, 3>() = std::sqrt(inverse_mass) * Eigen::Matrix3d::Identity();
         root.bottomRightCorner<3, 3>() = axes * inverse_inertia.cwiseSqrt().asDiagonal();
@@ -83,6 +93,18 @@ struct MovingBody {
             if (!there.allFinite()) return;
             drift.tail<3>() = there;
         }
+    }
+    /// Its inertia is that of where it is to end. Were it to turn on with the solution, a little that is
+    /// given about one axis would come to much about another, and attached cloth would fly.
+    void turn_inertia() {
+        set_root(end.rotation);
+        const Eigen::Vector3d there = inverse_inertia_at(end.rotation) * momentum;
+        if (there.allFinite()) drift.tail<3>() = there;
+    }
+    /// As its inverse mass has it; nothing may keep it from turning.
+    [[nodiscard]] Eigen::Matrix3d inertia() const {
+        const Eigen::Matrix3d of_root = root.bottomRightCorner<3, 3>();
+        return (of_root * of_root.transpose()).inverse();
     }
     /// From where it would come to its end at the velocity that it has there: surfaces move at that.
     [[nodiscard]] BodyPose swept_from() const {
