@@ -29,7 +29,8 @@ class Cores {
     static constexpr std::uint32_t most = 128, most_corners = 32;
 
     /// None of what is neither thin beside edges of that length nor sharp, has no cores (planes, grounds,
-    /// meshes, distance fields, hulls of more than 32 corners), or has jumped.
+    /// meshes, distance fields, hulls of more than 32 corners), or has jumped. Of a body that stands still no
+    /// edges count.
     Cores(const ColliderMotion& motion, float h, float thickness, float mean_edge);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }

@@ -81,8 +81,8 @@ Nearest nearest_of_triangle(const Core& core, const std::array<Vector3, 3>& x) {
 
 std::optional<Approach> first_approach(const Cores& cores, const Core& core, const CornerPaths& paths,
                                        float gap) {
-    constexpr int most_steps = 24;
-    constexpr float least_part = 1.0f / 16;  // of the way
+    constexpr int most_steps = 64;
+    constexpr float least_part = 1.0f / 128;  // of the way
     const std::size_t corners = core.is_point() ? 3 : 2;
     const std::array<Vector3, 3>&from = paths.from, &to = paths.to;
     std::array<Vector3, 3> x = from;
@@ -111,8 +111,9 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
             if (least > std::max(normal.dot(core.a), normal.dot(core.at(1)))) return std::nullopt;
         }
         if (t == 1 || !(fastest > 0)) return std::nullopt;
-        const float part = std::max(clear, 0.0f) / fastest;
-        t = std::min(t + (is_near ? std::max(part, least_part) : part), 1.0f);
+        // Whatever is near goes no farther than the plane between the two holds.
+        const float free = is_near ? std::max(0.8f * distance, least_part * fastest) : clear;
+        t = std::min(t + free / fastest, 1.0f);
         for (std::size_t k = 0; k < corners; ++k) x[k] = from[k] + t * (to[k] - from[k]);
     }
     return std::nullopt;

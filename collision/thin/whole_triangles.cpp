@@ -13,7 +13,7 @@ namespace weft {
 
 namespace {
 
-constexpr int most_rounds = 32, most_searches = 4;
+constexpr int most_rounds = 16, most_searches = 3;
 /// What is kept of the thickness: between particles, which keep all of it, sides are chords round what is
 /// thin.
 constexpr float part_of_thickness = 0.5f;
