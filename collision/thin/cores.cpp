@@ -9,8 +9,9 @@ namespace weft {
 
 namespace {
 
-/// Beside edges of a cloth: what is thinner than so many of them slips through where they are stretched.
-constexpr float thin_per_edge = 2;
+/// Beside edges of a cloth: what is thinner slips through anyway, what is thinner than so many as they are
+/// stretched by what is fast.
+constexpr float stretched = 2;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
 /// here: what lies on a body's edges would not come to rest. On a round thing as thin it would fall through.
 constexpr float least_way = 0.25f;
@@ -49,9 +50,12 @@ float thinnest(const HeldInstance& instance) {
 Cores::Cores(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
     const Pace pace{h, motion.fastest};
     with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
-        if (!(thinnest(end) + thickness < thin_per_edge * mean_edge)) return;
-        const float way = sweeping(start, end, pace, thickness).way;
+        const float thin = thinnest(end) + thickness;
+        if (!(thin < stretched * mean_edge)) return;
+        const Sweeping sweep = sweeping(start, end, pace, thickness);
+        const float way = sweep.way;
         if (!(way >= 0)) return;
+        if (thin >= mean_edge && !(way > sweep.thin)) return;
         if (is_body<Shape> && !(way > least_way * thickness)) return;
         if constexpr (std::is_same_v<Shape, Capsule>) {
             add_round(moving(start, end, pace), 0, 0);

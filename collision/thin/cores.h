@@ -28,9 +28,9 @@ class Cores {
   public:
     static constexpr std::uint32_t most = 128, most_corners = 32;
 
-    /// None of what is neither thin beside edges of that length nor sharp, has no cores (planes, grounds,
-    /// meshes, distance fields, hulls of more than 32 corners), or has jumped. Of a body that stands still no
-    /// edges count.
+    /// None of what is neither thin beside edges of that length, or fast and thin beside two, nor sharp, has
+    /// no cores (planes, grounds, meshes, distance fields, hulls of more than 32 corners), or has jumped. Of
+    /// a body that stands still no edges count.
     Cores(const ColliderMotion& motion, float h, float thickness, float mean_edge);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }
