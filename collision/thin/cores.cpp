@@ -11,7 +11,7 @@ namespace {
 
 /// Beside edges of a cloth: what is thinner slips through anyway, what is thinner than so many as they are
 /// stretched by what is fast.
-constexpr float stretched = 2;
+constexpr float stretched = 2, slips_through = 0.4f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
 /// here: what lies on a body's edges would not come to rest. On a round thing as thin it would fall through.
 constexpr float least_way = 0.25f;
@@ -47,16 +47,20 @@ float thinnest(const HeldInstance& instance) {
 
 }  // namespace
 
-Cores::Cores(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
+Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
+    return with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
+        const float thin = thinnest(end) + thickness;
+        if (!(thin < stretched * mean_edge)) return Thinness::thick;
+        const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
+        if (!(sweep.way >= 0)) return Thinness::thick;
+        if (is_body<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
+        return thin < slips_through * mean_edge ? Thinness::thin : Thinness::thin_if_fast;
+    });
+}
+
+Cores::Cores(const ColliderMotion& motion, float h) {
     const Pace pace{h, motion.fastest};
     with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
-        const float thin = thinnest(end) + thickness;
-        if (!(thin < stretched * mean_edge)) return;
-        const Sweeping sweep = sweeping(start, end, pace, thickness);
-        const float way = sweep.way;
-        if (!(way >= 0)) return;
-        if (thin >= mean_edge && !(way > sweep.thin)) return;
-        if (is_body<Shape> && !(way > least_way * thickness)) return;
         if constexpr (std::is_same_v<Shape, Capsule>) {
             add_round(moving(start, end, pace), 0, 0);
         } else if constexpr (std::is_same_v<Shape, TaperedCapsule>) {

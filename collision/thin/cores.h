@@ -23,15 +23,19 @@ struct Core {
     [[nodiscard]] float radius_at(float s) const { return radius + s * wider; }
 };
 
+/// Beside a cloth's edges, of that length at rest. What is thin is thinner than two fifths of one, or a body
+/// with edges that moves; thin if it meets fast what is thinner than two, as far as they are stretched by
+/// that. Thick is also what has jumped.
+enum class Thinness : std::uint8_t { thick, thin_if_fast, thin };
+[[nodiscard]] Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge);
+
 /// The cores of one collider over a substep.
 class Cores {
   public:
     static constexpr std::uint32_t most = 128, most_corners = 32;
 
-    /// None of what is neither thin beside edges of that length, or fast and thin beside two, nor sharp, has
-    /// no cores (planes, grounds, meshes, distance fields, hulls of more than 32 corners), or has jumped. Of
-    /// a body that stands still no edges count.
-    Cores(const ColliderMotion& motion, float h, float thickness, float mean_edge);
+    /// None of planes, grounds, meshes, distance fields, hulls of more than 32 corners.
+    Cores(const ColliderMotion& motion, float h);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }
     [[nodiscard]] bool empty() const { return count_ == 0; }

@@ -13,7 +13,7 @@ namespace weft {
 
 namespace {
 
-constexpr int most_rounds = 16, most_searches = 3;
+constexpr int most_rounds = 8, most_searches = 3;
 /// What is kept of the thickness: between particles, which keep all of it, sides are chords round what is
 /// thin.
 constexpr float part_of_thickness = 0.5f;
@@ -22,6 +22,21 @@ constexpr float least_gap = 0.02f;
 
 std::span<const Vec4> of_block_of(std::span<const Vec4> all, const BlockRange& range) {
     return all.subspan(range.begin, range.end - range.begin);
+}
+
+/// Of the corners, as the collider sees them: whoever wears cloth takes it along.
+float farthest(const CornerPaths& corners) {
+    float squared = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        squared = std::max(squared, (corners.to[k] - corners.from[k]).squaredNorm());
+    return std::sqrt(squared);
+}
+
+std::optional<weft::Meeting> may_be_near(const ColliderMotion& motion, float h, float thickness,
+                                         const BlockPaths& paths) {
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        return may_meet(start, end, {h, motion.fastest}, {thickness, 0}, paths);
+    });
 }
 
 }  // namespace
@@ -33,6 +48,7 @@ struct WholeTriangles::Meeting {
     const ClothSide& cloth;
     const CollidingParticles& particles;
     float h, least_gap;
+    bool only_fast;
 
     [[nodiscard]] float thickness() const { return cloth.thickness + motion.end.thickness; }
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
@@ -94,6 +110,7 @@ WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_
       spans_(block_count(static_cast<std::uint32_t>(triangles.size()))),
       near_(triangles.size()),
       counts_(spans_.size()),
+      is_fast_(spans_.size()),
       paths_(block_count(particles)) {
     find_owned();
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -129,14 +146,23 @@ void WholeTriangles::find_owned() {
 std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                                        const ClothSide& cloth, float h, const CollidingParticles& particles) {
     std::uint32_t met = 0;
+    bool has_paths = false;
+    BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
-        const Cores cores(motion, h, cloth.thickness + motion.end.thickness, mean_edge_);
+        const float thickness = cloth.thickness + motion.end.thickness;
+        const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
+        if (thinness == Thinness::thick) continue;
+        if (!has_paths) all = find_paths(parallel, particles);
+        has_paths = true;
+        if (!may_be_near(motion, h, thickness, all)) continue;
+        const Cores cores(motion, h);
         if (cores.empty()) continue;
-        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_};
+        const Meeting meeting{
+            cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness == Thinness::thin_if_fast};
         // What has been pushed draws triangles along that were not near.
         for (int search = 0; search < most_searches; ++search) {
-            find_paths(parallel, particles);
+            if (search > 0) all = find_paths(parallel, particles);
             const std::uint32_t moved = push_out(meeting, find_near(parallel, meeting));
             met += search == 0 ? moved : 0;
             if (moved == 0) break;
@@ -145,18 +171,32 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
     return met;
 }
 
-void WholeTriangles::find_paths(Parallel& parallel, const CollidingParticles& particles) {
+/// Of each block; and of all.
+BlockPaths WholeTriangles::find_paths(Parallel& parallel, const CollidingParticles& particles) {
     parallel.ranges(static_cast<std::uint32_t>(particles.positions.size()), [&](const BlockRange& range) {
-        const BlockPaths paths =
+        paths_[range.block] =
             paths_of(of_block_of(particles.starts, range), of_block_of(particles.positions, range));
-        paths_[range.block] = {paths.ends.lower, paths.ends.upper, paths.longest};
     });
+    return joined(0, static_cast<std::uint32_t>(paths_.size()) - 1);
 }
 
-/// Which triangles may come near a core, in ascending order; how many.
+BlockPaths WholeTriangles::joined(std::uint32_t first, std::uint32_t last) const {
+    BlockPaths all = paths_[first];
+    for (std::uint32_t block = first + 1; block <= last; ++block) {
+        const BlockPaths& more = paths_[block];
+        all.ends.lower = to_vec3(to_vector(all.ends.lower).cwiseMin(to_vector(more.ends.lower)));
+        all.ends.upper = to_vec3(to_vector(all.ends.upper).cwiseMax(to_vector(more.ends.upper)));
+        all.longest = std::max(all.longest, more.longest);
+    }
+    return all;
+}
+
+/// Which triangles may come near a core, in ascending order; how many. Where one is as fast as it has to be,
+/// all count: others beside it are carried already.
 std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeting) {
     parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
                     [&](const BlockRange& range) { find_near_in_block(meeting, range); });
+    if (std::ranges::none_of(is_fast_.span(), [](std::uint8_t fast) { return fast != 0; })) return 0;
     std::uint32_t near = 0;
     for (std::uint32_t block = 0; block < counts_.size(); ++block) {
         const std::uint32_t* const begin = near_.data() + std::size_t{block} * block_size;
@@ -169,21 +209,13 @@ std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeti
 void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange& range) {
     std::uint32_t& count = counts_[range.block];
     count = 0;
+    is_fast_[range.block] = 0;
     const ParticleSpan& span = spans_[range.block];
-    const Paths& first = paths_[span.first / block_size];
-    BlockPaths paths{{first.lower, first.upper}, first.longest};
-    for (std::uint32_t block = span.first / block_size + 1; block <= span.last / block_size; ++block) {
-        const Paths& more = paths_[block];
-        paths.ends.lower = to_vec3(to_vector(paths.ends.lower).cwiseMin(to_vector(more.lower)));
-        paths.ends.upper = to_vec3(to_vector(paths.ends.upper).cwiseMax(to_vector(more.upper)));
-        paths.longest = std::max(paths.longest, more.longest);
-    }
-    const Pace pace{meeting.h, meeting.motion.fastest};
+    const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.widest_gap();
-    const bool may = with_shapes(meeting.motion, [&](const auto& start, const auto& end) {
-        return may_meet(start, end, pace, {gap, 0}, paths).has_value();
-    });
-    if (!may) return;
+    const auto may = may_be_near(meeting.motion, meeting.h, meeting.thickness(), paths);
+    if (!may || (meeting.only_fast && may->thin == 0)) return;
+    const float least_way = meeting.only_fast ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
     for (std::uint32_t t = range.begin; t < range.end; ++t) {
         const CornerPaths corners = meeting.paths(triangles_[t]);
@@ -192,7 +224,9 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         box = Eigen::AlignedBox3f(box.min() - margin, box.max() + margin);
         if (!box.intersects(meeting.cores.box())) continue;
         const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
-        if (std::ranges::any_of(meeting.cores.list(), is_near)) near_[range.begin + count++] = t;
+        if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
+        near_[range.begin + count++] = t;
+        if (farthest(corners) > least_way) is_fast_[range.block] = 1;
     }
 }
 
@@ -219,7 +253,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
         const auto approach = first_approach(meeting.cores, core, paths, gap);
         if (!approach) return;
         meeting.push(of, *approach);
-        any |= approach->depth > 1e-3f * gap;
+        any |= approach->depth > 0.02f * gap;
     };
     const Vector3 margin = Vector3::Constant(gap);
     for (const Core& core : meeting.cores.list()) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "collision/collider_contacts.h"
+#include "collision/shapes/moving_shapes.h"
 #include "engine/aligned_buffer.h"
 #include "engine/parallel_blocks.h"
 
@@ -29,22 +30,19 @@ class WholeTriangles {
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() + paths_.bytes();
+        return owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() + is_fast_.bytes() +
+               paths_.bytes();
     }
 
   private:
     struct ParticleSpan {
         std::uint32_t first, last;
     };
-    /// Where a block's particles end, and how far the farthest has gone.
-    struct Paths {
-        Vec3 lower, upper;
-        float longest;
-    };
     struct Meeting;
 
     void find_owned();
-    void find_paths(Parallel& parallel, const CollidingParticles& particles);
+    [[nodiscard]] BlockPaths find_paths(Parallel& parallel, const CollidingParticles& particles);
+    [[nodiscard]] BlockPaths joined(std::uint32_t first, std::uint32_t last) const;
     std::uint32_t find_near(Parallel& parallel, const Meeting& meeting);
     void find_near_in_block(const Meeting& meeting, const BlockRange& range);
     std::uint32_t push_out(const Meeting& meeting, std::uint32_t near);
@@ -56,7 +54,8 @@ class WholeTriangles {
     AlignedBuffer<ParticleSpan> spans_;    // by block of triangles: their particles
     AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
     AlignedBuffer<std::uint32_t> counts_;  // of these, by block
-    AlignedBuffer<Paths> paths_;           // by block of particles
+    AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
+    AlignedBuffer<BlockPaths> paths_;      // by block of particles
 };
 
 }  // namespace weft
