@@ -7,6 +7,7 @@
 
 #include "collision/collider_kernels.h"
 #include "collision/shapes/moving_shapes.h"
+#include "collision/thin/whole_triangles.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -98,8 +99,10 @@ std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> collid
     const auto block = [&](const BlockRange& range) {
         return collide_block(colliders, cloth, h, part_of(particles, range));
     };
-    return parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()), block_partials, 0u, block,
-                           std::plus<>{});
+    const std::uint32_t met = parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()),
+                                              block_partials, 0u, block, std::plus<>{});
+    if (particles.whole == nullptr || particles.starts.empty()) return met;
+    return met + particles.whole->keep_out(parallel, colliders, cloth, h, particles);
 }
 
 std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,

@@ -15,6 +15,7 @@
 namespace weft {
 
 class HeldShape;
+class WholeTriangles;
 
 /// One collider over one substep: where it was at its start and is at its end.
 struct ColliderMotion {
@@ -62,6 +63,8 @@ struct CollidingParticles {
     /// Not 0 where forces of contact have acted already, and friction with them. May be empty.
     std::span<const Vec4> held = {};
     ParticleFactors factors = {};
+    /// Then, where there are `starts`, these are kept out of what is thin or sharp; null: none are.
+    WholeTriangles* whole = nullptr;
 };
 
 /// Moves every free particle (inverse mass > 0) that is nearer than the thickness to a collider's surface, or

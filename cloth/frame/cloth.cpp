@@ -255,6 +255,14 @@ ImpulseBuffers Cloth::make_impulses(bool reported) const {
             .in_triggers = AlignedBuffer<DeepestInTrigger>(block_count(count))};
 }
 
+ColliderBuffers Cloth::make_collider_buffers(bool any_colliders) const {
+    ColliderBuffers made;
+    if (!any_colliders) return made;
+    made.part_start = AlignedBuffer<Vec4>(model.particle_count);
+    made.whole.emplace(model.triangles, model.particle_count, model.info.mean_edge);
+    return made;
+}
+
 AirBuffers Cloth::make_air(bool on, bool gusts) const {
     const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
     return {.forces = sized(on), .velocities = sized(on && gusts)};

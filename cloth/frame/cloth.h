@@ -23,6 +23,7 @@
 #include "cloth/system/contacts.h"
 #include "collision/rest_neighbours.h"
 #include "collision/self_contacts.h"
+#include "collision/thin/whole_triangles.h"
 #include "engine/aligned_buffer.h"
 #include "weft/cloth_id.h"
 #include "weft/settings.h"
@@ -55,6 +56,12 @@ struct ContactBuffers {
 
     Contacts contacts;
     HeldContacts held;
+};
+
+/// Memory for what is met within a step.
+struct ColliderBuffers {
+    AlignedBuffer<Vec4> part_start;
+    std::optional<WholeTriangles> whole;
 };
 
 /// What a cloth gives a body while it takes it along [N s, N m s].
@@ -144,11 +151,12 @@ struct Cloth {
         return make_contacts(any_colliders, settings, *solver);
     }
     void take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept;
-    /// For colliders; empty without any.
-    [[nodiscard]] AlignedBuffer<Vec4> make_part_start(bool any_colliders) const {
-        return AlignedBuffer<Vec4>(any_colliders ? model.particle_count : 0);
+    /// Empty without any.
+    [[nodiscard]] ColliderBuffers make_collider_buffers(bool any_colliders) const;
+    void take_collider_buffers(ColliderBuffers&& made) noexcept {
+        part_start = std::move(made.part_start);
+        whole = std::move(made.whole);
     }
-    void take_part_start(AlignedBuffer<Vec4>&& made) noexcept { part_start = std::move(made); }
 
     /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
     /// May run out of memory; then nothing has changed.
@@ -211,6 +219,7 @@ struct Cloth {
     std::vector<CollectedShare> collected;  ///< of each body, likewise
     bool meets_bodies = false;              ///< it may, in the present substep
     AlignedBuffer<Vec4> part_start;  ///< where the present of a step's parts began, if it is not the first
+    std::optional<WholeTriangles> whole;  ///< only with colliders
     /// That colliders gave each particle in this step [N s]; only where contacts are reported. Before it 0.
     AlignedBuffer<Vec4> collider_impulses;
     /// What contact gave each particle in the equation of features, less what has been told of it; w what

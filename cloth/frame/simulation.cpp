@@ -144,24 +144,24 @@ void Simulation::expect_colliders(std::size_t count) {
     });
     reserve_collider_ids(reports_contacts());
     ForCloths<std::optional<ContactBuffers>> contacts;
-    ForCloths<AlignedBuffer<Vec4>> starts;
+    ForCloths<ColliderBuffers> buffers;
     const bool any = count > 0 || state.bodies.size() > 0;
     if (any) {
         contacts.reserve(cloths.size());
-        starts.reserve(cloths.size());
+        buffers.reserve(cloths.size());
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
             contacts.emplace_back(cloth.get(), cloth->make_contacts(true));
-            if (cloth->part_start.size() == 0) starts.emplace_back(cloth.get(), cloth->make_part_start(true));
+            if (!cloth->whole) buffers.emplace_back(cloth.get(), cloth->make_collider_buffers(true));
         });
     }
 
     // From here on nothing can fail.
     for (auto& [cloth, made] : contacts) cloth->take_contacts(std::move(made), true);
-    for (auto& [cloth, made] : starts) cloth->take_part_start(std::move(made));
+    for (auto& [cloth, made] : buffers) cloth->take_collider_buffers(std::move(made));
     if (!any)
         cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) {
             cloth->take_contacts(std::nullopt, false);
-            cloth->take_part_start({});
+            cloth->take_collider_buffers({});
         });
 }
 
@@ -195,7 +195,7 @@ void Simulation::prepare(Cloth& cloth) {
     cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
-    cloth.take_part_start(cloth.make_part_start(any_colliders));
+    cloth.take_collider_buffers(cloth.make_collider_buffers(any_colliders));
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
     update_normals(parallel, cloth);
 }

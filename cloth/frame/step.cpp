@@ -339,7 +339,8 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
                        .velocities = cloth.state.velocities.span(),
                        .starts = starts,
                        .held = cloth.state.held.normals.span(),
-                       .factors = cloth.worn.factors()},
+                       .factors = cloth.worn.factors(),
+                       .whole = cloth.whole ? &*cloth.whole : nullptr},
                       cloth.partial_counts.span());
     if (reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());

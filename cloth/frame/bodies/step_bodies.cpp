@@ -291,7 +291,8 @@ std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, floa
                            .velocities = cloth.state.velocities.span(),
                            .starts = starts,
                            .held = std::as_const(cloth.state.held.normals).span(),
-                           .factors = cloth.worn.factors()},
+                           .factors = cloth.worn.factors(),
+                           .whole = cloth.whole ? &*cloth.whole : nullptr},
                           cloth.partial_counts.span());
         touching += met;
         if (met == 0) continue;

@@ -1,0 +1,164 @@
+#include "collision/thin/cores.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/shapes/moving_shapes.h"
+
+namespace weft {
+
+namespace {
+
+/// Beside edges of a cloth: what is thinner slips through anyway, what is thinner than so many as they are
+/// stretched by what is fast.
+constexpr float stretched = 2, slips_through = 0.4f;
+/// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
+/// here: what lies on a body's edges would not come to rest. On a round thing as thin it would fall through.
+constexpr float least_way = 0.25f;
+template <class Shape>
+constexpr bool is_body = std::is_same_v<Shape, Box> || std::is_same_v<Shape, HeldInstance>;
+
+/// Columns are across the axis, and the first along it.
+Matrix3 frame_along(const Vector3& axis) {
+    Matrix3 frame = Matrix3::Identity();
+    const float length = axis.norm();
+    if (!(length > 0)) return frame;
+    frame.col(0) = axis / length;
+    frame.col(1) = frame.col(0).unitOrthogonal();
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+    return frame;
+}
+
+float thinnest(const Capsule& shape) {
+    return shape.radius;
+}
+float thinnest(const TaperedCapsule& shape) {
+    return std::min(shape.radius_a, shape.radius_b);
+}
+float thinnest(const Plane&) {
+    return std::numeric_limits<float>::infinity();
+}
+float thinnest(const Box&) {  // at its edges
+    return 0;
+}
+float thinnest(const HeldInstance& instance) {
+    return instance.shape.is_convex() ? 0 : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
+Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
+    return with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
+        const float thin = thinnest(end) + thickness;
+        if (!(thin < stretched * mean_edge)) return Thinness::thick;
+        const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
+        if (!(sweep.way >= 0)) return Thinness::thick;
+        if (is_body<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
+        return thin < slips_through * mean_edge ? Thinness::thin : Thinness::thin_if_fast;
+    });
+}
+
+Cores::Cores(const ColliderMotion& motion, float h) {
+    const Pace pace{h, motion.fastest};
+    with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
+        if constexpr (std::is_same_v<Shape, Capsule>) {
+            add_round(moving(start, end, pace), 0, 0);
+        } else if constexpr (std::is_same_v<Shape, TaperedCapsule>) {
+            const MovingTaperedCapsule moved = moving(start, end, pace);
+            add_round(moved, moved.wider, moved.tilt);
+        } else if constexpr (std::is_same_v<Shape, Box>) {
+            add_box(moving(start, end, pace));
+        } else if constexpr (std::is_same_v<Shape, HeldInstance>) {
+            add_hull(moving(start, end, pace));
+        }
+    });
+}
+
+void Cores::add(const Vector3& a, const Vector3& b, float radius_a, float radius_b) {
+    Core& core = cores_[count_++];
+    core = {.a = a, .axis = b - a, .radius = radius_a, .wider = radius_b - radius_a};
+    core.box = Eigen::AlignedBox3f(a - Vector3::Constant(radius_a), a + Vector3::Constant(radius_a));
+    core.box.extend(Eigen::AlignedBox3f(b - Vector3::Constant(radius_b), b + Vector3::Constant(radius_b)));
+    box_.extend(core.box);
+}
+
+void Cores::take_space(const MovingSpace& space) {
+    to_own_ = space.to_own;
+    from_start_ = space.to_own_at_start;
+    origin_ = space.origin;
+    start_origin_ = space.start_origin;
+    velocity_ = space.velocity;
+    gradient_ = space.spin * space.from_own;
+}
+
+void Cores::add_round(const MovingCapsule& capsule, float wider, float tilt) {
+    const bool is_ball = capsule.per_length_squared == 0;
+    const Matrix3 frame = is_ball ? Matrix3(Matrix3::Identity()) : frame_along(capsule.axis);
+    to_own_ = frame.transpose();
+    from_start_ = is_ball ? to_own_ : Matrix3(to_own_ * capsule.turn);
+    origin_ = capsule.a;
+    start_origin_ = capsule.start_a;
+    velocity_ = capsule.velocity;
+    gradient_ = Matrix3::Zero();
+    const Vector3 a = Vector3::Zero();
+    if (is_ball) {
+        const float radius = capsule.radius + std::max(wider, 0.0f);
+        add(a, a, radius, radius);
+        return;
+    }
+    const float length = capsule.axis.norm();
+    const Vector3 b(length, 0, 0);
+    gradient_.col(0) = capsule.difference / length;
+    const float radius_b = capsule.radius + wider;
+    add(a, b, capsule.radius, radius_b);
+    cores_[0].tilt = tilt;
+    add(a, a, capsule.radius, capsule.radius);
+    add(b, b, radius_b, radius_b);
+}
+
+void Cores::add_box(const MovingBox& box) {
+    take_space(box.space);
+    const Vector3& half = box.half;
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        const auto side = [&](std::uint32_t bit) { return (k & bit) != 0 ? 1.0f : -1.0f; };
+        corners_[corner_count_++] = half.cwiseProduct(Vector3(side(1), side(2), side(4)));
+    }
+    for (std::uint32_t k = 0; k < 8; ++k) {
+        add(corners_[k], corners_[k]);
+        for (const std::uint32_t bit : {1u, 2u, 4u})
+            if ((k & bit) == 0) add(corners_[k], corners_[k | bit]);
+    }
+}
+
+// Of faces in one plane the edges between are none of the body's; that they count for some costs time alone.
+void Cores::add_hull(const MovingHeld& held) {
+    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
+    if (tree == nullptr || tree->vertices().size() > most_corners) return;
+    take_space(held.space);
+    for (const Vec3& corner : tree->vertices()) {
+        corners_[corner_count_++] = to_vector(corner);
+        add(to_vector(corner), to_vector(corner));
+    }
+    for (std::uint32_t t = 0; t < tree->size(); ++t) {
+        const Corners& corners = tree->triangle(t);
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];  // each edge both ways
+            if (i < j && count_ < most) add(corners_[i], corners_[j]);
+        }
+    }
+}
+
+Vector3 Cores::velocity_at(const Vector3& own) const {
+    return velocity_ + gradient_ * own;
+}
+
+bool Cores::is_outward(const Vector3& own, const Vector3& direction) const {
+    constexpr float slack = 0.05f;  // of rounding, and of what turns on its way
+    for (std::uint32_t k = 0; k < corner_count_; ++k) {
+        const Vector3 to_corner = corners_[k] - own;
+        if (direction.dot(to_corner) > slack * to_corner.norm()) return false;
+    }
+    return true;
+}
+
+}  // namespace weft

@@ -1,0 +1,277 @@
+#include "collision/thin/whole_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "collision/collider_kernels.h"
+#include "collision/shapes/moving_shapes.h"
+#include "collision/thin/cores.h"
+#include "collision/thin/first_approach.h"
+
+namespace weft {
+
+namespace {
+
+constexpr int most_rounds = 8, most_searches = 3;
+/// What is kept of the thickness: between particles, which keep all of it, sides are chords round what is
+/// thin.
+constexpr float part_of_thickness = 0.5f;
+/// Of the mean edge, where there is no thickness.
+constexpr float least_gap = 0.02f;
+
+std::span<const Vec4> of_block_of(std::span<const Vec4> all, const BlockRange& range) {
+    return all.subspan(range.begin, range.end - range.begin);
+}
+
+/// Of the corners, as the collider sees them: whoever wears cloth takes it along.
+float farthest(const CornerPaths& corners) {
+    float squared = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        squared = std::max(squared, (corners.to[k] - corners.from[k]).squaredNorm());
+    return std::sqrt(squared);
+}
+
+std::optional<weft::Meeting> may_be_near(const ColliderMotion& motion, float h, float thickness,
+                                         const BlockPaths& paths) {
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        return may_meet(start, end, {h, motion.fastest}, {thickness, 0}, paths);
+    });
+}
+
+}  // namespace
+
+/// One collider and the cloth.
+struct WholeTriangles::Meeting {
+    const Cores& cores;
+    const ColliderMotion& motion;
+    const ClothSide& cloth;
+    const CollidingParticles& particles;
+    float h, least_gap;
+    bool only_fast;
+
+    [[nodiscard]] float thickness() const { return cloth.thickness + motion.end.thickness; }
+    [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
+    /// To be kept of these particles.
+    [[nodiscard]] float gap(const Triangle& corners) const {
+        float own = cloth.thickness;
+        if (!particles.factors.thickness.empty())
+            for (const std::uint32_t i : corners)
+                own = std::min(own, cloth.thickness * particles.factors.thickness[i]);
+        return std::max(part_of_thickness * (own + motion.end.thickness), least_gap);
+    }
+    [[nodiscard]] CornerPaths paths(const Triangle& corners) const {
+        CornerPaths paths;
+        for (std::size_t k = 0; k < 3; ++k) {
+            paths.from[k] = cores.seen_at_start(xyz(particles.starts[corners[k]]));
+            paths.to[k] = cores.seen(xyz(particles.positions[corners[k]]));
+        }
+        return paths;
+    }
+    void push(const Triangle& corners, const Approach& approach) const;
+};
+
+// Bridson, Fedkiw, Anderson 2002, equation 7 and section 7.3: by masses and weights; friction by Coulomb's
+// law, of positions too, as in collide().
+void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& approach) const {
+    float yields = 0, rubs = 0;
+    Vector3 velocity = -cores.velocity_at(approach.core);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float weight = approach.weights[k];
+        const std::uint32_t i = corners[k];
+        if (weight == 0) continue;
+        yields += weight * weight * particles.positions[i].w;
+        velocity += weight * xyz(particles.velocities[i]);
+        rubs += weight * (particles.factors.friction.empty() ? 1.0f : particles.factors.friction[i]);
+    }
+    if (!(yields > 0)) return;
+    const Vector3 normal = cores.in_world(approach.normal);
+    const float along = normal.dot(velocity), arrives = std::max(-along, 0.0f);
+    const float restitution = std::max(cloth.restitution, motion.end.restitution);
+    const float taken = arrives > cloth.least_bounce ? (1 + restitution) * arrives : arrives;
+    const Vector3 sliding = velocity - along * normal;
+    const float speed = sliding.norm(), limit = rubs * cloth.friction * motion.end.friction * taken;
+    const Vector3 stopped = speed > limit ? Vector3((limit / speed) * sliding) : sliding;
+    const Vector3 kick = taken * normal - stopped, way = approach.depth * normal - h * stopped;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Vec4& position = particles.positions[corners[k]];
+        const float share = approach.weights[k] * position.w / yields;
+        if (share == 0) continue;
+        set_xyz(position, xyz(position) + share * way);
+        Vec4& own = particles.velocities[corners[k]];
+        set_xyz(own, xyz(own) + share * kick);
+    }
+}
+
+WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge)
+    : triangles_(triangles),
+      mean_edge_(mean_edge),
+      owned_(triangles.size()),
+      spans_(block_count(static_cast<std::uint32_t>(triangles.size()))),
+      near_(triangles.size()),
+      counts_(spans_.size()),
+      is_fast_(spans_.size()),
+      paths_(block_count(particles)) {
+    find_owned();
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const auto [least, most] = std::ranges::minmax(triangles[t]);
+        ParticleSpan& span = spans_[t / block_size];
+        if (t % block_size == 0) span = {least, most};
+        span = {std::min(span.first, least), std::max(span.last, most)};
+    }
+}
+
+/// A side of two triangles is met once, with the first of them.
+void WholeTriangles::find_owned() {
+    struct Side {
+        std::uint32_t low, high, triangle, k;
+        auto operator<=>(const Side&) const = default;
+    };
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles_.size());
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t i = triangles_[t][k], j = triangles_[t][(k + 1) % 3];
+            if (i != j) sides.push_back({std::min(i, j), std::max(i, j), t, k});
+        }
+    std::ranges::sort(sides);
+    const Side* before = nullptr;
+    for (const Side& side : sides) {
+        if (before == nullptr || before->low != side.low || before->high != side.high)
+            owned_[side.triangle] |= static_cast<std::uint8_t>(1u << side.k);
+        before = &side;
+    }
+}
+
+std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                                       const ClothSide& cloth, float h, const CollidingParticles& particles) {
+    std::uint32_t met = 0;
+    bool has_paths = false;
+    BlockPaths all;
+    for (const ColliderMotion& motion : colliders) {
+        if (!cloth.meets(motion.end)) continue;
+        const float thickness = cloth.thickness + motion.end.thickness;
+        const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
+        if (thinness == Thinness::thick) continue;
+        if (!has_paths) all = find_paths(parallel, particles);
+        has_paths = true;
+        if (!may_be_near(motion, h, thickness, all)) continue;
+        const Cores cores(motion, h);
+        if (cores.empty()) continue;
+        const Meeting meeting{
+            cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness == Thinness::thin_if_fast};
+        // What has been pushed draws triangles along that were not near.
+        for (int search = 0; search < most_searches; ++search) {
+            if (search > 0) all = find_paths(parallel, particles);
+            const std::uint32_t moved = push_out(meeting, find_near(parallel, meeting));
+            met += search == 0 ? moved : 0;
+            if (moved == 0) break;
+        }
+    }
+    return met;
+}
+
+/// Of each block; and of all.
+BlockPaths WholeTriangles::find_paths(Parallel& parallel, const CollidingParticles& particles) {
+    parallel.ranges(static_cast<std::uint32_t>(particles.positions.size()), [&](const BlockRange& range) {
+        paths_[range.block] =
+            paths_of(of_block_of(particles.starts, range), of_block_of(particles.positions, range));
+    });
+    return joined(0, static_cast<std::uint32_t>(paths_.size()) - 1);
+}
+
+BlockPaths WholeTriangles::joined(std::uint32_t first, std::uint32_t last) const {
+    BlockPaths all = paths_[first];
+    for (std::uint32_t block = first + 1; block <= last; ++block) {
+        const BlockPaths& more = paths_[block];
+        all.ends.lower = to_vec3(to_vector(all.ends.lower).cwiseMin(to_vector(more.ends.lower)));
+        all.ends.upper = to_vec3(to_vector(all.ends.upper).cwiseMax(to_vector(more.ends.upper)));
+        all.longest = std::max(all.longest, more.longest);
+    }
+    return all;
+}
+
+/// Which triangles may come near a core, in ascending order; how many. Where one is as fast as it has to be,
+/// all count: others beside it are carried already.
+std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeting) {
+    parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
+                    [&](const BlockRange& range) { find_near_in_block(meeting, range); });
+    if (std::ranges::none_of(is_fast_.span(), [](std::uint8_t fast) { return fast != 0; })) return 0;
+    std::uint32_t near = 0;
+    for (std::uint32_t block = 0; block < counts_.size(); ++block) {
+        const std::uint32_t* const begin = near_.data() + std::size_t{block} * block_size;
+        std::copy(begin, begin + counts_[block], near_.data() + near);
+        near += counts_[block];
+    }
+    return near;
+}
+
+void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange& range) {
+    std::uint32_t& count = counts_[range.block];
+    count = 0;
+    is_fast_[range.block] = 0;
+    const ParticleSpan& span = spans_[range.block];
+    const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
+    const float gap = meeting.widest_gap();
+    const auto may = may_be_near(meeting.motion, meeting.h, meeting.thickness(), paths);
+    if (!may || (meeting.only_fast && may->thin == 0)) return;
+    const float least_way = meeting.only_fast ? may->thin : -1;
+    const Vector3 margin = Vector3::Constant(gap);
+    for (std::uint32_t t = range.begin; t < range.end; ++t) {
+        const CornerPaths corners = meeting.paths(triangles_[t]);
+        Eigen::AlignedBox3f box;
+        for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
+        box = Eigen::AlignedBox3f(box.min() - margin, box.max() + margin);
+        if (!box.intersects(meeting.cores.box())) continue;
+        const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
+        if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
+        near_[range.begin + count++] = t;
+        if (farthest(corners) > least_way) is_fast_[range.block] = 1;
+    }
+}
+
+/// One after the other, so that each sees what the one before has done.
+std::uint32_t WholeTriangles::push_out(const Meeting& meeting, std::uint32_t near) {
+    std::uint32_t moved = 0;
+    for (int round = 0; round < most_rounds; ++round) {
+        bool any = false;
+        for (const std::uint32_t triangle : near_.span().first(near)) {
+            if (!push_out_triangle(meeting, triangle)) continue;
+            any = true;
+            moved += round == 0 ? 1 : 0;
+        }
+        if (!any) break;
+    }
+    return moved;
+}
+
+bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t triangle) {
+    const Triangle& corners = triangles_[triangle];
+    const float gap = meeting.gap(corners);
+    bool any = false;
+    const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
+        const auto approach = first_approach(meeting.cores, core, paths, gap);
+        if (!approach) return;
+        meeting.push(of, *approach);
+        any |= approach->depth > 0.02f * gap;
+    };
+    const Vector3 margin = Vector3::Constant(gap);
+    for (const Core& core : meeting.cores.list()) {
+        const CornerPaths paths = meeting.paths(corners);
+        Eigen::AlignedBox3f box;
+        for (std::size_t k = 0; k < 3; ++k) box.extend(paths.from[k]).extend(paths.to[k]);
+        if (!Eigen::AlignedBox3f(box.min() - margin, box.max() + margin).intersects(core.box)) continue;
+        if (core.is_point()) {
+            push(core, corners, paths);
+            continue;
+        }
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            if ((owned_[triangle] & (1u << k)) == 0) continue;
+            const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
+            push(core, {i, j, i}, meeting.paths({i, j, i}));
+        }
+    }
+    return any;
+}
+
+}  // namespace weft

@@ -1,0 +1,61 @@
+#pragma once
+// Whole triangles of a cloth against thin and sharp colliders. Particles are met on their way by collide();
+// what passes between them is not.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "collision/collider_contacts.h"
+#include "collision/shapes/moving_shapes.h"
+#include "engine/aligned_buffer.h"
+#include "engine/parallel_blocks.h"
+
+namespace weft {
+
+class Cores;
+
+class WholeTriangles {
+  public:
+    using Triangle = std::array<std::uint32_t, 3>;  ///< particles
+
+    /// mean_edge: at rest [m]. The triangles are to outlive it. May throw.
+    WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge);
+
+    /// After collide() has moved particles: what their triangles' sides and insides have passed of colliders
+    /// that are thin beside the cloth's edges, or sharp, is put back to the side on which it came, as far as
+    /// half the thickness, with velocities as in collide(). Momentum goes to corners by their masses.
+    /// Returns how many sides and insides were moved. The rest as there; `starts` may not be empty.
+    std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                           const ClothSide& cloth, float h, const CollidingParticles& particles);
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() + is_fast_.bytes() +
+               paths_.bytes();
+    }
+
+  private:
+    struct ParticleSpan {
+        std::uint32_t first, last;
+    };
+    struct Meeting;
+
+    void find_owned();
+    [[nodiscard]] BlockPaths find_paths(Parallel& parallel, const CollidingParticles& particles);
+    [[nodiscard]] BlockPaths joined(std::uint32_t first, std::uint32_t last) const;
+    std::uint32_t find_near(Parallel& parallel, const Meeting& meeting);
+    void find_near_in_block(const Meeting& meeting, const BlockRange& range);
+    std::uint32_t push_out(const Meeting& meeting, std::uint32_t near);
+    bool push_out_triangle(const Meeting& meeting, std::uint32_t triangle);
+
+    std::span<const Triangle> triangles_;
+    float mean_edge_;
+    AlignedBuffer<std::uint8_t> owned_;    // by triangle: bit k of its side from corner k to the next
+    AlignedBuffer<ParticleSpan> spans_;    // by block of triangles: their particles
+    AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
+    AlignedBuffer<std::uint32_t> counts_;  // of these, by block
+    AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
+    AlignedBuffer<BlockPaths> paths_;      // by block of particles
+};
+
+}  // namespace weft
