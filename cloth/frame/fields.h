@@ -208,14 +208,16 @@ void for_each_field(T& of, const Visit& visit) {
 
 template <FieldsOf<ClothInfo> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [vertices, particles, triangles, components, structural_springs, shear_springs, bending_elements,
-           border_edges, dropped_triangles, misoriented_edges, loose_particles, mean_edge, mass,
-           least_bending, bytes] = of;
-    visit_each(visit, "vertices", vertices, "particles", particles, "triangles", triangles, "components",
-               components, "structural_springs", structural_springs, "shear_springs", shear_springs,
-               "bending_elements", bending_elements, "border_edges", border_edges, "dropped_triangles",
-               dropped_triangles, "misoriented_edges", misoriented_edges, "loose_particles", loose_particles,
-               "mean_edge", mean_edge, "mass", mass, "least_bending", least_bending, "bytes", bytes);
+    auto& [vertices, particles, welded_vertices, triangles, components, structural_springs, shear_springs,
+           bending_elements, border_edges, dropped_triangles, turned_triangles, misoriented_edges,
+           loose_particles, mean_edge, mass, least_bending, bytes, shared_bytes] = of;
+    visit_each(visit, "vertices", vertices, "particles", particles, "welded_vertices", welded_vertices,
+               "triangles", triangles, "components", components, "structural_springs", structural_springs,
+               "shear_springs", shear_springs, "bending_elements", bending_elements, "border_edges",
+               border_edges, "dropped_triangles", dropped_triangles, "turned_triangles", turned_triangles,
+               "misoriented_edges", misoriented_edges, "loose_particles", loose_particles, "mean_edge",
+               mean_edge, "mass", mass, "least_bending", least_bending, "bytes", bytes, "shared_bytes",
+               shared_bytes);
 }
 template <FieldsOf<ShapeInfo> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
