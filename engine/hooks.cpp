@@ -26,14 +26,17 @@ Result<void> set_hooks(const Hooks& hooks) {
             return Error{ErrorCode::invalid_argument,
                          "one of Hooks::" + std::string(names) + " is null; set both, or neither"};
         };
-        if (auto pair = both(hooks.allocate != nullptr, hooks.release != nullptr, "allocate and release"); !pair)
+        if (auto pair = both(hooks.allocate != nullptr, hooks.release != nullptr, "allocate and release");
+            !pair)
             return pair;
-        if (auto pair = both(hooks.begin_zone != nullptr, hooks.end_zone != nullptr, "begin_zone and end_zone");
+        if (auto pair =
+                both(hooks.begin_zone != nullptr, hooks.end_zone != nullptr, "begin_zone and end_zone");
             !pair)
             return pair;
         if (const MemoryUse use = memory_in_use(); use.blocks > 0)
-            return Error{ErrorCode::invalid_argument,
-                         std::to_string(use.blocks) + " buffers are in use; set hooks before there is a cloth"};
+            return Error{
+                ErrorCode::invalid_argument,
+                std::to_string(use.blocks) + " buffers are in use; set hooks before there is a cloth"};
         the_hooks = hooks;
         return {};
     });

@@ -106,14 +106,14 @@ Result<void> check_streams(const ClothView& view, const VertexStreams& to) {
         const std::size_t stride = stream.stride == 0 ? size : stream.stride;
         if (!valid || stream.bytes.empty()) return;
         if (stride < size) {
-            valid = Error{ErrorCode::invalid_argument,
-                          "VertexStreams::" + std::string(name) + " has a stride of " +
-                              std::to_string(stride) + " bytes; a value takes " + std::to_string(size)};
+            valid = Error{ErrorCode::invalid_argument, "VertexStreams::" + std::string(name) +
+                                                           " has a stride of " + std::to_string(stride) +
+                                                           " bytes; a value takes " + std::to_string(size)};
         } else if (stream.bytes.size() < size || (stream.bytes.size() - size) / stride + 1 < vertices) {
-            valid = Error{ErrorCode::invalid_argument,
-                          "VertexStreams::" + std::string(name) + " has " +
-                              std::to_string(stream.bytes.size()) + " bytes; " + std::to_string(vertices) +
-                              " vertices take " + std::to_string((vertices - 1) * stride + size)};
+            valid = Error{ErrorCode::invalid_argument, "VertexStreams::" + std::string(name) + " has " +
+                                                           std::to_string(stream.bytes.size()) + " bytes; " +
+                                                           std::to_string(vertices) + " vertices take " +
+                                                           std::to_string((vertices - 1) * stride + size)};
         }
     });
     if (!valid || !view.texcoords.empty()) return valid;

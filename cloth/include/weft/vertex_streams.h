@@ -6,8 +6,8 @@
 
 namespace weft {
 
-/// One kind of value, an array of floats for each vertex: the first vertex's at `bytes.data()`, the next one's
-/// `stride` bytes on. Several streams may lie within each other, as one array of structs.
+/// One kind of value, an array of floats for each vertex: the first vertex's at `bytes.data()`, the next
+/// one's `stride` bytes on. Several streams may lie within each other, as one array of structs.
 struct VertexStream {
     std::span<std::byte> bytes{};  ///< of any alignment; empty: this kind is not asked for
     std::size_t stride = 0;        ///< [bytes]; 0: one value right behind the other

@@ -15,7 +15,7 @@ enum class LogLevel : std::uint8_t { note, warning };
 struct Hooks {
     void* user = nullptr;  ///< handed back
 
-    /// Per-particle memory of cloths: buffers of a multiple of 64 bytes, aligned to 64. Null: there is none,
+    /// Per-particle memory of cloths: buffers of a multiple of 16 bytes, aligned to 64. Null: there is none,
     /// and the call that needed it fails with ErrorCode::out_of_memory, nothing changed. What is small, or
     /// held only while something is made - lists, ids, texts, shapes - comes from operator new, threads from
     /// oneTBB: see memory_in_use() for how much is not in it.

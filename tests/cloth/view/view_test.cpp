@@ -136,8 +136,7 @@ TEST(WriteVertices, TangentsAtASplitVertexAreThoseOfItsOwnPanel) {
     const ClothId cloth = world.add_cloth(mesh).value();
     EXPECT_EQ(world.cloth_info(cloth)->particles, 6u);
     std::array<std::array<float, 4>, 8> tangents{};
-    ASSERT_TRUE(
-        world.write_vertices(cloth, {.tangents = {std::as_writable_bytes(std::span(tangents))}}));
+    ASSERT_TRUE(world.write_vertices(cloth, {.tangents = {std::as_writable_bytes(std::span(tangents))}}));
     for (std::size_t v = 0; v < 8; ++v) {
         EXPECT_NEAR(tangents[v][v < 4 ? 0 : 2], 1, 1e-5f) << v;
         EXPECT_EQ(tangents[v][3], v < 4 ? 1 : 1) << v;
@@ -151,8 +150,7 @@ TEST(WriteVertices, AMirroredTextureHasTheOtherHandedness) {
         of_sheet.resize(20);
         World world = serial_world();
         const ClothId cloth = world.add_cloth(mesh).value();
-        ASSERT_TRUE(
-            world.write_vertices(cloth, {.tangents = {std::as_writable_bytes(std::span(of_sheet))}}));
+        ASSERT_TRUE(world.write_vertices(cloth, {.tangents = {std::as_writable_bytes(std::span(of_sheet))}}));
         for (Vec2& at : mesh.texcoords) at.y = -at.y;
     }
     for (std::size_t v = 0; v < 20; ++v) {
@@ -211,9 +209,8 @@ TEST(WriteVertices, PartsOfThreadsAreTheWhole) {
     Vertices parts(scene.vertices());
     std::vector<std::thread> threads;
     for (std::size_t first = 0; first < scene.vertices(); first += 50)
-        threads.emplace_back([&, first] {
-            EXPECT_TRUE(scene.world.write_vertices(scene.cloth, parts.streams(), first, 50));
-        });
+        threads.emplace_back(
+            [&, first] { EXPECT_TRUE(scene.world.write_vertices(scene.cloth, parts.streams(), first, 50)); });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(parts.all, whole.all);
     Vertices some(scene.vertices());
@@ -250,7 +247,8 @@ TEST(WriteVertices, RefusesWhatIsTooShortAndWritesNothing) {
     EXPECT_EQ(message({.positions = {bytes(12 * n)}}), "written");
     EXPECT_EQ(message({.positions = {bytes(16 * n - 4), 16}}), "written") << "the last has no gap behind it";
     std::ranges::fill(room, -7.0f);
-    EXPECT_NE(message({.positions = {bytes(12 * n - 1)}}).find("VertexStreams::positions"), std::string::npos);
+    EXPECT_NE(message({.positions = {bytes(12 * n - 1)}}).find("VertexStreams::positions"),
+              std::string::npos);
     EXPECT_NE(message({.positions = {bytes(12 * n)}, .normals = {bytes(16 * n - 5), 16}}).find("normals"),
               std::string::npos);
     EXPECT_NE(message({.tangents = {bytes(16 * n), 12}}).find("stride of 12 bytes; a value takes 16"),
@@ -280,9 +278,9 @@ TEST(WriteVertices, OfACookedClothReadBackFromBytesIsThatOfItsMesh) {
 
 /// Where a view's buffers are.
 std::vector<const void*> places(const ClothView& view) {
-    return {view.positions.data(),          view.previous_positions.data(), view.velocities.data(),
-            view.normals.data(),            view.triangles.data(),          view.vertex_to_particle.data(),
-            view.texcoords.data(),          view.vertex_triangles.data()};
+    return {view.positions.data(), view.previous_positions.data(), view.velocities.data(),
+            view.normals.data(),   view.triangles.data(),          view.vertex_to_particle.data(),
+            view.texcoords.data(), view.vertex_triangles.data()};
 }
 
 TEST(View, BuffersStayWhereTheyAreWhateverIsCalled) {
