@@ -24,6 +24,12 @@ float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
     return std::max(cloth.restitution, motion.end.restitution);
 }
 
+/// Bodies give way within a substep: how deep it leaves cloth in them is its own doing.
+FoundDepth found_depth(const ColliderMotion& motion, const ClothSide& cloth, float h) {
+    if (motion.body >= 0) return {};
+    return {.least = std::max(FoundDepth::speed * h, cloth.brought)};
+}
+
 /// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the thickness
 /// and the reach, or not for this cloth.
 template <class Use>
@@ -56,6 +62,7 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                      .of_cloth = cloth.thickness,
                      .restitution = restitution_of(motion, cloth),
                      .least_bounce = cloth.least_bounce,
+                     .found = found_depth(motion, cloth, h),
                      .meeting = starts.empty() ? Meeting{} : meeting},
                     block);
         });
@@ -153,6 +160,7 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
             const ContactSettings settings{.thickness = thickness_of(motion, cloth),
                                            .friction = told(motion),
                                            .h = h,
+                                           .found = found_depth(motion, cloth, h),
                                            .meeting = starts.empty() ? Meeting{} : meeting};
             if (!bodies.empty()) before = near.surfaces.w;
             found |= find_nearest(shape, {settings, reach, starts, size}, near);

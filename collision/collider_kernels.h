@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "collision/collider_contacts.h"
@@ -13,12 +14,23 @@
 
 namespace weft {
 
+/// Depth in which a substep finds a particle when it begins, as where a collider has been placed over it. The
+/// equation lets it be, so that it becomes no velocity, and collide() takes it out at a limited speed.
+struct FoundDepth {
+    static constexpr float speed = 0.2f;  ///< [m/s]
+    static constexpr float rate = 2;      ///< if that is more, this part of the depth [1/s]
+
+    /// What is less goes as depth that the substep brings [m].
+    float least = std::numeric_limits<float>::infinity();
+};
+
 struct ContactSettings {
     float thickness;                          ///< of cloth and collider together [m]
     float friction;                           ///< of cloth and collider together
     float h;                                  ///< [s]
     float of_cloth = 0;                       ///< of the thickness the cloth's own [m]
     float restitution = 0, least_bounce = 0;  ///< likewise; what comes slower [m/s] does not bounce
+    FoundDepth found{};
     /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
     /// of the block moves as far.
     Meeting meeting{};

@@ -152,10 +152,14 @@ float stiffness_of(const ClothSettings& settings) {
 }  // namespace
 
 ClothSide side_of(const ClothSettings& settings) {
+    constexpr float by_features = 0.01f;
+    const SelfCollision& self = settings.self_collision;
+    const bool have_last_word = self.enabled && self.method != SelfCollisionMethod::avoidance;
     return {.thickness = settings.thickness,
             .friction = settings.friction,
             .restitution = settings.restitution,
-            .mask = settings.collider_mask};
+            .mask = settings.collider_mask,
+            .brought = have_last_word ? by_features : 0.0f};
 }
 
 Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
