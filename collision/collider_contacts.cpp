@@ -24,9 +24,9 @@ float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
     return std::max(cloth.restitution, motion.end.restitution);
 }
 
-/// Bodies give way within a substep: how deep it leaves cloth in them is its own doing.
+/// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
 FoundDepth found_depth(const ColliderMotion& motion, const ClothSide& cloth, float h) {
-    if (motion.body >= 0) return {};
+    if (motion.body >= 0 || motion.rate != 0) return {};
     return {.least = std::max(FoundDepth::speed * h, cloth.brought)};
 }
 

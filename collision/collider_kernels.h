@@ -17,7 +17,7 @@ namespace weft {
 /// Depth in which a substep finds a particle when it begins, as where a collider has been placed over it. The
 /// equation lets it be, so that it becomes no velocity, and collide() takes it out at a limited speed.
 struct FoundDepth {
-    static constexpr float speed = 0.2f;  ///< [m/s]
+    static constexpr float speed = 0.1f;  ///< [m/s]
     static constexpr float rate = 2;      ///< if that is more, this part of the depth [1/s]
 
     /// What is less goes as depth that the substep brings [m].
