@@ -25,9 +25,9 @@ float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
 }
 
 /// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
-FoundDepth found_depth(const ColliderMotion& motion, const ClothSide& cloth, float h) {
+FoundDepth found_depth(const ColliderMotion& motion, float h) {
     if (motion.body >= 0 || motion.rate != 0) return {};
-    return {.least = std::max(FoundDepth::speed * h, cloth.brought)};
+    return {.least = FoundDepth::speed * h};
 }
 
 /// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the thickness
@@ -42,42 +42,6 @@ void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, floa
         if (const auto meeting = may_meet(start, end, pace, reach, paths))
             use(moving(start, end, pace), *meeting);
     });
-}
-
-std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
-                            const CollidingParticles& particles) {
-    const std::span<const Vec4> starts = particles.starts;
-    CollidingBlock block{.positions = particles.positions,
-                         .velocities = particles.velocities,
-                         .held = particles.held,
-                         .starts = starts,
-                         .paths = paths_of(starts, particles.positions),
-                         .factors = particles.factors};
-    for (const ColliderMotion& motion : colliders)
-        if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
-            collide(shape,
-                    {.thickness = thickness_of(motion, cloth),
-                     .friction = friction_of(motion, cloth),
-                     .h = h,
-                     .of_cloth = cloth.thickness,
-                     .restitution = restitution_of(motion, cloth),
-                     .least_bounce = cloth.least_bounce,
-                     .found = found_depth(motion, cloth, h),
-                     .meeting = starts.empty() ? Meeting{} : meeting},
-                    block);
-        });
-    return std::accumulate(block.met.begin(), block.met.end(), 0u);
-}
-
-/// Of the particles of a block.
-CollidingParticles part_of(const CollidingParticles& all, const BlockRange& range) {
-    const std::uint32_t size = range.end - range.begin;
-    const auto of_block = [&](auto span) { return span.empty() ? span : span.subspan(range.begin, size); };
-    return {.positions = of_block(all.positions),
-            .velocities = of_block(all.velocities),
-            .starts = of_block(all.starts),
-            .held = of_block(all.held),
-            .factors = {of_block(all.factors.thickness), of_block(all.factors.friction)}};
 }
 
 void clear(NearSurfaces& near, float reach) {
@@ -96,6 +60,122 @@ void take_body(const ColliderMotion& motion, std::size_t i, NearSurfaces& near,
     near.motions.x[i] = v.x();
     near.motions.y[i] = v.y();
     near.motions.z[i] = v.z();
+}
+
+/// Among points that have been placed. told(motion): w of the surfaces' motions.
+template <class Told>
+bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h, float reach,
+                     std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size,
+                     const Told& told, NearSurfaces& near, std::span<std::int32_t> bodies = {},
+                     const ColliderMotion* skipped = nullptr) {
+    std::ranges::fill(bodies, -1);
+    std::array<float, block_size> before;
+    bool is_clear = true, found = false;
+    for (const ColliderMotion& motion : colliders) {
+        if (&motion == skipped) continue;
+        if_near(motion, h, cloth, reach, paths, [&](const auto& shape, const Meeting& meeting) {
+            if (is_clear) clear(near, reach);
+            is_clear = false;
+            const ContactSettings settings{.thickness = thickness_of(motion, cloth),
+                                           .friction = told(motion),
+                                           .h = h,
+                                           .of_cloth = cloth.thickness,
+                                           .found = found_depth(motion, h),
+                                           .meeting = starts.empty() ? Meeting{} : meeting};
+            if (!bodies.empty()) before = near.surfaces.w;
+            found |= find_nearest(shape, {settings, reach, starts, size, cloth.factors}, near);
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
+        });
+    }
+    return found;
+}
+
+/// Of particles that were left inside the collider of that number: takes them out by a part, where that does
+/// not lead deeper into another at whose surface they are.
+void emerge(std::span<const ColliderMotion> colliders, std::uint32_t number, const ClothSide& cloth, float h,
+            CollidingBlock& block) {
+    constexpr float reach = 1e-3f;
+    const LeftInside& left = *block.left;
+    const auto size = static_cast<std::uint32_t>(block.positions.size());
+    const auto is_left = [&](std::uint32_t k) {
+        return left.surfaces.w[k] > 0 && left.colliders[k] == number;
+    };
+    std::array<Vec4, block_size> now, then;
+    std::uint32_t first = 0;
+    while (first < size && !is_left(first)) ++first;
+    if (first == size) return;
+    now.fill(block.positions[first]);
+    then.fill(block.positions[first]);
+    for (std::uint32_t k = first; k < size; ++k) {
+        if (!is_left(k)) continue;
+        const float depth = left.surfaces.w[k];
+        const float way = std::min(depth, h * std::max(FoundDepth::speed, FoundDepth::rate * depth));
+        const Vector3 out(left.surfaces.x[k], left.surfaces.y[k], left.surfaces.z[k]);
+        now[k] = then[k] = block.positions[k];
+        set_xyz(then[k], xyz(now[k]) + way * out);
+    }
+    const auto gaps = [&](const std::span<const Vec4> points, NearSurfaces& near) {
+        const BlockPaths paths = place({}, points, 0, points, near.points);
+        const auto no_friction = [](const ColliderMotion&) { return 0.0f; };
+        if (!find_nearest_of(colliders, cloth, h, reach, {}, paths, size, no_friction, near, {},
+                             &colliders[number]))
+            near.surfaces.w.fill(reach);
+    };
+    NearSurfaces at_now, at_then;
+    gaps(std::span(now).first(size), at_now);
+    gaps(std::span(then).first(size), at_then);
+    const std::span<const float> factors = block.factors.thickness;
+    for (std::uint32_t k = first; k < size; ++k) {
+        if (!is_left(k)) continue;
+        const float missing = factors.empty() ? 0 : cloth.thickness * (1 - factors[k]);
+        const float before = at_now.surfaces.w[k] + missing, after = at_then.surfaces.w[k] + missing;
+        const bool is_held = after < std::min(0.0f, before) && before > -FoundDepth::speed * h;
+        if (!is_held) block.positions[k] = then[k];
+    }
+}
+
+std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                            const CollidingParticles& particles) {
+    const std::span<const Vec4> starts = particles.starts;
+    LeftInside left;
+    CollidingBlock block{.positions = particles.positions,
+                         .velocities = particles.velocities,
+                         .held = particles.held,
+                         .starts = starts,
+                         .paths = paths_of(starts, particles.positions),
+                         .factors = particles.factors,
+                         .left = &left};
+    for (std::uint32_t number = 0; number < colliders.size(); ++number) {
+        const ColliderMotion& motion = colliders[number];
+        block.collider = number;
+        if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
+            collide(shape,
+                    {.thickness = thickness_of(motion, cloth),
+                     .friction = friction_of(motion, cloth),
+                     .h = h,
+                     .of_cloth = cloth.thickness,
+                     .restitution = restitution_of(motion, cloth),
+                     .least_bounce = cloth.least_bounce,
+                     .found = found_depth(motion, h),
+                     .meeting = starts.empty() ? Meeting{} : meeting},
+                    block);
+        });
+    }
+    for (std::uint32_t number = 0; block.has_left && number < colliders.size(); ++number)
+        emerge(colliders, number, cloth, h, block);
+    return std::accumulate(block.met.begin(), block.met.end(), 0u);
+}
+
+/// Of the particles of a block.
+CollidingParticles part_of(const CollidingParticles& all, const BlockRange& range) {
+    const std::uint32_t size = range.end - range.begin;
+    const auto of_block = [&](auto span) { return span.empty() ? span : span.subspan(range.begin, size); };
+    return {.positions = of_block(all.positions),
+            .velocities = of_block(all.velocities),
+            .starts = of_block(all.starts),
+            .held = of_block(all.held),
+            .factors = {of_block(all.factors.thickness), of_block(all.factors.friction)}};
 }
 
 }  // namespace
@@ -142,35 +222,6 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
     }
     return parts;
 }
-
-namespace {
-
-/// Among points that have been placed. told(motion): w of the surfaces' motions.
-template <class Told>
-bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h, float reach,
-                     std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size,
-                     const Told& told, NearSurfaces& near, std::span<std::int32_t> bodies = {}) {
-    std::ranges::fill(bodies, -1);
-    std::array<float, block_size> before;
-    bool is_clear = true, found = false;
-    for (const ColliderMotion& motion : colliders)
-        if_near(motion, h, cloth, reach, paths, [&](const auto& shape, const Meeting& meeting) {
-            if (is_clear) clear(near, reach);
-            is_clear = false;
-            const ContactSettings settings{.thickness = thickness_of(motion, cloth),
-                                           .friction = told(motion),
-                                           .h = h,
-                                           .found = found_depth(motion, cloth, h),
-                                           .meeting = starts.empty() ? Meeting{} : meeting};
-            if (!bodies.empty()) before = near.surfaces.w;
-            found |= find_nearest(shape, {settings, reach, starts, size}, near);
-            for (std::size_t i = 0; i < bodies.size(); ++i)
-                if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
-        });
-    return found;
-}
-
-}  // namespace
 
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                         float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,

@@ -50,7 +50,8 @@ struct ClothSide {
     float restitution = 0;
     std::uint32_t mask = ~0u;  ///< of the layers that it meets
     float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
-    float brought = 0;  ///< how deep what acts after collide() may have pushed particles into colliders [m]
+    /// Of the thickness, of the particles that find_near_surfaces() is given; may be empty.
+    std::span<const float> factors = {};
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
 };

@@ -15,7 +15,8 @@
 namespace weft {
 
 /// Depth in which a substep finds a particle when it begins, as where a collider has been placed over it. The
-/// equation lets it be, so that it becomes no velocity, and collide() takes it out at a limited speed.
+/// equation lets it be, so that it becomes no velocity; collide() takes it out at a limited speed, and leaves
+/// it where another collider holds the particle.
 struct FoundDepth {
     static constexpr float speed = 0.1f;  ///< [m/s]
     static constexpr float rate = 2;      ///< if that is more, this part of the depth [1/s]
@@ -36,12 +37,21 @@ struct ContactSettings {
     Meeting meeting{};
 };
 
+/// What particles of a block have been left inside of: of several the deepest.
+struct LeftInside {
+    BlockLanes surfaces;  ///< outward normal; w depth [m], 0: in none
+    std::array<std::uint32_t, block_size> colliders;
+};
+
 struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
     ParticleFactors factors = {};
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
+    std::uint32_t collider = 0;                               ///< the number of the one that is met
+    bool has_left = false;                                    ///< any; else `left` is not written
+    LeftInside* left = nullptr;  ///< where there are starts
 };
 
 /// Of those that are numbers. No starts: none has moved.
@@ -65,6 +75,7 @@ struct NearestSought {
     float reach;  ///< beyond the thickness [m]
     std::span<const Vec4> starts;
     std::uint32_t size;
+    std::span<const float> factors{};  ///< of the thickness of_cloth; may be empty
 
     [[nodiscard]] float all() const { return settings.thickness + reach; }
 };

@@ -152,14 +152,10 @@ float stiffness_of(const ClothSettings& settings) {
 }  // namespace
 
 ClothSide side_of(const ClothSettings& settings) {
-    constexpr float by_features = 0.01f;
-    const SelfCollision& self = settings.self_collision;
-    const bool have_last_word = self.enabled && self.method != SelfCollisionMethod::avoidance;
     return {.thickness = settings.thickness,
             .friction = settings.friction,
             .restitution = settings.restitution,
-            .mask = settings.collider_mask,
-            .brought = have_last_word ? by_features : 0.0f};
+            .mask = settings.collider_mask};
 }
 
 Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
@@ -184,9 +180,11 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::span<std::int32_t> pressed = body_buffers_ != nullptr
                                                 ? body_buffers_->pressed.span().subspan(range.begin, size)
                                                 : std::span<std::int32_t>();
-    bool near = find_near_surfaces(
-        colliders_, side_of(settings), equation.h, reach, equation.positions.subspan(range.begin, size),
-        equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
+    ClothSide side = side_of(settings);
+    if (own_ != nullptr) side.factors = own_->thickness_factors(range);
+    bool near =
+        find_near_surfaces(colliders_, side, equation.h, reach, equation.positions.subspan(range.begin, size),
+                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
     if (own_ != nullptr) {
         near = own_->adjust(range, reach, near, surfaces);
         for (std::uint32_t i = 0; i < pressed.size(); ++i)

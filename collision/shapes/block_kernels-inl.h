@@ -69,11 +69,27 @@ HWY_INLINE Lanes found_depth(const Shape& shape, Mask is_free, const SurfaceLane
     return hn::IfThenElseZero(hn::And(at_start.is_near, hn::Gt(depth, least)), depth);
 }
 
-/// Of a found depth what is left after a substep.
-HWY_INLINE Lanes left_inside(Lanes found, const FoundDepth& counts, float h) {
-    const Lanes way = hn::Max(set(h * FoundDepth::speed), hn::Mul(set(h * FoundDepth::rate), found));
-    const Lanes left = hn::Sub(found, way);
-    return hn::IfThenElseZero(hn::Gt(left, set(counts.least)), left);
+/// `depth` in lanes from i on, 0 where they are in none.
+template <class Mask>
+HWY_INLINE void keep_left(Lanes depth, const SurfaceLanes<Mask>& surface, std::uint32_t i,
+                          CollidingBlock& block) {
+    LeftInside& left = *block.left;
+    if (!block.has_left) left.surfaces.w.fill(0);
+    block.has_left = true;
+    const Lanes4 before = load_lanes(left.surfaces, i);
+    const auto deeper = hn::Gt(depth, before.w);
+    store_lanes(either(deeper, with_w(surface.normal, depth), before), left.surfaces, i);
+    alignas(64) float was[part_lanes];
+    hn::Store(before.w, Tag(), was);
+    for (std::uint32_t k = 0; k < part_lanes; ++k)
+        if (left.surfaces.w[i + k] > was[k]) left.colliders[i + k] = block.collider;
+}
+
+template <class Mask>
+HWY_INLINE void mark(Mask meets, std::uint32_t* met) {
+    const hn::RebindToUnsigned<Tag> du;
+    const auto one = hn::IfThenElseZero(hn::RebindMask(du, meets), hn::Set(du, 1));
+    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
 }
 
 /// Of a substep; null where they are not looked at. Ways are followed only if they are `swept`.
@@ -87,10 +103,9 @@ struct Starts {
 /// rest.
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
-                             const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
-                             PathsLanes& paths, const Factors& factors) {
+                             const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t i,
+                             CollidingBlock& block, PathsLanes& paths, const Factors& factors) {
     const Tag d;
-    const hn::RebindToUnsigned<Tag> du;
     const Lanes zero = set(0);
     const Lanes4 position = load_rows(positions);
     const Lanes3 p = xyz(position);
@@ -111,9 +126,13 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     }
     if (starts.rows != nullptr) {
         const Lanes found = found_depth(shape, is_free, surface, missing, settings.found, starts.rows);
-        const Lanes left = left_inside(found, settings.found, settings.h);
-        surface.penetration = hn::Sub(surface.penetration, left);
-        surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
+        const auto is_found = hn::Gt(found, zero);
+        if (!hn::AllFalse(d, is_found)) {
+            mark(is_found, &block.met[i]);
+            keep_left(hn::Min(found, surface.penetration), surface, i, block);
+            surface.penetration = hn::Sub(surface.penetration, found);
+            surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
+        }
     }
     if (hn::AllFalse(d, surface.is_near)) return;
     Lanes friction = set(settings.friction);
@@ -133,8 +152,7 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     store_rows(moved, position.w, positions);
     store_rows(either(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
     paths.add(start, moved);
-    const auto one = hn::IfThenElseZero(hn::RebindMask(du, surface.is_near), hn::Set(du, 1));
-    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
+    mark(surface.is_near, &block.met[i]);
 }
 
 template <class Shape>
@@ -148,7 +166,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
                      {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
-                     &block.velocities[i], &block.met[i], paths, factors_at(block.factors, i));
+                     &block.velocities[i], i, block, paths, factors_at(block.factors, i));
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
@@ -162,7 +180,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
         std::copy(of.friction.begin() + (of.friction.empty() ? 0 : i), of.friction.end(), friction);
         PathsLanes with_added = paths;
         collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
-                     velocities, &block.met[i], with_added,
+                     velocities, i, block, with_added,
                      {of.thickness.empty() ? nullptr : thickness, of.friction.empty() ? nullptr : friction});
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
@@ -191,9 +209,14 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
                               xyz(load_rows(sought.starts.data() + i)), p, hn::Gt(point.w, set(0)), surface);
         if (hn::AllFalse(d, surface.is_near)) continue;
         Lanes gap = hn::Sub(set(sought.reach), surface.penetration);
-        if (!sought.starts.empty())
-            gap = hn::Add(gap, found_depth(shape, hn::Gt(point.w, set(0)), surface, set(sought.reach),
+        if (!sought.starts.empty()) {
+            Lanes beyond = set(sought.reach);
+            if (!sought.factors.empty())
+                beyond = hn::MulAdd(set(sought.settings.of_cloth),
+                                    hn::Sub(set(1), load_lanes(&sought.factors[i])), beyond);
+            gap = hn::Add(gap, found_depth(shape, hn::Gt(point.w, set(0)), surface, beyond,
                                            sought.settings.found, sought.starts.data() + i));
+        }
         const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
         const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
         store_lanes(either(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
