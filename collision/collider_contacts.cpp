@@ -25,9 +25,9 @@ float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
 }
 
 /// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
-FoundDepth found_depth(const ColliderMotion& motion, float h) {
+FoundDepth found_depth(const ColliderMotion& motion) {
     if (motion.body >= 0 || motion.rate != 0) return {};
-    return {.least = FoundDepth::speed * h};
+    return {.least = 2e-5f};  // beyond rounding
 }
 
 /// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the thickness
@@ -80,7 +80,7 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
                                            .friction = told(motion),
                                            .h = h,
                                            .of_cloth = cloth.thickness,
-                                           .found = found_depth(motion, h),
+                                           .found = found_depth(motion),
                                            .meeting = starts.empty() ? Meeting{} : meeting};
             if (!bodies.empty()) before = near.surfaces.w;
             found |= find_nearest(shape, {settings, reach, starts, size, cloth.factors}, near);
@@ -91,49 +91,79 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
     return found;
 }
 
-/// Of particles that were left inside the collider of that number: takes them out by a part, where that does
-/// not lead deeper into another at whose surface they are.
-void emerge(std::span<const ColliderMotion> colliders, std::uint32_t number, const ClothSide& cloth, float h,
-            CollidingBlock& block) {
-    constexpr float reach = 1e-3f;
-    const LeftInside& left = *block.left;
-    const auto size = static_cast<std::uint32_t>(block.positions.size());
-    const auto is_left = [&](std::uint32_t k) {
-        return left.surfaces.w[k] > 0 && left.colliders[k] == number;
-    };
-    std::array<Vec4, block_size> now, then;
-    std::uint32_t first = 0;
-    while (first < size && !is_left(first)) ++first;
-    if (first == size) return;
-    now.fill(block.positions[first]);
-    then.fill(block.positions[first]);
-    for (std::uint32_t k = first; k < size; ++k) {
-        if (!is_left(k)) continue;
-        const float depth = left.surfaces.w[k];
-        const float way = std::min(depth, h * std::max(FoundDepth::speed, FoundDepth::rate * depth));
-        const Vector3 out(left.surfaces.x[k], left.surfaces.y[k], left.surfaces.z[k]);
-        now[k] = then[k] = block.positions[k];
-        set_xyz(then[k], xyz(now[k]) + way * out);
+/// Takes particles out, by a part, of what they were left inside of, where that does not lead them deeper
+/// into another collider at whose surface they are.
+class Emerging {
+  public:
+    Emerging(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+             CollidingBlock& block)
+        : colliders_(colliders), cloth_(cloth), h_(h), block_(block) {}
+
+    void all() {
+        const LeftInside& left = *block_.left;
+        std::uint32_t waiting = 0;
+        for (std::uint32_t k = 0; k < block_.positions.size(); ++k)
+            if (left.surfaces.w[k] > 0) waiting_[waiting++] = k;
+        while (waiting > 0) {
+            const std::uint32_t number = left.colliders[waiting_[0]];
+            std::uint32_t others = 0;
+            size_ = 0;
+            for (std::uint32_t m = 0; m < waiting; ++m) {
+                const std::uint32_t k = waiting_[m];
+                if (left.colliders[k] == number)
+                    particles_[size_++] = k;
+                else
+                    waiting_[others++] = k;
+            }
+            waiting = others;
+            out_of(number);
+        }
     }
-    const auto gaps = [&](const std::span<const Vec4> points, NearSurfaces& near) {
+
+  private:
+    static constexpr float reach = 1e-3f;
+    static constexpr std::uint32_t group = 16;  // to whose end arrays go on
+
+    void out_of(std::uint32_t number) {
+        std::array<Vec4, block_size> now, then;
+        for (std::uint32_t m = 0; m < size_; ++m) {
+            now[m] = then[m] = block_.positions[particles_[m]];
+            set_xyz(then[m], xyz(now[m]) + way_of(particles_[m]));
+        }
+        for (std::uint32_t m = size_; m % group != 0; ++m) now[m] = then[m] = now[0];
+        NearSurfaces at_now, at_then;
+        find_others(number, {now.data(), size_}, at_now);
+        find_others(number, {then.data(), size_}, at_then);
+        const std::span<const float> factors = block_.factors.thickness;
+        for (std::uint32_t m = 0; m < size_; ++m) {
+            const std::uint32_t k = particles_[m];
+            const float missing = factors.empty() ? 0 : cloth_.thickness * (1 - factors[k]);
+            const float before = at_now.surfaces.w[m] + missing, after = at_then.surfaces.w[m] + missing;
+            const bool is_held = after < std::min(0.0f, before) && before > -FoundDepth::speed * h_;
+            if (!is_held) block_.positions[k] = then[m];
+        }
+    }
+    [[nodiscard]] Vector3 way_of(std::uint32_t k) const {
+        const BlockLanes& left = block_.left->surfaces;
+        const float depth = left.w[k];
+        const float way = std::min(depth, h_ * std::max(FoundDepth::speed, FoundDepth::rate * depth));
+        return way * Vector3(left.x[k], left.y[k], left.z[k]);
+    }
+    void find_others(std::uint32_t number, std::span<const Vec4> points, NearSurfaces& near) const {
         const BlockPaths paths = place({}, points, 0, points, near.points);
         const auto no_friction = [](const ColliderMotion&) { return 0.0f; };
-        if (!find_nearest_of(colliders, cloth, h, reach, {}, paths, size, no_friction, near, {},
-                             &colliders[number]))
+        if (!find_nearest_of(colliders_, cloth_, h_, reach, {}, paths, size_, no_friction, near, {},
+                             &colliders_[number]))
             near.surfaces.w.fill(reach);
-    };
-    NearSurfaces at_now, at_then;
-    gaps(std::span(now).first(size), at_now);
-    gaps(std::span(then).first(size), at_then);
-    const std::span<const float> factors = block.factors.thickness;
-    for (std::uint32_t k = first; k < size; ++k) {
-        if (!is_left(k)) continue;
-        const float missing = factors.empty() ? 0 : cloth.thickness * (1 - factors[k]);
-        const float before = at_now.surfaces.w[k] + missing, after = at_then.surfaces.w[k] + missing;
-        const bool is_held = after < std::min(0.0f, before) && before > -FoundDepth::speed * h;
-        if (!is_held) block.positions[k] = then[k];
     }
-}
+
+    std::span<const ColliderMotion> colliders_;
+    const ClothSide& cloth_;
+    float h_;
+    CollidingBlock& block_;
+    std::array<std::uint32_t, block_size> waiting_, particles_;
+    std::uint32_t size_ = 0;  // of `particles_`
+};
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                             const CollidingParticles& particles) {
@@ -157,13 +187,12 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                      .of_cloth = cloth.thickness,
                      .restitution = restitution_of(motion, cloth),
                      .least_bounce = cloth.least_bounce,
-                     .found = found_depth(motion, h),
+                     .found = found_depth(motion),
                      .meeting = starts.empty() ? Meeting{} : meeting},
                     block);
         });
     }
-    for (std::uint32_t number = 0; block.has_left && number < colliders.size(); ++number)
-        emerge(colliders, number, cloth, h, block);
+    if (block.has_left) Emerging(colliders, cloth, h, block).all();
     return std::accumulate(block.met.begin(), block.met.end(), 0u);
 }
 

@@ -80,7 +80,7 @@ TEST(PlaceCollider, PutsClothOutsideAndThrowsNothing) {
         hung.step(60);
         ASSERT_TRUE(hung.world.place_collider(ball, {.shape = Sphere{{0, 0, 0.1f}, 0.3f}}));
         float speed = 0;
-        for (int k = 0; k < 60; ++k) {
+        for (int k = 0; k < 120; ++k) {
             hung.step();
             speed = std::max(speed, fastest(hung.world, hung.cloth));
         }
