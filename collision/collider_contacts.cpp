@@ -48,6 +48,7 @@ void clear(NearSurfaces& near, float reach) {
     for (BlockLanes* lanes : {&near.surfaces, &near.motions})
         for (auto* component : {&lanes->x, &lanes->y, &lanes->z, &lanes->w}) component->fill(0);
     near.surfaces.w.fill(reach);
+    near.has_inside = false;
 }
 
 /// The i-th particle is nearest to this collider, and its surface goes with the body.
@@ -60,6 +61,27 @@ void take_body(const ColliderMotion& motion, std::size_t i, NearSurfaces& near,
     near.motions.x[i] = v.x();
     near.motions.y[i] = v.y();
     near.motions.z[i] = v.z();
+}
+
+Vector3 vector_of(const BlockLanes& lanes, std::size_t k) {
+    return {lanes.x[k], lanes.y[k], lanes.z[k]};
+}
+
+/// Of what is inside a collider, too: which surface counts.
+void choose_surfaces(std::uint32_t size, float reach, NearSurfaces& near, std::span<std::int32_t> bodies) {
+    for (std::uint32_t k = 0; k < size; ++k) {
+        if (!(near.inside.w[k] < std::numeric_limits<float>::infinity())) continue;
+        const bool faces = vector_of(near.inside, k).dot(vector_of(near.surfaces, k)) < 0;
+        if (near.surfaces.w[k] < reach && faces) {
+            near.motions.w[k] = held_fast;
+        } else if (near.inside.w[k] < near.surfaces.w[k]) {
+            for (auto component : {&BlockLanes::x, &BlockLanes::y, &BlockLanes::z, &BlockLanes::w}) {
+                (near.surfaces.*component)[k] = (near.inside.*component)[k];
+                (near.motions.*component)[k] = (near.inside_motions.*component)[k];
+            }
+            if (!bodies.empty()) bodies[k] = -1;
+        }
+    }
 }
 
 /// Among points that have been placed. told(motion): w of the surfaces' motions.
@@ -88,6 +110,7 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
                 if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
         });
     }
+    if (near.has_inside) choose_surfaces(size, reach, near, bodies);
     return found;
 }
 
@@ -144,10 +167,9 @@ class Emerging {
         }
     }
     [[nodiscard]] Vector3 way_of(std::uint32_t k) const {
-        const BlockLanes& left = block_.left->surfaces;
-        const float depth = left.w[k];
+        const float depth = block_.left->surfaces.w[k];
         const float way = std::min(depth, h_ * std::max(FoundDepth::speed, FoundDepth::rate * depth));
-        return way * Vector3(left.x[k], left.y[k], left.z[k]);
+        return way * vector_of(block_.left->surfaces, k);
     }
     void find_others(std::uint32_t number, std::span<const Vec4> points, NearSurfaces& near) const {
         const BlockPaths paths = place({}, points, 0, points, near.points);

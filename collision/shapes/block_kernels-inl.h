@@ -191,6 +191,17 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     block.paths = paths.all();
 }
 
+template <class Mask>
+HWY_INLINE void add_inside(Mask is_inside, const Lanes4& surface, const Lanes4& motion, std::uint32_t i,
+                           NearSurfaces& near) {
+    if (!near.has_inside) near.inside.w.fill(std::numeric_limits<float>::infinity());
+    near.has_inside = true;
+    const Lanes4 before = load_lanes(near.inside, i), moved = load_lanes(near.inside_motions, i);
+    const auto nearer = hn::And(is_inside, hn::Lt(surface.w, before.w));
+    store_lanes(either(nearer, surface, before), near.inside, i);
+    store_lanes(either(nearer, motion, moved), near.inside_motions, i);
+}
+
 template <class Shape>
 HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& sought, NearSurfaces& near) {
     const Tag d;
@@ -209,19 +220,26 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
                               xyz(load_rows(sought.starts.data() + i)), p, hn::Gt(point.w, set(0)), surface);
         if (hn::AllFalse(d, surface.is_near)) continue;
         Lanes gap = hn::Sub(set(sought.reach), surface.penetration);
+        const Lanes4 moves = with_w(surface.velocity, set(sought.settings.friction));
+        auto nearer = surface.is_near;
         if (!sought.starts.empty()) {
             Lanes beyond = set(sought.reach);
             if (!sought.factors.empty())
                 beyond = hn::MulAdd(set(sought.settings.of_cloth),
                                     hn::Sub(set(1), load_lanes(&sought.factors[i])), beyond);
-            gap = hn::Add(gap, found_depth(shape, hn::Gt(point.w, set(0)), surface, beyond,
-                                           sought.settings.found, sought.starts.data() + i));
+            const Lanes depth = found_depth(shape, hn::Gt(point.w, set(0)), surface, beyond,
+                                            sought.settings.found, sought.starts.data() + i);
+            const auto is_inside = hn::Gt(depth, set(0));
+            if (!hn::AllFalse(d, is_inside)) {
+                gap = hn::Add(gap, depth);
+                add_inside(is_inside, with_w(surface.normal, gap), moves, i, near);
+                nearer = hn::AndNot(is_inside, nearer);
+            }
         }
         const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
-        const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
+        nearer = hn::And(nearer, hn::Lt(gap, before.w));
         store_lanes(either(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
-        const Lanes friction = set(sought.settings.friction);
-        store_lanes(either(nearer, with_w(surface.velocity, friction), motion), near.motions, i);
+        store_lanes(either(nearer, moves, motion), near.motions, i);
         found = true;
     }
     return found;
