@@ -95,7 +95,7 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
         if (!(distance > 1e-7f)) return std::nullopt;  // it began within
         const Vector3 normal = nearest.out / distance;
         const float radius = core.radius_at(nearest.s), wanted = radius + gap, clear = distance - wanted;
-        if (kept.only_from_outside && step == 0 && distance < radius) return std::nullopt;
+        if (kept.only_from_outside && step == 0 && !core.is_point() && distance < radius) return std::nullopt;
         float fastest = 0;
         for (std::size_t k = 0; k < corners; ++k) fastest = std::max(fastest, normal.dot(from[k] - to[k]));
         const bool is_near = clear < 0.05f * gap;

@@ -24,8 +24,8 @@ struct Approach {
 
 struct Kept {
     float gap;  ///< from the core's balls [m]
-    /// What begins within a ball is let be: where bodies are thicker than cells particles let it out, and to
-    /// hold its sides would keep it in.
+    /// An edge that begins within a segment's balls is let be: where a limb is thicker than cells particles
+    /// let it out, and to hold it would keep it in.
     bool only_from_outside = false;
 };
 
