@@ -76,7 +76,7 @@ struct Collider {
 /// What colliders do to cloth. Particles are met on their way, triangles by what is so thin that it slips
 /// between them: balls and capsules that are, with the thickness, thinner than two fifths of the cloth's mean
 /// edge, or than two edges where they meet it fast, and the edges and corners of boxes and hulls (of at most
-/// 32 corners) while these move. Sides are kept half the thickness outside. Cloth on what is thinner than two
+/// 32 corners) while the host moves these. Sides are kept half the thickness outside. Cloth on what is thinner than two
 /// fifths of an edge is held and does not come to rest; over edges of a box that stands still triangles cut
 /// its corners.
 ///
