@@ -91,9 +91,9 @@ class World {
     [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
     /// Writes vertices [first, first + count), those there are, as a renderer wants them: by the mesh's own
     /// numbers, into the host's memory, each kind that is asked for. It only writes there, allocates nothing,
-    /// and takes on one core some 2 ns a vertex for positions or normals, 60 ns for tangents or previous
-    /// normals, which are made of the triangles round the vertex. Threads may share the vertices, and draw
-    /// from begin_step() to end_step() what the last step left: calls of it may run side by side, and beside
+    /// and copies, but for tangents and previous normals, which are made of the triangles round each vertex
+    /// and take many times as long: `weft_bench --calls`. Threads may share the vertices, and draw from
+    /// begin_step() to end_step() what the last step left: calls of it may run side by side, and beside
     /// work(). Errors: a stream of less room than all vertices take, or whose stride is less than a value;
     /// texture coordinates or tangents of a cloth whose mesh has no texture coordinates.
     Result<void> write_vertices(ClothId id, const VertexStreams& to, std::size_t first = 0,
