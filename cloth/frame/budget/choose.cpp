@@ -1,0 +1,156 @@
+// How each cloth is taken by a step, where the World has a budget.
+
+#include <algorithm>
+
+#include "cloth/frame/simulation.h"
+
+namespace weft {
+
+namespace {
+
+/// A cloth that has just changed its rung rises no further for so many steps.
+constexpr std::uint32_t steps_to_hold = 12;
+/// It is not looked from nearer [m].
+constexpr float nearest = 0.1f;
+
+}  // namespace
+
+void Simulation::choose_details(float dt) {
+    began_ = clock();
+    choices.clear();
+    if (!has_given_choices) choose_rungs();
+    choose_rates(dt);
+    for (Cloth* cloth : present_) {
+        if (cloth->is_gliding()) continue;
+        cloth->budgeted->settings = cloth->settings;
+        cloth->budgeted->settings.method = reduced(cloth->settings.method, cloth->state.detail->rung);
+    }
+}
+
+void Simulation::choose_rungs() {
+    std::vector<Claim>& claims = allotment_.claims();
+    claims.clear();
+    for (const Cloth* cloth : present_) {
+        const Budgeted& of = *cloth->budgeted;
+        claims.push_back({.importance = cloth->settings.priority /
+                                        std::max(cloth->settings.view_distance, nearest) *
+                                        static_cast<float>(cloth->model.particle_count),
+                          .costs = of.costs.all(),
+                          .last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1,
+                          .may_rise = of.unchanged >= steps_to_hold,
+                          .rung = cloth->state.detail->rung});
+    }
+    allotment_.allot(1e6f * settings.budget / overhead_);
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        Cloth& cloth = *present_[i];
+        std::uint32_t& rung = cloth.state.detail->rung;
+        ++cloth.budgeted->unchanged;
+        if (claims[i].rung == rung) continue;
+        rung = claims[i].rung;
+        cloth.budgeted->unchanged = 0;
+        cloth.budgeted->costs.change_rung();
+        choices.push_back({cloth.id, rung});
+    }
+}
+
+/// As far as it is made; see choose_rates().
+bool Simulation::can_stride(const Cloth& cloth) const {
+    return !bodies_ && !cloth.features && !cloth.state.frame && !cloth.worn.has_limits() &&
+           cloth.attached.empty();
+}
+
+/// Those that may take a long step now do, others stop where they are.
+void Simulation::choose_rates(float dt) {
+    const auto is_concerned = [](const Cloth* cloth) {
+        return cloth->is_gliding() || rate_of(cloth->state.detail->rung) > 1;
+    };
+    if (std::ranges::any_of(present_, is_concerned)) find_disturbed(dt);
+    std::uint32_t number = 0;
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->budgeted->number = number++; });
+    for (Cloth* cloth : present_) {
+        DetailState& detail = *cloth->state.detail;
+        const bool may_stride = can_stride(*cloth) && !cloth->is_disturbed;
+        if (!may_stride) cloth->land();
+        if (detail.left > 0) continue;
+        // Their long steps are spread over the World's.
+        const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
+        detail.rate = (state.steps + cloth->budgeted->number) % rate == 0 ? rate : 1;
+    }
+}
+
+/// From where a long step began to where it has ended it goes evenly.
+void Simulation::begin_stride(Worker& worker, Cloth& cloth) {
+    if (!cloth.state.detail || cloth.state.detail->rate == 1) return;
+    ClothState& now = cloth.state;
+    if (cloth.restored) {
+        now.detail->rate = 1;
+        return;
+    }
+    std::ranges::copy(std::as_const(now.positions).span(), now.ahead.data());
+    std::ranges::copy(std::as_const(now.previous_positions).span(), now.positions.data());
+    now.detail->left = now.detail->rate;
+    glide(worker, cloth);
+}
+
+void Simulation::glide(Worker& worker, Cloth& cloth) {
+    const auto timer = timed(Stage::advance);
+    ClothState& now = cloth.state;
+    const std::uint32_t left = now.detail->left--;
+    const float part = 1 / static_cast<float>(left);
+    worker.parallel.ranges(now.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vec4 from = now.positions[i];
+            const Vector3 to = xyz(now.ahead[i]), here = xyz(from);
+            now.previous_positions[i] = from;
+            set_xyz(now.positions[i], left == 1 ? to : Vector3(here + part * (to - here)));
+        }
+    });
+    cloth.extent = survey(worker.parallel, now, cloth.partial_surveys.span());
+    cloth.restored = false;
+    update_normals(worker.parallel, cloth);
+}
+
+void Cloth::land() noexcept {
+    if (!is_gliding()) return;
+    state.detail->left = 0;
+    state.record.h = 0;
+}
+
+BudgetBuffers Cloth::make_budget(bool on) const {
+    BudgetBuffers made;
+    if (!on) return made;
+    made.budgeted = std::make_unique<Budgeted>(settings, model.particle_count);
+    made.ahead = AlignedBuffer<Vec4>(model.particle_count);
+    return made;
+}
+
+void Cloth::take_budget(BudgetBuffers&& made) noexcept {
+    land();
+    budgeted = std::move(made.budgeted);
+    state.ahead = std::move(made.ahead);
+    state.detail.reset();
+    if (budgeted) state.detail.emplace();
+}
+
+void Simulation::learn_costs() {
+    float took = 0;
+    for (Cloth* cloth : present_) {
+        Budgeted& of = *cloth->budgeted;
+        const DetailState& detail = *cloth->state.detail;
+        const auto cost = static_cast<float>(cost_of != nullptr ? cost_of(*cloth) : cloth->nanoseconds);
+        took += cost;
+        of.spent += cost;
+        ++of.steps;
+        if (detail.left > 0) continue;
+        // One that was to take long steps, and could not, says nothing of these.
+        if (detail.rate == rate_of(detail.rung))
+            of.costs.add(detail.rung, of.spent / static_cast<float>(of.steps));
+        of.spent = 0;
+        of.steps = 0;
+    }
+    if (cost_of != nullptr || !(took > 0)) return;
+    const float sample = std::clamp(static_cast<float>(clock() - began_) / took, 0.5f * overhead_, 2 * overhead_);
+    overhead_ += (sample - overhead_) / 32;
+}
+
+}  // namespace weft
