@@ -142,6 +142,7 @@ struct Simulation {
     void choose_details(float dt);
     void choose_rungs();
     void choose_rates(float dt);
+    void spread_long_steps();
     void begin_stride(Worker& worker, Cloth& cloth);
     void glide(Worker& worker, Cloth& cloth);
     [[nodiscard]] bool can_stride(const Cloth& cloth) const;

@@ -55,6 +55,9 @@ struct DetailState {
     std::uint32_t rung = 0;  ///< see frame/budget/ladder.h
     std::uint32_t rate = 1;  ///< steps that its last one was long
     std::uint32_t left = 0;  ///< of these, in which it is still to move on
+    /// It takes long steps where the World's number of steps leaves this; none: it takes none.
+    std::uint32_t phase = no_phase;
+    static constexpr std::uint32_t no_phase = ~0u;
 };
 
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.

@@ -62,7 +62,7 @@ void Allotment::allot(float time) {
         spent += claim.costs[claim.last];
         // What comes after something cannot be bought before it.
         float worth = std::numeric_limits<float>::max();
-        for (std::uint32_t from = claim.last; from > 0; --from) {
+        for (std::uint32_t from = claim.last; from > claim.first; --from) {
             const std::uint32_t to = from - 1;
             const float gain = claim.importance * (ladder[from].error - ladder[to].error);
             const float price = std::max(claim.costs[to] - claim.costs[from], 1e-3f * claim.costs[to]);
@@ -79,7 +79,6 @@ void Allotment::allot(float time) {
         const Claim& claim = claims_[step.claim];
         if (reached_[step.claim] != step.to + 1) continue;
         const bool has_it = claim.rung <= step.to;
-        if (!has_it && !claim.may_rise) continue;
         const float price = std::max(claim.costs[step.to] - claim.costs[step.to + 1], 0.0f);
         if (spent + price > (has_it ? time : without_reserve * time)) continue;
         spent += price;

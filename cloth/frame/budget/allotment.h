@@ -15,9 +15,8 @@ namespace weft {
 struct Claim {
     float importance = 1;                      ///< of its error; 0: it stays on its last rung
     std::array<float, rung_count> costs{};     ///< on each rung, in the unit of the time
-    std::uint32_t last = rung_count - 1;       ///< that it may be on
-    bool may_rise = true;                      ///< its rung has not changed of late
-    std::uint32_t rung = 0;                    ///< where it is; allot() writes where it is to be
+    std::uint32_t first = 0, last = rung_count - 1;  ///< rungs that it may be on
+    std::uint32_t rung = 0;  ///< where it is; allot() writes where it is to be
 };
 
 class Allotment {

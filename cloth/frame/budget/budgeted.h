@@ -38,7 +38,6 @@ struct Budgeted {
     float spent = 0;               ///< since it last took a step of its own [ns]
     std::uint32_t steps = 0;       ///< of the World, likewise
     std::uint32_t unchanged = 0;   ///< steps since its rung changed
-    std::uint32_t number = 0;      ///< among the World's cloths
 };
 
 struct BudgetBuffers {

@@ -8,8 +8,9 @@ namespace weft {
 
 namespace {
 
-/// A cloth that has just changed its rung rises no further for so many steps.
-constexpr std::uint32_t steps_to_hold = 12;
+// A cloth goes from rung to rung, and stays on each for so many steps: what a rung has left unsolved the next
+// one would solve at once, for all to see. It does not rise soon after it fell, or it would go to and fro.
+constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
 /// It is not looked from nearer [m].
 constexpr float nearest = 0.1f;
 
@@ -32,13 +33,15 @@ void Simulation::choose_rungs() {
     claims.clear();
     for (const Cloth* cloth : present_) {
         const Budgeted& of = *cloth->budgeted;
+        const std::uint32_t rung = cloth->state.detail->rung;
+        const std::uint32_t last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1;
         claims.push_back({.importance = cloth->settings.priority /
                                         std::max(cloth->settings.view_distance, nearest) *
                                         static_cast<float>(cloth->model.particle_count),
                           .costs = of.costs.all(),
-                          .last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1,
-                          .may_rise = of.unchanged >= steps_to_hold,
-                          .rung = cloth->state.detail->rung});
+                          .first = std::min(last, rung - (of.unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
+                          .last = std::min(last, rung + (of.unchanged >= steps_to_fall ? 1 : 0)),
+                          .rung = rung});
     }
     allotment_.allot(1e6f * settings.budget / overhead_);
     for (std::size_t i = 0; i < present_.size(); ++i) {
@@ -65,16 +68,36 @@ void Simulation::choose_rates(float dt) {
         return cloth->is_gliding() || rate_of(cloth->state.detail->rung) > 1;
     };
     if (std::ranges::any_of(present_, is_concerned)) find_disturbed(dt);
-    std::uint32_t number = 0;
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->budgeted->number = number++; });
+    spread_long_steps();
     for (Cloth* cloth : present_) {
         DetailState& detail = *cloth->state.detail;
         const bool may_stride = can_stride(*cloth) && !cloth->is_disturbed;
         if (!may_stride) cloth->land();
         if (detail.left > 0) continue;
-        // Their long steps are spread over the World's.
         const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
-        detail.rate = (state.steps + cloth->budgeted->number) % rate == 0 ? rate : 1;
+        detail.rate = rate > 1 && state.steps % rate == detail.phase % rate ? rate : 1;
+    }
+}
+
+/// What begins to take long steps takes them where the others leave most room.
+void Simulation::spread_long_steps() {
+    std::array<std::uint64_t, greatest_rate> loads{};
+    const auto load = [&](const Cloth& cloth) {
+        const DetailState& detail = *cloth.state.detail;
+        const std::uint32_t rate = rate_of(detail.rung);
+        for (std::uint32_t p = detail.phase % rate; p < greatest_rate; p += rate)
+            loads[p] += cloth.model.particle_count;
+    };
+    for (Cloth* cloth : present_) {
+        std::uint32_t& phase = cloth->state.detail->phase;
+        if (rate_of(cloth->state.detail->rung) == 1) phase = DetailState::no_phase;
+        if (phase != DetailState::no_phase) load(*cloth);
+    }
+    for (Cloth* cloth : present_) {
+        DetailState& detail = *cloth->state.detail;
+        if (rate_of(detail.rung) == 1 || detail.phase != DetailState::no_phase) continue;
+        detail.phase = static_cast<std::uint32_t>(std::ranges::min_element(loads) - loads.begin());
+        load(*cloth);
     }
 }
 
