@@ -58,6 +58,7 @@ struct DetailState {
     /// It takes long steps where the World's number of steps leaves this; none: it takes none.
     std::uint32_t phase = no_phase;
     static constexpr std::uint32_t no_phase = ~0u;
+    std::uint32_t since = 0;  ///< the World's step in which its rung changed
 };
 
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.

@@ -75,7 +75,7 @@ TEST(Budget, IsHeldAndUsed) {
         std::vector<float> times;
         for (int i = 0; i < 200; ++i) times.push_back(hall.step());
         std::ranges::sort(times);
-        EXPECT_LT(times[197], 1.1f * budget) << budget;
+        EXPECT_LT(times[197], 1.1f * budget + 0.04f) << budget << ", and one cloth";
         EXPECT_GT(times[100], 0.75f * budget) << budget;
     }
 }

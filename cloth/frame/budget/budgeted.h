@@ -37,7 +37,6 @@ struct Budgeted {
     RungCosts costs;
     float spent = 0;               ///< since it last took a step of its own [ns]
     std::uint32_t steps = 0;       ///< of the World, likewise
-    std::uint32_t unchanged = 0;   ///< steps since its rung changed
 };
 
 struct BudgetBuffers {

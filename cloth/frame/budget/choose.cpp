@@ -1,6 +1,8 @@
 // How each cloth is taken by a step, where the World has a budget.
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "cloth/frame/simulation.h"
 
@@ -31,26 +33,26 @@ void Simulation::choose_details(float dt) {
 void Simulation::choose_rungs() {
     std::vector<Claim>& claims = allotment_.claims();
     claims.clear();
+    const auto now = static_cast<std::uint32_t>(state.steps);
     for (const Cloth* cloth : present_) {
-        const Budgeted& of = *cloth->budgeted;
         const std::uint32_t rung = cloth->state.detail->rung;
+        const std::uint32_t unchanged = now - cloth->state.detail->since;
         const std::uint32_t last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1;
         claims.push_back({.importance = cloth->settings.priority /
                                         std::max(cloth->settings.view_distance, nearest) *
                                         static_cast<float>(cloth->model.particle_count),
-                          .costs = of.costs.all(),
-                          .first = std::min(last, rung - (of.unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
-                          .last = std::min(last, rung + (of.unchanged >= steps_to_fall ? 1 : 0)),
+                          .costs = cloth->budgeted->costs.all(),
+                          .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
+                          .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
                           .rung = rung});
     }
     allotment_.allot(1e6f * settings.budget / overhead_);
     for (std::size_t i = 0; i < present_.size(); ++i) {
         Cloth& cloth = *present_[i];
         std::uint32_t& rung = cloth.state.detail->rung;
-        ++cloth.budgeted->unchanged;
         if (claims[i].rung == rung) continue;
         rung = claims[i].rung;
-        cloth.budgeted->unchanged = 0;
+        cloth.state.detail->since = now;
         cloth.budgeted->costs.change_rung();
         choices.push_back({cloth.id, rung});
     }
@@ -79,14 +81,15 @@ void Simulation::choose_rates(float dt) {
     }
 }
 
-/// What begins to take long steps takes them where the others leave most room.
+/// What begins to take long steps takes them where the others leave most room; of equal ones, where most is
+/// left should all of them take the longest.
 void Simulation::spread_long_steps() {
-    std::array<std::uint64_t, greatest_rate> loads{};
+    std::array<std::pair<std::uint64_t, std::uint64_t>, greatest_rate> loads{};
     const auto load = [&](const Cloth& cloth) {
         const DetailState& detail = *cloth.state.detail;
-        const std::uint32_t rate = rate_of(detail.rung);
-        for (std::uint32_t p = detail.phase % rate; p < greatest_rate; p += rate)
-            loads[p] += cloth.model.particle_count;
+        const std::uint32_t rate = rate_of(detail.rung), particles = cloth.model.particle_count;
+        for (std::uint32_t p = detail.phase % rate; p < greatest_rate; p += rate) loads[p].first += particles;
+        loads[detail.phase % greatest_rate].second += particles;
     };
     for (Cloth* cloth : present_) {
         std::uint32_t& phase = cloth->state.detail->phase;

@@ -233,10 +233,12 @@ Result<void> Replayer::change_body(Call call, RecordReader& reader) {
 Result<void> Replayer::choose(RecordReader& reader) {
     const auto choices = reader.get<std::span<const RungOfCloth>>();
     if (!reader.is_done()) return no_such_call();
+    Simulation& simulation = world_->impl_->simulation;
     for (const RungOfCloth& choice : choices) {
-        std::unique_ptr<Cloth>* const cloth = world_->impl_->simulation.cloths.find(ids_.find(choice.cloth));
+        std::unique_ptr<Cloth>* const cloth = simulation.cloths.find(ids_.find(choice.cloth));
         if (cloth == nullptr || !(*cloth)->state.detail || choice.rung >= rung_count) return no_such_call();
         (*cloth)->state.detail->rung = choice.rung;
+        (*cloth)->state.detail->since = static_cast<std::uint32_t>(simulation.state.steps) + 1;
     }
     return {};
 }
