@@ -50,6 +50,8 @@ struct ClothSide {
     float restitution = 0;
     std::uint32_t mask = ~0u;  ///< of the layers that it meets
     float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
+    /// Of the thickness, of the particles that find_near_surfaces() is given; may be empty.
+    std::span<const float> factors = {};
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
 };
@@ -86,8 +88,16 @@ struct BlockLanes {
 struct NearSurfaces {
     BlockLanes points;    ///< at the substep's end [m]; w inverse mass
     BlockLanes surfaces;  ///< outward normal; w distance less the thickness [m], `reach` where none is near
-    BlockLanes motions;   ///< the surface's velocity [m/s]; w friction of cloth and collider together
+    /// The surface's velocity [m/s]; w friction of cloth and collider together, held_fast where the particle
+    /// is inside another collider, too, which it faces: no place is free for it.
+    BlockLanes motions;
+    /// Likewise of surfaces inside of which the substep began, apart from all others until all are known.
+    BlockLanes inside, inside_motions;
+    bool has_inside = false;  ///< any; else these are not written
 };
+
+/// Friction of what goes with the surface whatever pulls.
+inline constexpr float held_fast = 1e30f;
 
 /// For each of at most block_size particles the surface, at the substep's end, that is nearest of those
 /// nearer than the thickness and the reach. Particles go to positions + gamma velocities; arrays go on to the

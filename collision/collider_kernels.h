@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "collision/collider_contacts.h"
@@ -13,15 +14,33 @@
 
 namespace weft {
 
+/// Depth in which a substep finds a particle when it begins, as where a collider has been placed over it. The
+/// equation lets it be, so that it becomes no velocity; collide() takes it out at a limited speed, and leaves
+/// it where another collider holds the particle.
+struct FoundDepth {
+    static constexpr float speed = 0.1f;  ///< [m/s]
+    static constexpr float rate = 2;      ///< if that is more, this part of the depth [1/s]
+
+    /// What is less goes as depth that the substep brings [m].
+    float least = std::numeric_limits<float>::infinity();
+};
+
 struct ContactSettings {
     float thickness;                          ///< of cloth and collider together [m]
     float friction;                           ///< of cloth and collider together
     float h;                                  ///< [s]
     float of_cloth = 0;                       ///< of the thickness the cloth's own [m]
     float restitution = 0, least_bounce = 0;  ///< likewise; what comes slower [m/s] does not bounce
+    FoundDepth found{};
     /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
     /// of the block moves as far.
     Meeting meeting{};
+};
+
+/// What particles of a block have been left inside of: of several the deepest.
+struct LeftInside {
+    BlockLanes surfaces;  ///< outward normal; w depth [m], 0: in none
+    std::array<std::uint32_t, block_size> colliders;
 };
 
 struct CollidingBlock {
@@ -30,6 +49,9 @@ struct CollidingBlock {
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
     ParticleFactors factors = {};
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
+    std::uint32_t collider = 0;                               ///< the number of the one that is met
+    bool has_left = false;                                    ///< any; else `left` is not written
+    LeftInside* left = nullptr;  ///< where there are starts
 };
 
 /// Of those that are numbers. No starts: none has moved.
@@ -53,6 +75,7 @@ struct NearestSought {
     float reach;  ///< beyond the thickness [m]
     std::span<const Vec4> starts;
     std::uint32_t size;
+    std::span<const float> factors{};  ///< of the thickness of_cloth; may be empty
 
     [[nodiscard]] float all() const { return settings.thickness + reach; }
 };

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "demo/scenes/solids.h"
+
 namespace weft::demo {
 
 namespace {
@@ -34,7 +36,9 @@ Result<Picture> Picture::create() {
 
 void Picture::show(const Simulation& simulation) {
     for (const render::ClothHandle cloth : cloths_) renderer_.remove_cloth(cloth);
+    for (const render::ClothHandle solid : solids_) renderer_.remove_cloth(solid);
     cloths_.clear();
+    solids_.clear();
     fine_.clear();
     for (const SceneCloth& cloth : simulation.content().cloths) {
         const auto view = simulation.world().cloth(cloth.id);
@@ -53,7 +57,28 @@ void Picture::show(const Simulation& simulation) {
                                  .texcoords = texcoords,
                                  .look = cloth.look}));
     }
+    for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
     update(simulation);
+}
+
+void Picture::show_solid(const SceneSolid& solid) {
+    std::vector<Vec4> positions;
+    for (const Vec3& p : solid.mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
+    std::vector<std::uint32_t> each(positions.size());
+    std::iota(each.begin(), each.end(), 0u);
+    const render::ClothHandle drawn = renderer_.add_cloth({.triangles = solid.mesh.triangles,
+                                                           .vertex_to_particle = each,
+                                                           .texcoords = {},
+                                                           .look = {.front = solid.colour,
+                                                                    .back = solid.colour,
+                                                                    .roughness = 0.6f,
+                                                                    .sheen = 0,
+                                                                    .weave_per_metre = 0,
+                                                                    .translucency = 0}});
+    renderer_.update_cloth(
+        drawn,
+        {.positions = positions, .previous_positions = positions, .normals = vertex_normals(solid.mesh)});
+    solids_.push_back(drawn);
 }
 
 void Picture::update(const Simulation& simulation) {

@@ -30,10 +30,12 @@ class Picture {
     struct Fine {
         std::vector<Vec4> positions, previous_positions, normals;
     };
+    void show_solid(const SceneSolid& solid);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
+    std::vector<render::ClothHandle> solids_;
     std::vector<Fine> fine_;                   // likewise; empty where the cloth itself is drawn
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;

@@ -30,10 +30,17 @@ struct SceneCloth {
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how it follows the cloth
 };
 
+/// What stands in the scene, of triangles, and does not move.
+struct SceneSolid {
+    Mesh mesh;  ///< where it stands; vertices that triangles share are drawn smooth
+    Vec3 colour;
+};
+
 /// What build() leaves behind for the program that shows the scene.
 struct SceneContent {
     std::vector<SceneCloth> cloths;
-    std::vector<ColliderId> drawn_colliders;  ///< spheres and capsules to draw; planes are the ground
+    std::vector<ColliderId> drawn_colliders;  ///< balls, capsules and boxes to draw; planes are the ground
+    std::vector<SceneSolid> solids;
     render::OrbitCamera camera;
 };
 

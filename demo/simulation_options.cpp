@@ -119,7 +119,7 @@ std::string scene_list() {
     std::string list;
     for (const SceneEntry& scene : all_scenes()) {
         char line[160];
-        std::snprintf(line, sizeof line, "%-10s%s%s\n", scene.name, scene.description,
+        std::snprintf(line, sizeof line, "%-11s%s%s\n", scene.name, scene.description,
                       scene.needs_garment ? " (--garment)" : "");
         list += line;
     }

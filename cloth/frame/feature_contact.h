@@ -123,6 +123,9 @@ class FeatureContact {
     };
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
+    /// For as much of the way as there is room for pairs. Returns by how much pins are kept from their places
+    /// at most.
+    [[nodiscard]] float find_for_part_of_way(Parallel& parallel);
     FeatureCounts stand_still();
     FeatureCounts settle_by_zones(Parallel& parallel);
     void find_for_zones(Parallel& parallel);

@@ -75,10 +75,35 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     find(parallel, settler_.relative(), {&ContactCloth::floor});
 }
 
+// Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far in
+// the next step, and never come home.
+float FeatureContact::find_for_part_of_way(Parallel& parallel) {
+    constexpr float shorter = 0.25f;
+    constexpr int most_tries = 4;
+    float longest_cut = 0;
+    for (int k = 0;; ++k) {
+        find_for_cut(parallel);
+        if (!pairs_.overflowed || k == most_tries) return longest_cut;
+        const CommonMotion common = holder_ == Holder::pin ? CommonMotion{} : settler_.common();
+        const auto shorten_block = [&](const BlockRange& range) {
+            float longest = 0;
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                const Vector3 way = xyz(displacements_[i]);
+                const Vector3 part = give_back(common, xyz(start_[i]), way, shorter);
+                set_xyz(displacements_[i], part);
+                if (start_[i].w == 0) longest = std::max(longest, (way - part).norm());
+            }
+            return longest;
+        };
+        const auto greater = [](float a, float b) { return std::max(a, b); };
+        longest_cut += reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, shorten_block, greater);
+    }
+}
+
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
-    find_for_cut(parallel);
+    const float pins_cut = find_for_part_of_way(parallel);
     float least_floor = cloths_.front().floor;
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
     Island all = island();
@@ -89,7 +114,7 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     is_uncertain_ = result.uncertain > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,
-            .pin_lag = result.pinned_lag,
+            .pin_lag = result.pinned_lag + pins_cut,
             .lost = result.motion_lost,
             .overflowed = result.list_was_incomplete};
 }

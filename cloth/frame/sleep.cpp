@@ -37,6 +37,16 @@ bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
     return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
+/// Of any particle in the step [m].
+float farthest_way(const ClothState& state) {
+    const auto now = std::as_const(state.positions).span(),
+               before = std::as_const(state.previous_positions).span();
+    float squared = 0;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        squared = std::max(squared, (xyz(now[i]) - xyz(before[i])).squaredNorm());
+    return std::sqrt(squared);
+}
+
 /// By its pins, its skin or its frame.
 bool is_moved_by_host(const Cloth& cloth) {
     const ClothState& state = cloth.state;
@@ -137,6 +147,9 @@ void Simulation::count_still_time(Cloth& cloth, float dt) {
     const bool is_still =
         !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
     still_for = is_still ? still_for + dt : 0.0f;
+    // What comes out of a collider goes without a velocity.
+    if (still_for >= time_to_sleep && cloth.collider_contacts > 0 && farthest_way(cloth.state) > limit * dt)
+        still_for = 0;
 }
 
 void Simulation::wake_all() noexcept {

@@ -51,6 +51,10 @@ class WornLimits final : public OwnSurfaces {
     [[nodiscard]] ParticleFactors factors() const noexcept { return {thickness.span(), friction.span()}; }
 
     bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept override;
+    [[nodiscard]] std::span<const float> thickness_factors(const BlockRange& range) const noexcept override {
+        const std::span<const float> all = thickness.span();
+        return all.empty() ? all : all.subspan(range.begin, range.end - range.begin);
+    }
     [[nodiscard]] bool holds(std::uint32_t particle) const noexcept override {
         return by_limit_.size() > 0 && by_limit_[particle] != 0;
     }

@@ -48,6 +48,11 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
+/// Which lanes, from `i` on, no place is free for.
+HWY_INLINE auto goes_along(const ContactBlock& block, std::uint32_t i) {
+    return hn::Gt(load_lanes(&block.near.motions.w[i]), set(0.5f * held_fast));
+}
+
 /// Which lanes, from `i` on, press or are going to.
 HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
@@ -55,7 +60,8 @@ HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
     const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
     const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
     const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
-    return hn::And(hn::Or(falls_in, is_held), hn::Gt(w, zero));
+    const auto presses = hn::Or(hn::Or(falls_in, is_held), goes_along(block, i));
+    return hn::And(presses, hn::Gt(w, zero));
 }
 
 void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
@@ -70,12 +76,14 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     if (block.of_bodies != nullptr) spring = hn::Add(spring, hn::Load(Tag(), block.of_bodies + i));
     // What did not press yet is not drawn to the surface.
     const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
-    const Lanes pressed = hn::Mul(hn::Div(spring, set(block.gamma)), depth);
+    const Lanes3 relative = v - xyz(motion);
+    const auto along = goes_along(block, i);
+    const Lanes pressed = hn::IfThenElse(along, hn::Neg(hn::Mul(spring, dot(relative, n))),
+                                         hn::Mul(hn::Div(spring, set(block.gamma)), depth));
 
     // Of all that presses collide() bears the small rest.
     const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
-    const Lanes3 relative = v - xyz(motion);
     const Lanes3 sliding = relative - dot(relative, n) * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
@@ -84,7 +92,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes again =
         hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
     // What is not a number, after a failed step, holds as a limit without end does.
-    const auto slides = hn::Lt(limit, hn::Mul(stick, speed));
+    const auto slides = hn::AndNot(along, hn::Lt(limit, hn::Mul(stick, speed)));
     const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
 
     SymmetricLanes g = add_square(zero_symmetric(), n);
@@ -180,9 +188,11 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::span<std::int32_t> pressed = body_buffers_ != nullptr
                                                 ? body_buffers_->pressed.span().subspan(range.begin, size)
                                                 : std::span<std::int32_t>();
-    bool near = find_near_surfaces(
-        colliders_, side_of(settings), equation.h, reach, equation.positions.subspan(range.begin, size),
-        equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
+    ClothSide side = side_of(settings);
+    if (own_ != nullptr) side.factors = own_->thickness_factors(range);
+    bool near =
+        find_near_surfaces(colliders_, side, equation.h, reach, equation.positions.subspan(range.begin, size),
+                           equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
     if (own_ != nullptr) {
         near = own_->adjust(range, reach, near, surfaces);
         for (std::uint32_t i = 0; i < pressed.size(); ++i)

@@ -80,6 +80,9 @@ class OwnSurfaces {
     /// Changes what was found of a block's particles, `found` saying whether anything was (else only the
     /// points are there), and adds what is nearer. Returns whether any is near. See find_near_surfaces().
     virtual bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept = 0;
+    /// Of the cloth's thickness, of a block's particles; empty: none differs.
+    [[nodiscard]] virtual std::span<const float> thickness_factors(
+        const BlockRange& range) const noexcept = 0;
     /// Whether what a particle presses on is none of the colliders, but this.
     [[nodiscard]] virtual bool holds(std::uint32_t particle) const noexcept = 0;
 };

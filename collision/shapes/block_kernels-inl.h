@@ -55,31 +55,84 @@ HWY_INLINE Factors factors_at(const ParticleFactors& factors, std::uint32_t i) {
             factors.friction.empty() ? nullptr : &factors.friction[i]};
 }
 
+/// How deep particles that end in a shape were in it when the substep began, where that counts as found.
+/// `beyond`: what the shape's thickness is more than that of cloth and collider.
+template <class Shape, class Mask>
+HWY_INLINE Lanes found_depth(const Shape& shape, Mask is_free, const SurfaceLanes<Mask>& at_end, Lanes beyond,
+                             const FoundDepth& counts, const Vec4* starts) {
+    const Lanes least = set(counts.least);
+    const auto is_deep = hn::Gt(at_end.penetration, hn::Add(beyond, least));
+    const auto asked = hn::And(is_free, hn::And(at_end.is_near, is_deep));
+    if (hn::AllFalse(Tag(), asked)) return set(0);
+    const auto at_start = shape.surface(shape.carried(xyz(load_rows(starts))), asked);
+    const Lanes depth = hn::Sub(at_start.penetration, beyond);
+    return hn::IfThenElseZero(hn::And(at_start.is_near, hn::Gt(depth, least)), depth);
+}
+
+/// `depth` in lanes from i on, 0 where they are in none.
+template <class Mask>
+HWY_INLINE void keep_left(Lanes depth, const SurfaceLanes<Mask>& surface, std::uint32_t i,
+                          CollidingBlock& block) {
+    LeftInside& left = *block.left;
+    if (!block.has_left) left.surfaces.w.fill(0);
+    block.has_left = true;
+    const Lanes4 before = load_lanes(left.surfaces, i);
+    const auto deeper = hn::Gt(depth, before.w);
+    store_lanes(either(deeper, with_w(surface.normal, depth), before), left.surfaces, i);
+    alignas(64) float was[part_lanes];
+    hn::Store(before.w, Tag(), was);
+    for (std::uint32_t k = 0; k < part_lanes; ++k)
+        if (left.surfaces.w[i + k] > was[k]) left.colliders[i + k] = block.collider;
+}
+
+template <class Mask>
+HWY_INLINE void mark(Mask meets, std::uint32_t* met) {
+    const hn::RebindToUnsigned<Tag> du;
+    const auto one = hn::IfThenElseZero(hn::RebindMask(du, meets), hn::Set(du, 1));
+    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
+}
+
+/// Of a substep; null where they are not looked at. Ways are followed only if they are `swept`.
+struct Starts {
+    const Vec4* rows;
+    bool swept;
+};
+
 /// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
 /// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
 /// rest.
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
-                             const Vec4* starts, Vec4* positions, Vec4* velocities, std::uint32_t* met,
-                             PathsLanes& paths, const Factors& factors) {
+                             const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t i,
+                             CollidingBlock& block, PathsLanes& paths, const Factors& factors) {
     const Tag d;
-    const hn::RebindToUnsigned<Tag> du;
     const Lanes zero = set(0);
     const Lanes4 position = load_rows(positions);
     const Lanes3 p = xyz(position);
     const auto is_free = hn::Gt(position.w, zero);
     const auto may_meet = hn::And(shape.near(p), is_free);
-    if (starts == nullptr && hn::AllFalse(d, may_meet)) return;
+    if (!starts.swept && hn::AllFalse(d, may_meet)) return;
 
-    const Lanes3 start = starts != nullptr ? xyz(load_rows(starts)) : p;
+    const Lanes3 start = starts.swept ? xyz(load_rows(starts.rows)) : p;
     auto surface = shape.surface(p, may_meet);
     if constexpr (Shape::is_swept)
-        if (starts != nullptr)
-            surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
+        if (starts.swept) surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
+    Lanes missing = zero;
     if (factors.thickness != nullptr) {
-        const Lanes missing = hn::Sub(set(1), load_lanes(factors.thickness));
-        surface.penetration = hn::NegMulAdd(set(settings.of_cloth), missing, surface.penetration);
+        const Lanes part = hn::Sub(set(1), load_lanes(factors.thickness));
+        missing = hn::Mul(set(settings.of_cloth), part);
+        surface.penetration = hn::NegMulAdd(set(settings.of_cloth), part, surface.penetration);
         surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
+    }
+    if (starts.rows != nullptr) {
+        const Lanes found = found_depth(shape, is_free, surface, missing, settings.found, starts.rows);
+        const auto is_found = hn::Gt(found, zero);
+        if (!hn::AllFalse(d, is_found)) {
+            mark(is_found, &block.met[i]);
+            keep_left(hn::Min(found, surface.penetration), surface, i, block);
+            surface.penetration = hn::Sub(surface.penetration, found);
+            surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
+        }
     }
     if (hn::AllFalse(d, surface.is_near)) return;
     Lanes friction = set(settings.friction);
@@ -99,8 +152,7 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     store_rows(moved, position.w, positions);
     store_rows(either(surface.is_near, xyz(velocity) + kick, xyz(velocity)), velocity.w, velocities);
     paths.add(start, moved);
-    const auto one = hn::IfThenElseZero(hn::RebindMask(du, surface.is_near), hn::Set(du, 1));
-    hn::Store(hn::Or(hn::Load(du, met), one), du, met);
+    mark(surface.is_near, &block.met[i]);
 }
 
 template <class Shape>
@@ -108,27 +160,27 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     const Bounds& bounds = block.paths.ends;
     PathsLanes paths{set3(bounds.lower), set3(bounds.upper), set(block.paths.longest * block.paths.longest)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
-    const bool swept = settings.meeting.thin > 0;
+    const bool swept = settings.meeting.thin > 0, has_starts = !block.starts.empty();
     std::uint32_t i = 0;
     const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
-                     swept ? &block.starts[i] : nullptr, &block.positions[i], &block.velocities[i],
-                     &block.met[i], paths, factors_at(block.factors, i));
+                     {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
+                     &block.velocities[i], i, block, paths, factors_at(block.factors, i));
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
-        if (swept) std::copy(block.starts.begin() + i, block.starts.end(), starts);
+        if (has_starts) std::copy(block.starts.begin() + i, block.starts.end(), starts);
         alignas(64) float thickness[part_lanes] = {}, friction[part_lanes] = {};
         const ParticleFactors& of = block.factors;
         std::copy(of.thickness.begin() + (of.thickness.empty() ? 0 : i), of.thickness.end(), thickness);
         std::copy(of.friction.begin() + (of.friction.empty() ? 0 : i), of.friction.end(), friction);
         PathsLanes with_added = paths;
-        collide_part(shape, settings, xyz(load_rows(held)), swept ? starts : nullptr, positions, velocities,
-                     &block.met[i], with_added,
+        collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
+                     velocities, i, block, with_added,
                      {of.thickness.empty() ? nullptr : thickness, of.friction.empty() ? nullptr : friction});
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
@@ -137,6 +189,17 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
         }
     }
     block.paths = paths.all();
+}
+
+template <class Mask>
+HWY_INLINE void add_inside(Mask is_inside, const Lanes4& surface, const Lanes4& motion, std::uint32_t i,
+                           NearSurfaces& near) {
+    if (!near.has_inside) near.inside.w.fill(std::numeric_limits<float>::infinity());
+    near.has_inside = true;
+    const Lanes4 before = load_lanes(near.inside, i), moved = load_lanes(near.inside_motions, i);
+    const auto nearer = hn::And(is_inside, hn::Lt(surface.w, before.w));
+    store_lanes(either(nearer, surface, before), near.inside, i);
+    store_lanes(either(nearer, motion, moved), near.inside_motions, i);
 }
 
 template <class Shape>
@@ -156,12 +219,27 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
                     first_met(shape, {sought.reach, sought.settings.meeting.thin},
                               xyz(load_rows(sought.starts.data() + i)), p, hn::Gt(point.w, set(0)), surface);
         if (hn::AllFalse(d, surface.is_near)) continue;
-        const Lanes gap = hn::Sub(set(sought.reach), surface.penetration);
+        Lanes gap = hn::Sub(set(sought.reach), surface.penetration);
+        const Lanes4 moves = with_w(surface.velocity, set(sought.settings.friction));
+        auto nearer = surface.is_near;
+        if (!sought.starts.empty()) {
+            Lanes beyond = set(sought.reach);
+            if (!sought.factors.empty())
+                beyond = hn::MulAdd(set(sought.settings.of_cloth),
+                                    hn::Sub(set(1), load_lanes(&sought.factors[i])), beyond);
+            const Lanes depth = found_depth(shape, hn::Gt(point.w, set(0)), surface, beyond,
+                                            sought.settings.found, sought.starts.data() + i);
+            const auto is_inside = hn::Gt(depth, set(0));
+            if (!hn::AllFalse(d, is_inside)) {
+                gap = hn::Add(gap, depth);
+                add_inside(is_inside, with_w(surface.normal, gap), moves, i, near);
+                nearer = hn::AndNot(is_inside, nearer);
+            }
+        }
         const Lanes4 before = load_lanes(near.surfaces, i), motion = load_lanes(near.motions, i);
-        const auto nearer = hn::And(surface.is_near, hn::Lt(gap, before.w));
+        nearer = hn::And(nearer, hn::Lt(gap, before.w));
         store_lanes(either(nearer, with_w(surface.normal, gap), before), near.surfaces, i);
-        const Lanes friction = set(sought.settings.friction);
-        store_lanes(either(nearer, with_w(surface.velocity, friction), motion), near.motions, i);
+        store_lanes(either(nearer, moves, motion), near.motions, i);
         found = true;
     }
     return found;

@@ -302,7 +302,8 @@ MovingPlane moving(const Plane& start, const Plane& end, const Pace& pace) {
             .offset = to.offset,
             .advance = (to.offset - from.offset) / pace.h,
             .turn = (to.normal - from.normal) / pace.h,
-            .fastest = pace.fastest};
+            .fastest = pace.fastest,
+            .h = pace.h};
 }
 
 MovingBox moving(const Box& start, const Box& end, const Pace& pace) {

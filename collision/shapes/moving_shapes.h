@@ -42,6 +42,7 @@ struct MovingPlane {
     float advance;  ///< [m/s]
     Vector3 turn;   ///< [1/s]
     float fastest;  ///< [m/s]
+    float h;        ///< of the substep [s]
 };
 
 /// A space of a shape's own at a substep's end, and how it comes there.

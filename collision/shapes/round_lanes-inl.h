@@ -129,13 +129,19 @@ struct PlaneLanes {
     [[nodiscard]] HWY_INLINE Lanes distance(const Lanes3& p) const {
         return hn::Sub(dot(set3(shape.normal), p), set(shape.offset));
     }
+    [[nodiscard]] HWY_INLINE Lanes speed(const Lanes3& p) const {
+        return hn::Sub(set(shape.advance), dot(set3(shape.turn), p));
+    }
+    /// See RoundLanes.
+    [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& p) const {
+        return mul_add(hn::Mul(set(shape.h), speed(p)), set3(shape.normal), p);
+    }
     [[nodiscard]] HWY_INLINE auto near(const Lanes3& p) const { return hn::Lt(distance(p), thickness); }
     template <class Mask>
     [[nodiscard]] HWY_INLINE SurfaceLanes<Mask> surface(const Lanes3& p, Mask is_near) const {
         const Lanes3 normal = set3(shape.normal);
-        const Lanes turning = hn::Sub(set(shape.advance), dot(set3(shape.turn), p));
-        const Lanes speed = hn::Min(hn::Max(turning, set(-shape.fastest)), set(shape.fastest));
-        return {is_near, hn::Sub(thickness, distance(p)), normal, speed * normal};
+        const Lanes limited = hn::Min(hn::Max(speed(p), set(-shape.fastest)), set(shape.fastest));
+        return {is_near, hn::Sub(thickness, distance(p)), normal, limited * normal};
     }
 };
 

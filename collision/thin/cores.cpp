@@ -13,10 +13,11 @@ namespace {
 /// stretched by what is fast.
 constexpr float stretched = 2, slips_through = 0.4f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
-/// here: what lies on a body's edges would not come to rest. On a round thing as thin it would fall through.
+/// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing
+/// as thin cloth would fall through.
 constexpr float least_way = 0.25f;
 template <class Shape>
-constexpr bool is_body = std::is_same_v<Shape, Box> || std::is_same_v<Shape, HeldInstance>;
+constexpr bool has_edges = std::is_same_v<Shape, Box> || std::is_same_v<Shape, HeldInstance>;
 
 /// Columns are across the axis, and the first along it.
 Matrix3 frame_along(const Vector3& axis) {
@@ -53,7 +54,8 @@ Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, flo
         if (!(thin < stretched * mean_edge)) return Thinness::thick;
         const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
         if (!(sweep.way >= 0)) return Thinness::thick;
-        if (is_body<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
+        if (has_edges<Shape> && motion.body >= 0) return Thinness::thick;
+        if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
         return thin < slips_through * mean_edge ? Thinness::thin : Thinness::thin_if_fast;
     });
 }

@@ -80,7 +80,8 @@ Nearest nearest_of_triangle(const Core& core, const std::array<Vector3, 3>& x) {
 }  // namespace
 
 std::optional<Approach> first_approach(const Cores& cores, const Core& core, const CornerPaths& paths,
-                                       float gap) {
+                                       const Kept& kept) {
+    const float gap = kept.gap;
     constexpr int most_steps = 64;
     constexpr float least_part = 1.0f / 128;  // of the way
     const std::size_t corners = core.is_point() ? 3 : 2;
@@ -93,7 +94,8 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
         const float distance = nearest.out.norm();
         if (!(distance > 1e-7f)) return std::nullopt;  // it began within
         const Vector3 normal = nearest.out / distance;
-        const float wanted = core.radius_at(nearest.s) + gap, clear = distance - wanted;
+        const float radius = core.radius_at(nearest.s), wanted = radius + gap, clear = distance - wanted;
+        if (kept.only_from_outside && step == 0 && !core.is_point() && distance < radius) return std::nullopt;
         float fastest = 0;
         for (std::size_t k = 0; k < corners; ++k) fastest = std::max(fastest, normal.dot(from[k] - to[k]));
         const bool is_near = clear < 0.05f * gap;

@@ -22,10 +22,17 @@ struct Approach {
     float depth;                   ///< what is missing of the gap at the end, along the normal [m]
 };
 
+struct Kept {
+    float gap;  ///< from the core's balls [m]
+    /// An edge that begins within a segment's balls is let be: where a limb is thicker than cells particles
+    /// let it out, and to hold it would keep it in.
+    bool only_from_outside = false;
+};
+
 /// Conservative advancement (Mirtich 1996): of an edge against a core that is a segment, or of a triangle
-/// against one that is a point. `gap`: to be kept from the core's balls [m]. Nothing where the path keeps to
-/// its side of the plane in which the two first come near, or begins within.
+/// against one that is a point. Nothing where the path keeps to its side of the plane in which the two first
+/// come near, or begins within.
 [[nodiscard]] std::optional<Approach> first_approach(const Cores& cores, const Core& core,
-                                                     const CornerPaths& paths, float gap);
+                                                     const CornerPaths& paths, const Kept& kept);
 
 }  // namespace weft

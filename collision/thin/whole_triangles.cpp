@@ -250,7 +250,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     const float gap = meeting.gap(corners);
     bool any = false;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
-        const auto approach = first_approach(meeting.cores, core, paths, gap);
+        const auto approach = first_approach(meeting.cores, core, paths, {gap, meeting.only_fast});
         if (!approach) return;
         meeting.push(of, *approach);
         any |= approach->depth > 0.02f * gap;

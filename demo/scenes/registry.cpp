@@ -24,7 +24,8 @@
     SCENE(tangled, "cloth that starts through itself comes apart")                                           \
     SCENE(crossed, "two sheets that start through each other come apart")                                   \
     SCENE(ball, "a ball falls into a hammock")                                                              \
-    SCENE(trampoline, "a box on a trampoline")
+    SCENE(trampoline, "a box on a trampoline")                                                              \
+    SCENE(shapes, "a sheet over each kind of shape")
 // clang-format on
 
 namespace weft::demo {

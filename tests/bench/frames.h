@@ -15,4 +15,7 @@ void print_peers();
 /// Prints what frames take on a host's naive pool over oneTBB's threads, and as a general mesh over a grid.
 void print_ratios();
 
+/// Prints what each call of a World costs, in microseconds.
+void print_calls();
+
 }  // namespace weft::bench

@@ -1,4 +1,4 @@
-// weft_bench: Google Benchmark's arguments, or --roofline[=THREADS], or --peers, or --ratios.
+// weft_bench: Google Benchmark's arguments, or --roofline[=THREADS], or --peers, or --ratios, or --calls.
 
 #include <benchmark/benchmark.h>
 
@@ -18,6 +18,10 @@ int main(int argc, char** argv) {
         }
         if (argument == "--ratios") {
             weft::bench::print_ratios();
+            return 0;
+        }
+        if (argument == "--calls") {
+            weft::bench::print_calls();
             return 0;
         }
         if (argument.starts_with(roofline)) {

@@ -85,6 +85,44 @@ std::vector<Vec4> in_wind(int substeps, int steps, float dt, int of_the_cloth = 
     return {view.positions.begin(), view.positions.end()};
 }
 
+// So much is near then that the list of pairs is full: were all to stand still, it would never come home.
+TEST(ChangedSettings, ClothThatWasDrawnOutComesHome) {
+    ClothSettings settings;
+    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    World world = World::create().value();
+    const Mesh mesh =
+        make_sheet({.rows = 20, .columns = 20, .origin = {-0.5f, 1, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})
+            .value();
+    const ClothId id = world.add_cloth(mesh, settings).value();
+    ASSERT_TRUE(world.pin(id, std::vector<std::uint32_t>{0, 19}));
+    ASSERT_TRUE(world.add_collider({.shape = Sphere{{0, 0.5f, 0.3f}, 0.1f}}));
+    const auto longest_edge = [&] {
+        const ClothView view = world.cloth(id).value();
+        float longest = 0;
+        for (const Triangle& t : view.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                longest = std::max(longest,
+                                   (xyz(view.positions[t[k]]) - xyz(view.positions[t[(k + 1) % 3]])).norm());
+        return longest;
+    };
+    const float cell = 1.0f / 19;
+    float drawn_out = 0;
+    bool was_full = false;
+    for (const float shear : {0.0f, 1e9f, 100.0f}) {
+        settings.fabric.shear = shear;
+        ASSERT_TRUE(world.set_cloth_settings(id, settings));
+        for (int k = 0; k < 90; ++k) {
+            const StepReport& report = world.step(1.0f / 60);
+            was_full |= has(report.flags, StepFlags::contacts_dropped);
+            ASSERT_EQ(report.crossings, 0u) << shear << ", step " << k;
+            if (shear > 100) drawn_out = std::max(drawn_out, longest_edge());
+        }
+    }
+    EXPECT_TRUE(was_full) << "by this it is tested";
+    EXPECT_GT(drawn_out, 3 * cell);
+    EXPECT_LT(longest_edge(), 2.5f * cell);
+}
+
 TEST(Substeps, AirActsOnTheClothAsItLiesInEachOfThem) {
     const std::vector<Vec4> one_by_one = in_wind(1, 64, 1.0f / 128), by_eight = in_wind(8, 8, 1.0f / 16);
     EXPECT_LT(farthest(one_by_one, by_eight), 1e-4f);

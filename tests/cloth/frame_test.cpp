@@ -79,12 +79,15 @@ TEST(PlaceCollider, PutsClothOutsideAndThrowsNothing) {
         const ColliderId ball = hung.world.add_collider({.shape = Sphere{{0, 0, jump}, 0.3f}}).value();
         hung.step(60);
         ASSERT_TRUE(hung.world.place_collider(ball, {.shape = Sphere{{0, 0, 0.1f}, 0.3f}}));
-        hung.step();
+        float speed = 0;
+        for (int k = 0; k < 120; ++k) {
+            hung.step();
+            speed = std::max(speed, fastest(hung.world, hung.cloth));
+        }
         const ClothView view = hung.world.cloth(hung.cloth).value();
         for (const Vec4& x : view.positions)
             EXPECT_GT((xyz(x) - Vector3(0, 0, 0.1f)).norm(), 0.3f) << "no particle is left inside";
-        EXPECT_LT(fastest(hung.world, hung.cloth), 20)
-            << "as fast as cloth that was stretched, not as the jump";
+        EXPECT_LT(speed, 2) << "as fast as cloth that hangs and is stretched by a hand";
     }
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "collision/collider_contacts.h"
+#include "collision/nearest_surface.h"
 #include "particle_cloud.h"
 #include "swept_way.h"
 
@@ -171,8 +172,11 @@ TEST(SweptContacts, WhatMovesLittleEndsWhereItDidWithoutALookAtItsWay) {
     Particles plain = swept;
     EXPECT_GT(meet(plain, {motion}, thickness, 0), 5u);
     meet_on_the_way(swept, starts, motion);
-    EXPECT_EQ(std::memcmp(swept.positions.data(), plain.positions.data(), starts.size() * sizeof(Vec4)), 0);
-    EXPECT_EQ(std::memcmp(swept.velocities.data(), plain.velocities.data(), starts.size() * sizeof(Vec4)), 0);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (nearest_surface(bar.at({}), xyz(starts[i])).distance < thickness) continue;  // comes out in time
+        EXPECT_EQ(std::memcmp(&swept.positions[i], &plain.positions[i], sizeof(Vec4)), 0) << i;
+        EXPECT_EQ(std::memcmp(&swept.velocities[i], &plain.velocities[i], sizeof(Vec4)), 0) << i;
+    }
 }
 
 TEST(SweptContacts, AheadOfTheSolverThePassedSurfaceIsOneThatHoldsTheParticle) {

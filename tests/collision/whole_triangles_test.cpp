@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "collision/thin/cores.h"
+#include "collision/thin/first_approach.h"
 #include "collision/thin/whole_triangles.h"
 #include "cuts.h"
 #include "swept_way.h"
@@ -168,6 +170,29 @@ TEST(WholeTriangles, WhatIsThickHasNoPart) {
     EXPECT_EQ(
         std::memcmp(without.positions.data(), crash.positions.data(), crash.positions.size() * sizeof(Vec4)),
         0);
+}
+
+// Where a limb is thicker than cells, an edge that begins within it is let out; one that begins outside is
+// kept there.
+TEST(WholeTriangles, AnEdgeThatBeganInALimbIsLetBe) {
+    const auto limb = [](float y) { return Collider{Capsule{{-1, y, 0}, {1, y, 0}, 0.02f}}; };
+    const Cores cores({limb(0), limb(0.08f)}, part);
+    const auto is_kept = [&](float y, bool only_from_outside) {
+        const std::array<Vector3, 3> ends{Vector3(0.2f, y, -0.1f), Vector3(0.2f, y, 0.1f),
+                                          Vector3(0.2f, y, -0.1f)};
+        CornerPaths paths{ends, ends};
+        for (Vector3& from : paths.from) from = cores.seen_at_start(from);
+        for (Vector3& to : paths.to) to = cores.seen(to);
+        return std::ranges::any_of(cores.list(), [&](const Core& core) {
+            return !core.is_point() &&
+                   first_approach(cores, core, paths, {0.003f, only_from_outside}).has_value();
+        });
+    };
+    EXPECT_TRUE(is_kept(0.015f, false));
+    EXPECT_FALSE(is_kept(0.015f, true));
+    EXPECT_TRUE(is_kept(0.021f, true));
+    EXPECT_TRUE(is_kept(0.05f, true));
+    EXPECT_FALSE(is_kept(0.15f, true)) << "it is not reached";
 }
 
 // What is struck goes as fast as what strikes it, and what comes slower than gravity brings does not bounce.

@@ -594,7 +594,9 @@ void Player::check_pins(std::size_t cloth) const {
     const ClothView view = world_.cloth(*cloths_[cloth]).value();
     for (const auto& [i, target] : pins_[cloth]) {
         const Vec4& p = view.positions[i];
-        const bool may_lag = meets_cloth(world_.cloth_settings(*cloths_[cloth]).value());
+        // By impact zones beside cloth by contact, too: both are cut.
+        const SelfCollision self = world_.cloth_settings(*cloths_[cloth]).value().self_collision;
+        const bool may_lag = self.enabled && self.method != SelfCollisionMethod::avoidance;
         if (may_lag && world_.report().pin_lag > 0) continue;  // cloth was in its way
         check(p.x == target.x && p.y == target.y && p.z == target.z,
               "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +

@@ -46,7 +46,7 @@ class Determinism : public testing::TestWithParam<SceneEntry> {
 
 TEST_P(Determinism, GivesTheSameBytesForAnyThreads) {
     const std::uint64_t expected = hash_after_all_frames(SceneRun(GetParam(), 1));
-    for (const int threads : {2, 3, 5, 8})
+    for (const int threads : {2, 7})
         EXPECT_EQ(hash_after_all_frames(SceneRun(GetParam(), threads)), expected) << threads << " threads";
     EXPECT_EQ(hash_after_all_frames(SceneRun(GetParam(), serial_executor<false>())), expected)
         << "the host's serial executor";

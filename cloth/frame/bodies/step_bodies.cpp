@@ -59,6 +59,11 @@ Bounds grown(const Bounds& box, float by) {
     return {to_vec3(to_vector(box.lower) - margin), to_vec3(to_vector(box.upper) + margin)};
 }
 
+/// In single precision, as hosts get it.
+bool is_finite(const Vector6& impulse) {
+    return impulse.cast<float>().allFinite();
+}
+
 /// The end of a part: where the body is, and how it moves with what cloth gave it.
 void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
     const Vector6 after = body.drift + body.root * (body.root.transpose() * given);
@@ -347,7 +352,7 @@ void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {
         Vector6 given = Vector6::Zero();
         for (Cloth* cloth : cloths) {
             CollectedShare& share = cloth->collected[k];
-            if (!share.in_part.allFinite()) share.in_part.setZero();  // of a cloth that is put back
+            if (!is_finite(share.in_part)) share.in_part.setZero();  // of a cloth that is put back
             share.sum += share.in_part;
             given += share.in_part;
             cloth->state.shares[k].last = to_floats(share.sum);
@@ -372,8 +377,9 @@ void Simulation::end_bodies(const Substep& substep) {
         limit_length(velocity.head<3>(), static_cast<double>(settings.max_speed));
         limit_length(velocity.tail<3>(), 1e4);
         if (substep.is_last()) {
-            stage.impulses[k].linear = to_vec3(stage.given[k].head<3>().cast<float>());
-            stage.impulses[k].angular = to_vec3(stage.given[k].tail<3>().cast<float>());
+            const Vector6 given = is_finite(stage.given[k]) ? stage.given[k] : Vector6(Vector6::Zero());
+            stage.impulses[k].linear = to_vec3(given.head<3>().cast<float>());
+            stage.impulses[k].angular = to_vec3(given.tail<3>().cast<float>());
         }
         ++k;
         // Where it cannot be it does not go.

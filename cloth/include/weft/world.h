@@ -163,8 +163,8 @@ class World {
     /// the way, with WorldSettings::max_speed at most: one that is to go faster jumps, and meets nothing on
     /// the way. The same kind of shape; an instance stays one of its own.
     Result<void> move_collider(ColliderId id, const Collider& target);
-    /// The collider is there at once, without a velocity: what it comes to hold is put outside, and neither
-    /// pushed nor dragged. The same kind of shape, likewise.
+    /// The collider is there at once, without a velocity: what it comes to hold comes outside at a limited
+    /// speed (see ColliderResponse), and is neither pushed nor dragged. The same kind of shape, likewise.
     Result<void> place_collider(ColliderId id, const Collider& place);
     Result<void> remove_collider(ColliderId id);
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;

@@ -99,6 +99,8 @@ struct EveryCall {
                   world.add_cloth(small_sheet(0.55f), meets).value(),
                   world.add_cloth(small_sheet(1.5f), fibres).value(),
                   world.add_cloth(small_sheet(2.5f), limits).value()};
+        const CookedCloth cooked = CookedCloth::create(small_sheet(3.5f), fibres).value();
+        cloths.push_back(world.add_cloth(cooked, {.translation = {0, 0.1f, 0}}).value());
         EXPECT_TRUE(world.pin(cloths[0], std::vector<std::uint32_t>{0, 8}));
         EXPECT_TRUE(world.pin(cloths[2], 4));
         const std::array<Vec3, 4> corners{{{0, 0, 0}, {0.2f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};

@@ -1,0 +1,24 @@
+#pragma once
+// Bodies of triangles, to be met and to be drawn: counter-clockwise seen from outside.
+
+#include <cstdint>
+#include <span>
+
+#include "weft/mesh.h"
+#include "weft/shapes.h"
+
+namespace weft::demo {
+
+/// A profile of {distance from the axis, height} [m], upwards on its outer side, turned about +Y in so many
+/// parts. Closed: its end is joined to its beginning, as a tube's; else both lie on the axis.
+[[nodiscard]] Mesh turned(std::span<const Vec2> profile, std::uint32_t parts, bool closed);
+[[nodiscard]] Mesh torus(float radius, float tube, std::uint32_t around, std::uint32_t across);
+/// A stone of 20 faces, which share no vertices, within `radius`.
+[[nodiscard]] Mesh stone(const Vec3& radius);
+/// The surface, in its own space.
+[[nodiscard]] Mesh surface_of(const HeightField& field);
+
+/// Of unit length, from the triangles about each vertex.
+[[nodiscard]] std::vector<Vec4> vertex_normals(const Mesh& mesh);
+
+}  // namespace weft::demo
