@@ -14,6 +14,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/hooks.h"
+
 namespace weft {
 
 template <class T>
@@ -21,20 +23,21 @@ class AlignedBuffer {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);
 
   public:
-    static constexpr std::size_t alignment = 64;
+    static constexpr std::size_t alignment = memory_alignment;
     static constexpr std::size_t group = 16;
 
     AlignedBuffer() = default;
     /// `size` elements, all of value T{}. Throws std::bad_alloc where there is no memory for them.
     explicit AlignedBuffer(std::size_t size) : data_(allocate(padded(size))), size_(size) {
-        std::uninitialized_fill_n(data_.get(), padded(size), T{});
+        std::uninitialized_fill_n(data_, padded(size), T{});
     }
 
     AlignedBuffer(AlignedBuffer&& other) noexcept
-        : data_(std::move(other.data_)), size_(std::exchange(other.size_, 0)) {}
+        : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
     AlignedBuffer& operator=(AlignedBuffer&& other) noexcept {
-        data_ = std::move(other.data_);
-        size_ = std::exchange(other.size_, 0);
+        AlignedBuffer taken(std::move(other));
+        std::swap(data_, taken.data_);
+        std::swap(size_, taken.size_);
         return *this;
     }
 
@@ -48,14 +51,16 @@ class AlignedBuffer {
         std::copy_n(other.data(), padded(size_), data());
         return *this;
     }
-    ~AlignedBuffer() = default;
+    ~AlignedBuffer() {
+        if (data_ != nullptr) give_memory_back(data_, bytes());
+    }
 
-    [[nodiscard]] T* data() noexcept { return data_.get(); }
-    [[nodiscard]] const T* data() const noexcept { return data_.get(); }
+    [[nodiscard]] T* data() noexcept { return data_; }
+    [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return padded(size_) * sizeof(T); }
-    T& operator[](std::size_t i) noexcept { return data_.get()[i]; }
-    const T& operator[](std::size_t i) const noexcept { return data_.get()[i]; }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data(), size_}; }
     [[nodiscard]] std::span<const T> span() const noexcept { return {data(), size_}; }
 
@@ -69,12 +74,9 @@ class AlignedBuffer {
     }
     static T* allocate(std::size_t count) {
         if (count == 0) return nullptr;
-        return static_cast<T*>(::operator new[](count * sizeof(T), std::align_val_t{alignment}));
+        return static_cast<T*>(take_memory(count * sizeof(T)));
     }
-    struct Free {
-        void operator()(T* p) const noexcept { ::operator delete[](p, std::align_val_t{alignment}); }
-    };
-    std::unique_ptr<T, Free> data_;
+    T* data_ = nullptr;
     std::size_t size_ = 0;
 };
 

@@ -1,10 +1,10 @@
 #include "engine/profiler.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "engine/chrome_trace.h"
+#include "engine/hooks.h"
 
 namespace weft {
 
@@ -20,7 +20,7 @@ float percentile(std::span<const float> sorted, double q) {
 
 Profiler::Profiler(std::span<const StageName> names)
     : stage_count_(static_cast<std::uint32_t>(names.size())) {
-    assert(names.size() <= max_stages);
+    WEFT_ASSERT(names.size() <= max_stages);
     for (std::uint32_t stage = 0; stage < stage_count_; ++stage) rows_[stage].name = names[stage];
     rows_[stage_count_].name = {"step", 0};
 }
@@ -28,11 +28,13 @@ Profiler::Profiler(std::span<const StageName> names)
 void Profiler::begin_step() noexcept {
     for (Row& row : rows_) row.current = 0;
     tracy_begin_step();
+    begin_zone(rows_[stage_count_].name.name);
     step_begin_ = Clock::now();
 }
 
 void Profiler::end_step() noexcept {
     add(rows_[stage_count_], step_begin_, Clock::now());
+    end_zone(rows_[stage_count_].name.name);
     tracy_end_step();
     for (Row& row : rows_)
         row.last = row.history[steps_ % window] = 1e-6f * static_cast<float>(row.current.load());
@@ -44,10 +46,13 @@ Profiler::Scope::Scope(Profiler& profiler, std::uint32_t stage) noexcept
       stage_(stage),
       activity_(profiler.rows_[stage].name.name),
       zone_(profiler.rows_[stage].name.name),
-      start_(Clock::now()) {}
+      start_(Clock::now()) {
+    begin_zone(profiler.rows_[stage].name.name);
+}
 
 Profiler::Scope::~Scope() {
     profiler_.add(profiler_.rows_[stage_], start_, Clock::now());
+    end_zone(profiler_.rows_[stage_].name.name);
 }
 
 void Profiler::add(Row& row, Clock::time_point begin, Clock::time_point end) noexcept {

@@ -72,6 +72,9 @@ class SlotMap {
 
     [[nodiscard]] std::size_t size() const noexcept { return slots_.size() - free_.size() - retired_; }
 
+    /// Ids have lower indices.
+    [[nodiscard]] std::size_t slots() const noexcept { return slots_.size(); }
+
     template <class F>
     void for_each(F&& f) {  // f(Id, T&)
         for (std::uint32_t i = 0; i < slots_.size(); ++i)

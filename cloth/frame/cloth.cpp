@@ -68,7 +68,7 @@ RestNeighbours find_rest_neighbours(const ClothModel& model, const SelfCollision
 
 }  // namespace
 
-Cloth::Cloth(ClothModel cooked, const ClothSettings& initial)
+Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
@@ -80,7 +80,9 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial)
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
     set_inverse_masses();
     solver = make_solver(model, initial, state.positions.span());
+    progress.reach(Progress::solvable);
     limits = make_limits(model, initial, {});
+    progress.reach(Progress::limited);
     apply(initial);
 }
 

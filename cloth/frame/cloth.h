@@ -112,7 +112,7 @@ struct ShownCloth {
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
-    Cloth(ClothModel cooked, const ClothSettings& settings);
+    Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress = {});
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
@@ -194,7 +194,6 @@ struct Cloth {
 
     ClothId id{};  ///< in its World, from its first step on
     ClothModel model;
-    mutable ClothView view;  ///< what World::cloth last gave out
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;  ///< for the present settings and pins

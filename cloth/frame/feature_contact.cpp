@@ -32,6 +32,8 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     for (const ContactCloth& body : bodies) add(body);
     std::size_t particles = 0;
     for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
+    body_room_ = bodies.size();
+    particle_room_ = particles;
     const std::size_t pairs = room_for_pairs(particles);
     finder_.reserve(bodies_);
     pairs_ = PairList(pairs);
@@ -55,6 +57,19 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
     zones_.reserve(particles, pairs);
     colliding_ = AlignedBuffer<std::uint32_t>(pairs);
+}
+
+bool FeatureContact::has_room_for(std::span<const ContactCloth> bodies) {
+    std::size_t particles = 0;
+    for (const ContactCloth& body : bodies) particles += whole_groups(body.mesh->particles());
+    const bool needs_zones = std::ranges::any_of(bodies, &ContactCloth::by_zones);
+    if (bodies.size() > body_room_ || particles > particle_room_ || (needs_zones && !has_zone_memory()))
+        return false;
+    begin();
+    for (const ContactCloth& body : bodies) add(body);
+    const bool has_room = finder_.has_room_for(bodies_);
+    begin();
+    return has_room;
 }
 
 void FeatureContact::begin() noexcept {

@@ -71,6 +71,9 @@ class FeatureContact {
     /// Takes the memory for these bodies, and for any part of them. May throw.
     explicit FeatureContact(std::span<const ContactCloth> bodies);
 
+    /// Whether that memory does for these, and any part of them. May throw.
+    [[nodiscard]] bool has_room_for(std::span<const ContactCloth> bodies);
+
     /// A substep begins: bodies are added, all among those there is room for, and placed, with the way that
     /// they are expected to go. Then finds what is near what.
     void begin() noexcept;
@@ -142,6 +145,7 @@ class FeatureContact {
     static constexpr float projected_gap = 0.5f;
     static constexpr std::uint32_t projections = 4;
 
+    std::size_t body_room_ = 0, particle_room_ = 0;
     std::vector<ContactCloth> cloths_;
     std::vector<ContactBody> bodies_;
     std::vector<ParticleRange> ranges_;

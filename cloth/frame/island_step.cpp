@@ -355,8 +355,10 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
                         cloths[k]->state.velocities.span());
 }
 
-std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, const SelfCollision& of,
-                                                          const ContactMesh* mesh) {
+// Where it is made anew there is room for an eighth more of such cloths as come: so of n that are added one
+// after the other few make it, and it is hardly larger than it has to be.
+std::optional<Simulation::Together> Simulation::make_together(const Cloth* changed, const SelfCollision& of,
+                                                              const ContactMesh* mesh) {
     std::vector<ContactCloth> bodies;
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (cloth.get() != changed && cloth->features)
@@ -364,7 +366,11 @@ std::unique_ptr<FeatureContact> Simulation::make_together(const Cloth* changed, 
                 {.mesh = cloth->contact_mesh.get(), .by_zones = has_zones(cloth->settings.self_collision)});
     });
     if (mesh != nullptr) bodies.push_back({.mesh = mesh, .by_zones = has_zones(of)});
-    return bodies.size() < 2 ? nullptr : std::make_unique<FeatureContact>(bodies);
+    if (bodies.size() < 2) return Together();
+    if (together_ && together_->has_room_for(bodies)) return std::nullopt;
+    const std::size_t more = bodies.size() / 8;
+    bodies.insert(bodies.end(), more, ContactCloth(bodies.back()));
+    return std::make_unique<FeatureContact>(bodies);
 }
 
 }  // namespace weft

@@ -113,10 +113,10 @@ void Simulation::apply(const WorldSettings& changed) {
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth();
     if (!cloth->features) return cloths.insert(std::move(cloth));
-    std::unique_ptr<FeatureContact> together =
+    std::optional<Together> together =
         make_together(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
     const ClothId id = cloths.insert(std::move(cloth));
-    together_ = std::move(together);
+    if (together) together_ = *std::move(together);
     return id;
 }
 
@@ -124,7 +124,7 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const SelfCollision& of = changed.self_collision;
     const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
     if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
-    std::unique_ptr<FeatureContact> together;
+    std::optional<Together> together;
     try {
         if (!cloth.features) cloth.make_contact_mesh();
         together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
@@ -133,7 +133,7 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
         cloth.drop_contact_mesh();
         throw;
     }
-    together_ = std::move(together);
+    if (together) together_ = *std::move(together);
 }
 
 void Simulation::cloth_has_gone() noexcept {
@@ -185,6 +185,7 @@ void Simulation::reserve_collider_ids(bool reported) {
 }
 
 void Simulation::reserve_cloth() {
+    while (views.size() <= cloths.slots()) views.push_back(std::make_unique<ClothView>());
     const std::size_t count = cloths.size() + 1;
     present_.reserve(count);
     still_for_.reserve(count);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloth/frame/bodies/body_stage.h"
@@ -79,6 +80,8 @@ struct Simulation {
     Parallel parallel;
     Profiler profiler;
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
+    /// What World::cloth last gave out, by the index of ids, and one more: emptied when a cloth is removed.
+    std::vector<std::unique_ptr<ClothView>> views;
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     /// Only calls of the host change them.
     SlotMap<ShapeId, std::unique_ptr<HeldShape>> shapes{new_first_generation()};
@@ -119,6 +122,9 @@ struct Simulation {
     /// Instead of it, where time is to be known: what the step took of a cloth [ns].
     std::int64_t (*cost_of)(const Cloth& cloth) = nullptr;
 
+    /// Memory for contact between cloths, besides that of each.
+    [[nodiscard]] std::size_t bytes_together() const noexcept { return together_ ? together_->bytes() : 0; }
+
     /// Sleeping cloths: all, those that the collider is near, those that lay on a cloth.
     void wake_all() noexcept;
     void wake_near(const Collider& collider) noexcept;
@@ -130,11 +136,11 @@ struct Simulation {
 
     /// Makes room for one cloth more, so that no step needs to.
     void reserve_cloth();
-    /// Room for contact between all cloths that have features, but for `changed`, and one more with `mesh`,
-    /// unless that is null. Null: no two have any.
-    /// Of all that have features; for the one that changes, or comes, by these settings and this mesh.
-    [[nodiscard]] std::unique_ptr<FeatureContact> make_together(const Cloth* changed, const SelfCollision& of,
-                                                                const ContactMesh* mesh);
+    using Together = std::unique_ptr<FeatureContact>;
+    /// Room for contact between all cloths that have features; for the one that changes, or comes, by these
+    /// settings and this mesh, unless that is null. Null: no two have any. Nothing: there is room enough.
+    [[nodiscard]] std::optional<Together> make_together(const Cloth* changed, const SelfCollision& of,
+                                                        const ContactMesh* mesh);
     void begin(float dt);
     void choose_present(float dt);
     void disturb(float dt);

@@ -96,7 +96,10 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
         auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
-        return impl_->simulation.add(std::move(cloth).value());
+        const ClothInfo cooked = (*cloth)->model.info;
+        const ClothId id = impl_->simulation.add(std::move(cloth).value());
+        log_repairs(cooked);
+        return id;
     });
 }
 
@@ -116,6 +119,7 @@ Result<void> World::remove_cloth(ClothId id) {
         if (cloth == nullptr) return stale_id("ClothId", id);
         simulation.wake_near(**cloth);
         simulation.cloths.erase(id);
+        *simulation.views[id.index] = {};
         simulation.cloth_has_gone();
         return {};
     });

@@ -28,6 +28,7 @@ struct World::Impl {
 
     std::atomic<StepPhase> phase = StepPhase::none;
     float dt = 0;              ///< of the step that was begun
+    StepFlags logged = StepFlags::none;  ///< those of the last step
     StepReport last, refused;  ///< while one is: of the one before; step()'s answer
 
     [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
@@ -71,7 +72,12 @@ struct World::Impl {
     void begin_step(float step);
     void take_step() noexcept;
     void end_step() noexcept;
+    /// Tells the log which flags the step raised that the last one did not.
+    void log_flags() noexcept;
 };
+
+/// Tells the log what cooking left out, turned and found.
+void log_repairs(const ClothInfo& info) noexcept;
 
 template <class Id>
 Error stale_id(const char* type, Id id) {

@@ -14,27 +14,6 @@ bool is_step(float dt) {
     return dt >= least_step && dt <= greatest_step;
 }
 
-ClothView view_of(const Cloth& cloth) {
-    const ClothState& state = cloth.state;
-    return {.positions = state.positions.span(),
-            .previous_positions = state.previous_positions.span(),
-            .velocities = state.velocities.span(),
-            .normals = state.normals.span(),
-            .triangles = cloth.model.triangles,
-            .vertex_to_particle = cloth.model.vertex_to_particle,
-            .bounds = {cloth.extent.lower, cloth.extent.upper}};
-}
-
-ClothView view_of(const ShownCloth& shown, const Cloth& cloth) {
-    return {.positions = shown.positions.span(),
-            .previous_positions = shown.previous_positions.span(),
-            .velocities = shown.velocities.span(),
-            .normals = shown.normals.span(),
-            .triangles = cloth.model.triangles,
-            .vertex_to_particle = cloth.model.vertex_to_particle,
-            .bounds = shown.bounds};
-}
-
 void copy_state(const Cloth& cloth, ShownCloth& to) {
     const auto copy = [](const AlignedBuffer<Vec4>& from, AlignedBuffer<Vec4>& there) {
         std::ranges::copy(from.span(), there.data());
@@ -72,6 +51,7 @@ void World::Impl::take_step() noexcept {
 void World::Impl::end_step() noexcept {
     has_changed = true;
     if (recorder) recorder->note_step(dt, simulation);
+    log_flags();
 }
 
 const StepReport& World::step(float dt) noexcept {
@@ -142,13 +122,6 @@ Result<ClothReport> World::cloth_report(ClothId id) const {
         return with_cloth(impl_->simulation, id, [&](const Cloth& cloth) {
             return Result<ClothReport>(impl_->simulation.report_of(cloth));
         });
-    });
-}
-
-Result<const ClothView&> World::cloth(ClothId id) const {
-    return with_cloth(std::as_const(impl_->simulation), id, [&](const Cloth& cloth) {
-        cloth.view = impl_->is_in_step() ? view_of(*cloth.shown, cloth) : view_of(cloth);
-        return Result<const ClothView&>(cloth.view);
     });
 }
 

@@ -217,6 +217,13 @@ void store_panel_sides(const Mesh& mesh, const Topology& topology, ClothModel& c
     cloth.panel_sides = SharedBuffer<std::array<Vec2, 2>>(sides);
 }
 
+void store_texcoords(const Mesh& mesh, const Topology& topology, ClothModel& cloth) {
+    if (mesh.texcoords.empty()) return;
+    cloth.texcoords = SharedBuffer<Vec2>(mesh.texcoords);
+    if (topology.corners != topology.triangles)
+        cloth.vertex_triangles = SharedBuffer<Triangle>(topology.corners);
+}
+
 void store_positions(const Mesh& mesh, const Topology& topology, ClothModel& cloth) {
     cloth.positions = SharedBuffer<Vec4>(cloth.particle_count);
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
@@ -325,18 +332,21 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
 
 }  // namespace
 
-Result<ClothModel> cook(const Mesh& mesh, CookReport* report) {
+Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& progress) {
     Result<Topology> built = build_topology(mesh);
     if (!built) return built.error();
+    progress.reach(Progress::welded);
     Topology& topology = *built;
     if (is_grid(mesh))
         if (Result<void> grid = check_grid(mesh, topology); !grid) return grid.error();
     if (report != nullptr) *report = make_report(topology);
     // Rows of a grid are in order already: neighbours lie at the same few distances from all particles.
     if (!is_grid(mesh)) renumber(topology, memory_order(topology));
+    progress.reach(Progress::ordered);
 
     std::vector<Spring> springs = is_grid(mesh) ? springs_of_grid(mesh) : springs_of_mesh(mesh, topology);
     keep_one_per_pair(springs);
+    progress.reach(Progress::joined);
 
     ClothModel cloth;
     cloth.particle_count = topology.particle_count();
@@ -353,9 +363,12 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report) {
     cloth.component_offsets = SharedBuffer<std::uint32_t>(topology.component_offsets);
     cloth.component_particles = SharedBuffer<std::uint32_t>(topology.component_particles);
     cloth.vertex_to_particle = SharedBuffer<std::uint32_t>(topology.vertex_to_particle);
+    store_texcoords(mesh, topology, cloth);
+    progress.reach(Progress::stored);
     const std::vector<BendingElement> bending = linear_bending(cloth);
     cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
     store_bending(bending, cloth);
+    progress.reach(Progress::modelled);
     return cloth;
 }
 

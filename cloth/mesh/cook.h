@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cloth/mesh/progress.h"
 #include "engine/shared_buffer.h"
 #include "weft/cooked_cloth.h"
 #include "weft/error.h"
@@ -50,6 +51,10 @@ struct ClothModel {
     SharedBuffer<std::uint32_t> component_offsets, component_particles;
 
     SharedBuffer<std::uint32_t> vertex_to_particle;
+    SharedBuffer<Vec2> texcoords;  ///< of vertices, or none
+    /// With texture coordinates: the triangles by vertices; empty where each vertex is the particle of its
+    /// number.
+    SharedBuffer<Triangle> vertex_triangles;
     ClothInfo info;  ///< mass and bytes are filled in by the cloth
 };
 
@@ -61,7 +66,8 @@ struct ClothModel {
 }
 
 /// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. `report`, if
-/// there is one, is filled.
-[[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, CookReport* report = nullptr);
+/// there is one, is filled. `progress` is told of the first part of cooking, up to `modelled`.
+[[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, CookReport* report = nullptr,
+                                      const Progress& progress = {});
 
 }  // namespace weft

@@ -13,6 +13,8 @@
 
 namespace weft {
 
+class Multigrid;
+
 /// One step of one cloth, for its solver. `settings.method` holds the alternative that the solver was made
 /// for.
 struct SolverStep {
@@ -67,6 +69,8 @@ class Solver {
     [[nodiscard]] virtual bool joins() const noexcept { return false; }
     /// Makes room for contact of the cloth with itself, with so many pairs. May throw. Of none: frees it.
     virtual void reserve_pairs(std::size_t /*count*/) {}
+    /// Its coarse levels; null: it has none.
+    [[nodiscard]] virtual const Multigrid* multigrid() const noexcept { return nullptr; }
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 
   protected:

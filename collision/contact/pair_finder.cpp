@@ -62,7 +62,8 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
 }
 
 void PairFinder::reserve(std::span<const ContactBody> bodies) {
-    const auto [vertices, triangles, edges, neighbours] = choose(bodies);
+    const Groups needed = choose(bodies);
+    const auto [vertices, triangles, edges, neighbours] = needed;
     const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
     boxes_ = {no_boxes(vertices),
               no_boxes(triangles),
@@ -75,6 +76,15 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
               AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
     room_ = AlignedBuffer<FeaturePair>(blocks * kept);
     crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
+    reserved_ = needed;
+    reserved_blocks_ = blocks;
+}
+
+bool PairFinder::has_room_for(std::span<const ContactBody> bodies) {
+    const Groups needed = choose(bodies);
+    return needed.vertices <= reserved_.vertices && needed.triangles <= reserved_.triangles &&
+           needed.edges <= reserved_.edges && needed.neighbours <= reserved_.neighbours &&
+           blocks_.size() <= reserved_blocks_;
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,

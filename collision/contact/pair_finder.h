@@ -29,6 +29,8 @@ class PairFinder {
     /// Takes the memory that searches of these bodies need, or of a part of them, whatever their reach and
     /// positions.
     void reserve(std::span<const ContactBody> bodies);
+    /// Whether what is reserved does for these, too. May throw.
+    [[nodiscard]] bool has_room_for(std::span<const ContactBody> bodies);
 
     /// Lists every pair of features that share no vertex, of bodies that may meet, with
     ///     min over A of min(n . x, n . (x + m)) - max over B of max(n . x, n . (x + m)) < reach,
@@ -38,7 +40,7 @@ class PairFinder {
     /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
     /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
     ///
-    /// Precondition: the bodies' meshes are among those of the last reserve().
+    /// Precondition: the bodies' meshes are among those of the last reserve(), or of has_room_for() since.
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found, float of_borders = 1);
 
@@ -62,6 +64,8 @@ class PairFinder {
         std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
     };
     Groups choose(std::span<const ContactBody> bodies);
+    Groups reserved_;
+    std::size_t reserved_blocks_ = 0;
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity);

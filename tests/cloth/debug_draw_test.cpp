@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -148,6 +151,87 @@ TEST(DebugDraw, WordsSayWhatAClothDoes) {
     ASSERT_TRUE(world.set_enabled(cloth, false));
     EXPECT_EQ(Drawing::of(world, DebugParts::cloths).words,
               std::vector<std::string>{"cloth 0: 20 particles, off"});
+}
+
+TEST(DebugDraw, NormalsStartAtParticlesAndAreHalfAnEdgeLong) {
+    World world = World::create().value();
+    const ClothId cloth = add_sheet(world);
+    const Drawing drawing = Drawing::of(world, DebugParts::normals);
+    ASSERT_EQ(drawing.lines.size(), 20u);
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_EQ(drawing.lines[i].from.x, world.cloth(cloth)->positions[i].x);
+        EXPECT_NEAR(drawing.lines[i].to.y - 1, 0.5f * world.cloth_info(cloth)->mean_edge, 1e-5f);
+    }
+}
+
+TEST(DebugDraw, LeashesAreRedAtTheirEndsAndBackstopsAreMarked) {
+    World world = World::create().value();
+    const ClothId cloth = add_sheet(world);
+    EXPECT_TRUE(Drawing::of(world, DebugParts::leashes).lines.empty());
+    std::vector<float> leashes(20, 0.1f);
+    leashes[7] = std::numeric_limits<float>::infinity();
+    ASSERT_TRUE(world.set_map(cloth, Map::leash, leashes));
+    EXPECT_TRUE(Drawing::of(world, DebugParts::leashes).lines.empty()) << "nobody has said where the skin is";
+    std::vector<Vec3> places, up(20, Vec3{0, 1, 0});
+    for (const Vec4& p : world.cloth(cloth)->positions) places.push_back({p.x, p.y, p.z});
+    ASSERT_TRUE(world.set_skin(cloth, places, {}));
+    for (const Line& line : Drawing::of(world, DebugParts::leashes).lines) EXPECT_GT(line.colour.y, 0.8f);
+    for (int i = 0; i < 60; ++i) world.step(h);  // it falls to where all are taut
+    const Drawing taut = Drawing::of(world, DebugParts::leashes);
+    ASSERT_EQ(taut.lines.size(), 19u) << "one has none";
+    const Line longest = *std::ranges::max_element(taut.lines, {}, length);
+    EXPECT_NEAR(length(longest), 0.1f, 1e-4f);
+    EXPECT_NEAR(longest.from.y, 1, 1e-5f) << "from the skin";
+    EXPECT_GT(longest.colour.x, 0.99f);
+    ASSERT_TRUE(world.set_map(cloth, Map::leash, {}));
+    ASSERT_TRUE(world.set_map(cloth, Map::backstop, std::vector<float>(20, 0.25f)));
+    ASSERT_TRUE(world.set_skin(cloth, places, up));
+    const Drawing stops = Drawing::of(world, DebugParts::leashes);
+    ASSERT_EQ(stops.lines.size(), 3 * 20u);
+    const Line& cross = stops.lines[1];  // along y
+    EXPECT_NEAR(0.5f * (cross.from.y + cross.to.y), 0.75f, 1e-5f) << "behind the skin";
+}
+
+TEST(DebugDraw, LevelsAreFewerTheCoarserAndOnlyOfTheMultilevelMethod) {
+    World world = World::create().value();
+    const Mesh mesh = make_sheet({.rows = 40, .columns = 40}).value();
+    const ClothId cloth = world.add_cloth(mesh).value();
+    const Drawing drawing = Drawing::of(world, DebugParts::levels);
+    std::map<int, std::size_t> count_of;  // by length, in halves of an edge
+    const auto view = *world.cloth(cloth);
+    const float edge = world.cloth_info(cloth)->mean_edge;
+    for (const Line& line : drawing.lines) {
+        ++count_of[static_cast<int>(std::lround(length(line) / (0.5f * edge)))];
+        const auto at_line = [&](const Vec4& p) {
+            return std::abs(p.x - 0.5f * (line.from.x + line.to.x)) < 1e-5f &&
+                   std::abs(p.z - 0.5f * (line.from.z + line.to.z)) < 1e-5f;
+        };
+        EXPECT_TRUE(std::ranges::any_of(view.positions, at_line)) << "at a particle";
+    }
+    ASSERT_GE(count_of.size(), 2u);
+    std::size_t before = 3 * 1600u;
+    for (const auto& [level, count] : count_of) {
+        EXPECT_LT(count, before) << level;
+        EXPECT_EQ(count % 3, 0u);
+        before = count;
+    }
+    ClothSettings settings;
+    settings.method = Jacobi{};
+    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
+    EXPECT_TRUE(Drawing::of(world, DebugParts::levels).lines.empty());
+}
+
+TEST(DebugDraw, CostsAreThoseOfTheLastStep) {
+    World world = World::create().value();
+    const ClothId cloth = add_sheet(world);
+    world.step(h);
+    const Drawing drawing = Drawing::of(world, DebugParts::costs);
+    ASSERT_EQ(drawing.words.size(), 1u);
+    std::array<char, 96> expected{};
+    std::snprintf(expected.data(), expected.size(), "cloth 0: %.3f of %.3f ms",
+                  static_cast<double>(world.cloth_report(cloth)->milliseconds),
+                  static_cast<double>(world.report().milliseconds));
+    EXPECT_EQ(drawing.words[0], expected.data());
 }
 
 TEST(DebugDraw, OnlyWhatIsAskedForAndNothingWithoutACanvas) {

@@ -13,7 +13,7 @@ std::size_t bytes_of(const ClothModel& model) {
            model.kinds.bytes() + model.bending.bytes() + model.bending_excess.bytes() +
            model.corner_offsets.bytes() + model.corner_triangles.bytes() + model.triangles.bytes() +
            model.panel_sides.bytes() + model.component_offsets.bytes() + model.component_particles.bytes() +
-           model.vertex_to_particle.bytes();
+           model.vertex_to_particle.bytes() + model.texcoords.bytes() + model.vertex_triangles.bytes();
 }
 
 }  // namespace

@@ -31,14 +31,19 @@ Result<void> put(Cloth& cloth, const Transform& place) {
 
 CookedCloth::CookedCloth(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& settings) {
+Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& settings,
+                                        const CookProgress& to_host) {
     return without_exceptions([&]() -> Result<CookedCloth> {
         if (const auto valid = validate(settings); !valid) return valid.error();
+        const Progress progress(to_host);
         CookReport report;
-        auto model = cook(mesh, &report);
+        auto model = cook(mesh, &report, progress);
         if (!model) return model.error();
-        return CookedCloth(
-            std::make_shared<const Impl>(std::move(model).value(), std::move(report), settings));
+        CookedCloth cooked(
+            std::make_shared<const Impl>(std::move(model).value(), std::move(report), settings, progress));
+        log_repairs(cooked.info());
+        progress.reach(Progress::done);
+        return cooked;
     });
 }
 

@@ -10,8 +10,9 @@
 namespace weft {
 
 struct CookedCloth::Impl {
-    Impl(ClothModel&& model, CookReport&& of_cooking, const ClothSettings& settings)
-        : cloth(std::move(model), settings), info(cloth.info()), report(std::move(of_cooking)) {}
+    Impl(ClothModel&& model, CookReport&& of_cooking, const ClothSettings& settings,
+         const Progress& progress = {})
+        : cloth(std::move(model), settings, progress), info(cloth.info()), report(std::move(of_cooking)) {}
 
     const Cloth cloth;  ///< never in a World: others are copies of it
     ClothInfo info;

@@ -25,9 +25,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 1;
+constexpr std::uint32_t cooked_version = 2;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
-constexpr std::size_t list_count = 20;
+constexpr std::size_t list_count = 22;
 
 struct CookedHead {
     std::array<char, 8> mark = cooked_mark;
@@ -59,6 +59,8 @@ void for_each_list(Model& model, Info& info, Report& report, const Visit& visit)
     visit(model.component_offsets);
     visit(model.component_particles);
     visit(model.vertex_to_particle);
+    visit(model.texcoords);
+    visit(model.vertex_triangles);
     visit(report.welded);
     visit(report.dropped);
     visit(report.turned);
@@ -146,6 +148,10 @@ bool are_sound(const ClothModel& model) {
     const auto is_near = [](float x) { return is_within(x, -runaway_distance, runaway_distance); };
     return all_within(model.rest_area, 0) && all_within(model.rest_lengths, 0) &&
            all_within(model.bending, -most) && all_within(model.bending_excess, -most) &&
+           std::ranges::all_of(model.texcoords,
+                               [&](const Vec2& at) {
+                                   return is_within(at.x, -most, most) && is_within(at.y, -most, most);
+                               }) &&
            std::ranges::all_of(
                model.positions,
                [&](const Vec4& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z) && p.w == 0; }) &&
@@ -167,6 +173,8 @@ bool is_whole(const ClothModel& model) {
         (model.panel_sides.empty() || model.panel_sides.size() == triangles) &&
         model.component_particles.size() == n && !model.component_offsets.empty() && vertices >= n &&
         model.corner_triangles.size() == 3 * triangles &&
+        (model.texcoords.empty() || model.texcoords.size() == vertices) &&
+        (model.vertex_triangles.empty() || model.vertex_triangles.size() == triangles) &&
         (model.rows == 0 ? model.columns == 0 : std::uint64_t{model.rows} * model.columns == n);
     return has_sizes && are_offsets(model.spring_offsets, n, springs) &&
            are_offsets(model.corner_offsets, n, 3 * triangles) &&
@@ -175,6 +183,9 @@ bool is_whole(const ClothModel& model) {
            all_below(model.vertex_to_particle, n) && all_below(model.corner_triangles, triangles) &&
            std::ranges::all_of(model.triangles,
                                [&](const Triangle& triangle) { return all_below(triangle, n); }) &&
+           std::ranges::all_of(model.vertex_triangles,
+                               [&](const Triangle& triangle) { return all_below(triangle, vertices); }) &&
+           (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
            std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; });
 }
 

@@ -60,6 +60,59 @@ void draw_tangles(const Pen& pen, const Cloth& cloth) {
         if (cloth.state.tangles[i].name != 0) pen.cross(xyz(cloth.state.positions[i]), length, violet);
 }
 
+void draw_normals(const Pen& pen, const Cloth& cloth) {
+    const float length = 0.5f * cloth.model.info.mean_edge;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 from = xyz(cloth.state.positions[i]);
+        pen.line(from, from + length * xyz(cloth.state.normals[i]), blue);
+    }
+}
+
+void draw_leashes(const Pen& pen, const Cloth& cloth) {
+    const SkinState& skin = cloth.state.skin;
+    if (skin.known == 0) return;
+    const AlignedBuffer<float>&leash = cloth.worn.leash, &backstop = cloth.worn.backstop;
+    const float mark = 0.25f * cloth.model.info.mean_edge;
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 place = xyz(skin.places[i]), at = xyz(cloth.state.positions[i]);
+        if (leash.size() > 0 && std::isfinite(leash[i])) {
+            const float used = leash[i] > 0 ? (at - place).norm() / leash[i] : 1.0f;
+            pen.line(place, at, mixed(green, red, std::min(used, 1.0f)));
+        }
+        if (backstop.size() > 0 && std::isfinite(backstop[i]))
+            pen.cross(place - backstop[i] * xyz(skin.normals[i]), mark, violet);
+    }
+}
+
+/// The particle that a node of a coarse level is.
+std::uint32_t particle_of_node(const Multigrid& levels, std::size_t level, std::uint32_t node) {
+    for (std::size_t k = level + 1; k-- > 0;) node = levels.level(k).interpolation().kept[node];
+    return node;
+}
+
+void draw_levels(const Pen& pen, const Cloth& cloth) {
+    const Multigrid* const levels = cloth.solver->multigrid();
+    if (levels == nullptr) return;
+    const std::size_t count = levels->levels();
+    for (std::size_t k = 0; k < count; ++k) {
+        const float part = static_cast<float>(k + 1) / static_cast<float>(count);
+        const float length = 0.5f * static_cast<float>(k + 1) * cloth.model.info.mean_edge;
+        const auto nodes = static_cast<std::uint32_t>(levels->level(k).interpolation().kept.size());
+        for (std::uint32_t node = 0; node < nodes; ++node)
+            pen.cross(xyz(cloth.state.positions[particle_of_node(*levels, k, node)]), length,
+                      mixed(blue, red, part));
+    }
+}
+
+void draw_cost(const Pen& pen, const Simulation& simulation, ClothId id, const Cloth& cloth) {
+    const ClothReport report = simulation.report_of(cloth);
+    std::array<char, 96> words{};
+    std::snprintf(words.data(), words.size(), "cloth %u: %.3f of %.3f ms", id.index,
+                  static_cast<double>(report.milliseconds),
+                  static_cast<double>(simulation.report.milliseconds));
+    pen.text(to_vector(cloth.extent.lower), words.data(), yellow);
+}
+
 void draw_box(const Pen& pen, ClothId id, const Cloth& cloth) {
     const bool on = cloth.settings.enabled, asleep = cloth.is_asleep();
     const Vec3 colour = !on ? grey : asleep ? blue : green;
@@ -91,6 +144,10 @@ void debug_draw(const Simulation& simulation, const DebugCanvas& canvas, DebugPa
         if (has(parts, DebugParts::velocities)) draw_velocities(pen, *cloth);
         if (has(parts, DebugParts::pins)) draw_pins(pen, *cloth);
         if (has(parts, DebugParts::tangles)) draw_tangles(pen, *cloth);
+        if (has(parts, DebugParts::normals)) draw_normals(pen, *cloth);
+        if (has(parts, DebugParts::leashes)) draw_leashes(pen, *cloth);
+        if (has(parts, DebugParts::levels)) draw_levels(pen, *cloth);
+        if (has(parts, DebugParts::costs)) draw_cost(pen, simulation, id, *cloth);
         if (has(parts, DebugParts::cloths)) draw_box(pen, id, *cloth);
     });
     if (has(parts, DebugParts::contacts))

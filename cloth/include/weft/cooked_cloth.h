@@ -77,6 +77,14 @@ struct CookReport {
     friend bool operator==(const CookReport&, const CookReport&) = default;
 };
 
+/// How far cooking is, for the host to show; it runs on the thread that cooks, and must not throw.
+struct CookProgress {
+    void* user = nullptr;  ///< handed back
+    /// `done` grows from above 0 to 1, which comes last, when all is done; false ends the cooking there, unless
+    /// it is 1. A handful of calls: a stage that begins is ended first.
+    bool (*report)(void* user, float done) = nullptr;
+};
+
 /// All that of a cloth is constant, and one cloth at rest. Cooking takes a frame and more: it may be done on
 /// any thread, for many meshes at a time, and be read back from a file. Copies share what they hold; one may
 /// be added to Worlds on several threads at a time.
@@ -84,8 +92,10 @@ class CookedCloth {
   public:
     /// What a mesh may have is repaired or left out as CookReport lists it. Errors, which name the vertex or
     /// the triangle: a setting out of range; coordinates that are not finite or beyond 100 km; indices of no
-    /// vertex; no triangle left; rows and columns of what is no grid, each cell of which has two triangles.
-    [[nodiscard]] static Result<CookedCloth> create(const Mesh& mesh, const ClothSettings& settings = {});
+    /// vertex; no triangle left; rows and columns of what is no grid, each cell of which has two triangles;
+    /// ErrorCode::cancelled, where `progress` said so.
+    [[nodiscard]] static Result<CookedCloth> create(const Mesh& mesh, const ClothSettings& settings = {},
+                                                    const CookProgress& progress = {});
 
     /// Of the cloth that it holds, which takes as much memory as one that is added by its mesh.
     [[nodiscard]] const ClothInfo& info() const noexcept;

@@ -17,6 +17,12 @@ enum class DebugParts : std::uint32_t {
     colliders = 1u << 4,   ///< their surfaces
     tangles = 1u << 5,     ///< particles of what is let apart, by contact
     cloths = 1u << 6,      ///< boxes and words: green awake, blue asleep, grey switched off
+    normals = 1u << 7,  ///< of particles, half an edge long
+    /// Skins of leashes and backstops: from a particle's place there to it, green, red where its leash ends;
+    /// and where its backstop begins, violet.
+    leashes = 1u << 8,
+    levels = 1u << 9,  ///< nodes of the multilevel method's coarse levels, larger and redder the coarser
+    costs = 1u << 10,  ///< words: what each cloth cost in the last step, with the whole step
     all = ~0u,
 };
 constexpr DebugParts operator|(DebugParts a, DebugParts b) {

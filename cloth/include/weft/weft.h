@@ -23,6 +23,7 @@
 #include "weft/executor.h"
 #include "weft/fabrics.h"
 #include "weft/fixed_step.h"
+#include "weft/hooks.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
@@ -33,4 +34,5 @@
 #include "weft/shapes.h"
 #include "weft/transform.h"
 #include "weft/types.h"
+#include "weft/vertex_streams.h"
 #include "weft/world.h"

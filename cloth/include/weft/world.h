@@ -24,12 +24,14 @@
 #include "weft/shapes.h"
 #include "weft/transform.h"
 #include "weft/types.h"
+#include "weft/vertex_streams.h"
 
 namespace weft {
 
-/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Valid until the next step(),
-/// begin_step(), end_step() or change of this cloth. Particles are numbered by Weft; vertex_to_particle leads
-/// there from the mesh's own vertices.
+/// A cloth's buffers, uncopied, in the layout in which they are uploaded. They stay where they are, and are
+/// there, until the cloth is removed or its World ends, whatever else is called, and show what the last call
+/// left; only begin_step() and end_step() change over between two sets of them. Particles are numbered by
+/// Weft; vertex_to_particle leads there from the mesh's own vertices: see World::write_vertices, too.
 struct ClothView {
     std::span<const Vec4> positions{};  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
     /// At the start of the last step; blend by FixedStepFrame::alpha.
@@ -38,6 +40,10 @@ struct ClothView {
     std::span<const Vec4> normals{};        ///< x y z, unit length, out of the front of the triangles
     std::span<const Triangle> triangles{};  ///< particle indices
     std::span<const std::uint32_t> vertex_to_particle{};
+    std::span<const Vec2> texcoords{};  ///< the mesh's, of its vertices, or none
+    /// `triangles` by the mesh's vertices, for an index buffer; of a mesh that is no grid only where it has
+    /// texture coordinates.
+    std::span<const Triangle> vertex_triangles{};
     Bounds bounds{};  ///< of the positions
 };
 
@@ -81,8 +87,18 @@ class World {
     Result<void> set_importance(ClothId id, float priority, float view_distance);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
-    /// next call for the same cloth writes it anew. Copy it to keep it.
+    /// next call for the same cloth writes it anew. When the cloth is removed it becomes empty, and may later
+    /// be another's; it ends with the World, not when that moves. Spans that were copied end with the cloth.
     [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
+    /// Writes vertices [first, first + count), those there are, as a renderer wants them: by the mesh's own
+    /// numbers, into the host's memory, each kind that is asked for. It only writes there, allocates nothing,
+    /// and takes on one core some 2 ns a vertex for positions or normals, 60 ns for tangents or previous
+    /// normals, which are made of the triangles round the vertex. Threads may share the vertices, and draw
+    /// from begin_step() to end_step() what the last step left: calls of it may run side by side, and beside
+    /// work(). Errors: a stream of less room than all vertices take, or whose stride is less than a value;
+    /// texture coordinates or tangents of a cloth whose mesh has no texture coordinates.
+    Result<void> write_vertices(ClothId id, const VertexStreams& to, std::size_t first = 0,
+                                std::size_t count = SIZE_MAX) const;
 
     /// Holds particles where they are, until move_pin or unpin: all of them or, with an error, none. Vertices
     /// are those of the mesh that was given; one that is pinned already stays so. With tethers on, each call
@@ -216,7 +232,7 @@ class World {
 
     /// step() in three: begin_step() and end_step() on the host's own thread, and between them work() in one
     /// task of the host's, on any thread, while the host draws. Same bytes as by step(). Calls of one World
-    /// still are one thread's at a time, but for these while work() runs: cloth(), report(), settings(),
+    /// still are one thread's at a time, but for these while work() runs: cloth(), write_vertices(), report(), settings(),
     /// cloth_settings(), body_settings(), shape_info(), and those that are refused.
     ///
     /// From begin_step() to end_step() a cloth()'s view shows copies: all buffers as the last step left them.

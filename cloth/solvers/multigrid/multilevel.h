@@ -41,6 +41,7 @@ class MultilevelSolver final : public Solver {
     [[nodiscard]] std::span<const Vec4> left_to_contact(const SolverStep& step);
 
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
+    [[nodiscard]] const Multigrid* multigrid() const noexcept override { return multigrid_.get(); }
     [[nodiscard]] bool joins() const noexcept override { return true; }
     void reserve_pairs(std::size_t count) override;
     void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }

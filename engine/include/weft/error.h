@@ -16,6 +16,7 @@ enum class ErrorCode : std::uint8_t {
     malformed_file,    ///< a file whose content breaks its format
     out_of_memory,     ///< the system refused memory
     unsupported,       ///< the system lacks what is needed: a display, OpenGL 3.3
+    cancelled,         ///< the host's own callback said so
 };
 
 /// What went wrong. The message names the offending value and what would be right.

@@ -1,0 +1,54 @@
+// The World's calls by which a host sees its cloths.
+
+#include <algorithm>
+
+#include "cloth/frame/view/write_vertices.h"
+#include "cloth/frame/world_calls.h"
+
+namespace weft {
+
+namespace {
+
+template <class Buffers>
+ClothView view_of(const Buffers& buffers, const Bounds& bounds, const ClothModel& model) {
+    return {.positions = buffers.positions.span(),
+            .previous_positions = buffers.previous_positions.span(),
+            .velocities = buffers.velocities.span(),
+            .normals = buffers.normals.span(),
+            .triangles = model.triangles.span(),
+            .vertex_to_particle = model.vertex_to_particle.span(),
+            .texcoords = model.texcoords.span(),
+            .vertex_triangles = vertex_triangles_of(model),
+            .bounds = bounds};
+}
+
+ClothView view_of(const Cloth& cloth, bool in_step) {
+    if (in_step) return view_of(*cloth.shown, cloth.shown->bounds, cloth.model);
+    return view_of(cloth.state, {cloth.extent.lower, cloth.extent.upper}, cloth.model);
+}
+
+}  // namespace
+
+Result<const ClothView&> World::cloth(ClothId id) const {
+    const Simulation& simulation = impl_->simulation;
+    return with_cloth(simulation, id, [&](const Cloth& cloth) {
+        ClothView& view = *simulation.views[id.index];
+        view = view_of(cloth, impl_->is_in_step());
+        return Result<const ClothView&>(view);
+    });
+}
+
+Result<void> World::write_vertices(ClothId id, const VertexStreams& to, std::size_t first,
+                                   std::size_t count) const {
+    return with_cloth(impl_->simulation, id, [&](const Cloth& cloth) -> Result<void> {
+        const ClothView view = view_of(cloth, impl_->is_in_step());
+        if (auto valid = check_streams(view, to); !valid) return valid;
+        const std::size_t vertices = view.vertex_to_particle.size(), begin = std::min(first, vertices);
+        const std::size_t end = begin + std::min(count, vertices - begin);
+        weft::write_vertices(view, cloth.model, to, static_cast<std::uint32_t>(begin),
+                             static_cast<std::uint32_t>(end));
+        return {};
+    });
+}
+
+}  // namespace weft
