@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Host {
     ColliderId ball;
     std::vector<std::uint32_t> row;  // vertices of the upper border
     std::vector<Vec3> places;        // where these are
+    std::vector<Vec4> vertices;      // as a renderer wants them
 
     explicit Host(std::uint32_t side)
         : mesh(must(make_sheet({.rows = side, .columns = side}))),
@@ -48,6 +50,13 @@ struct Host {
         ball = must(world.add_collider(ball_at(0)));
         for (int frame = 0; frame < 30; ++frame) world.step(step_length);
     }
+    /// For a kind of value of all vertices.
+    [[nodiscard]] std::span<std::byte> room(std::size_t kind) {
+        vertices.resize(2 * mesh.positions.size());
+        const std::span<std::byte> bytes = std::as_writable_bytes(std::span(vertices));
+        return bytes.subspan(kind * bytes.size() / 2, bytes.size() / 2);
+    }
+    void write(const VertexStreams& to) const { must(world.write_vertices(cloth, to)); }
     [[nodiscard]] static Collider ball_at(float x) { return {.shape = Sphere{{x, -0.4f, 0.3f}, 0.2f}}; }
 };
 
@@ -80,6 +89,10 @@ std::vector<Row> rows_of_a_frame() {
     return {
         {"step", [](Host& h) { h.world.step(step_length); }},
         {"cloth", [](Host& h) { (void)h.world.cloth(h.cloth); }},
+        {"write_vertices (positions, normals)",
+         [](Host& h) { h.write({.positions = {h.room(0)}, .normals = {h.room(1)}}); }},
+        {"write_vertices (previous normals)", [](Host& h) { h.write({.previous_normals = {h.room(0)}}); }},
+        {"write_vertices (tangents)", [](Host& h) { h.write({.tangents = {h.room(0)}}); }},
         {"move_pin", [](Host& h) { must(h.world.move_pin(h.cloth, 0, h.places[0])); }},
         {"move_collider", [](Host& h) { must(h.world.move_collider(h.ball, Host::ball_at(0.01f))); },
          [](Host& h) { must(h.world.place_collider(h.ball, Host::ball_at(0))); }},

@@ -37,6 +37,9 @@ int main() {
     [[maybe_unused]] const weft::StepReport report{.substeps = 2};
     [[maybe_unused]] const weft::ClothInfo info{.particles = 2};
     [[maybe_unused]] const weft::ClothView view{.bounds = {.lower = {1, 1, 1}}};
+    [[maybe_unused]] const weft::VertexStreams streams{.normals = {.stride = 32}};
+    [[maybe_unused]] const weft::CookProgress progress{.user = nullptr};
+    [[maybe_unused]] const weft::Hooks hooks{.log = nullptr};
     [[maybe_unused]] const weft::StageTime stage{.last = 1};
     [[maybe_unused]] const weft::ClothId cloth{.index = 1};
     [[maybe_unused]] const weft::ColliderId collider{.index = 1};

@@ -113,6 +113,7 @@ class Player {
     }
     void check_answer(const Operation& operation, const Result<void>& answer,
                       const std::string& before) const;
+    void check_vertices(std::size_t cloth, const ClothView& view) const;
     void check_cloth(std::size_t cloth) const;
     void check_step(const StepReport& report, std::uint64_t steps_before) const;
     void check_contacts(const StepReport& report) const;
@@ -519,6 +520,18 @@ Player::Answered Player::make(const Operation&, const Restore& call) {
     return answer;
 }
 
+void Player::check_vertices(std::size_t cloth, const ClothView& view) const {
+    if (view.texcoords.empty()) return;
+    std::vector<Vec4> tangents(view.vertex_to_particle.size());
+    const auto written =
+        world_.write_vertices(*cloths_[cloth], {.tangents = {std::as_writable_bytes(std::span(tangents))}});
+    check(written.ok(), "cloth " + std::to_string(cloth) + ": its tangents were refused");
+    const bool are_sound = std::ranges::all_of(tangents, [](const Vec4& t) {
+        return std::abs(std::hypot(t.x, t.y, t.z) - 1) < 1e-3f && std::abs(t.w) == 1;
+    });
+    check(are_sound, "cloth " + std::to_string(cloth) + ": a tangent that is not of unit length");
+}
+
 void Player::check_cloth(std::size_t cloth) const {
     const ClothView view = world_.cloth(*cloths_[cloth]).value();
     const ClothInfo info = world_.cloth_info(*cloths_[cloth]).value();
@@ -533,6 +546,7 @@ void Player::check_cloth(std::size_t cloth) const {
           of("a previous position that is not finite"));
     check(std::ranges::all_of(view.velocities, is_finite), of("a velocity that is not finite"));
     check(std::ranges::all_of(view.normals, is_finite), of("a normal that is not finite"));
+    check_vertices(cloth, view);
     const Vec3 &lower = view.bounds.lower, &upper = view.bounds.upper;
     for (const Vec4& p : view.positions) {
         const bool within = p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y &&

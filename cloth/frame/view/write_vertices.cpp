@@ -55,27 +55,37 @@ Vector3 normal_at(const ClothModel& model, std::span<const Vec4> positions, std:
     return unit_or_other(sum, Vector3::UnitY());
 }
 
+using Vector3d = Eigen::Vector3d;
+
 /// Ways along which the texture coordinates grow round a vertex, by area: those of triangles at a particle
-/// that know it by this vertex.
+/// that know it by this vertex. Texture coordinates may be as large and small as floats are.
 struct Growth {
-    Vector3 along_u = Vector3::Zero(), along_v = Vector3::Zero();
+    Vector3d along_u = Vector3d::Zero(), along_v = Vector3d::Zero();
 };
+
+/// From the first corner of a triangle to another one.
+struct Side {
+    Vector3d way;
+    double u, v;
+};
+
+Side side_of(const ClothView& view, std::uint32_t triangle, std::size_t corner) noexcept {
+    const Triangle &particles = view.triangles[triangle], &vertices = view.vertex_triangles[triangle];
+    const Vector3 way = xyz(view.positions[particles[corner]]) - xyz(view.positions[particles[0]]);
+    const Vec2 &from = view.texcoords[vertices[0]], &to = view.texcoords[vertices[corner]];
+    return {way.cast<double>(), static_cast<double>(to.x) - static_cast<double>(from.x),
+            static_cast<double>(to.y) - static_cast<double>(from.y)};
+}
 
 Growth growth_at(const ClothView& view, const ClothModel& model, std::uint32_t vertex) noexcept {
     Growth growth;
     for (const std::uint32_t t : triangles_at(model, view.vertex_to_particle[vertex])) {
         const Triangle& vertices = view.vertex_triangles[t];
         if (vertices[0] != vertex && vertices[1] != vertex && vertices[2] != vertex) continue;
-        const Triangle& corners = view.triangles[t];
-        const Vector3 origin = xyz(view.positions[corners[0]]);
-        const Vector3 one = xyz(view.positions[corners[1]]) - origin,
-                      two = xyz(view.positions[corners[2]]) - origin;
-        const Vec2 &o = view.texcoords[vertices[0]], &p = view.texcoords[vertices[1]],
-                   &q = view.texcoords[vertices[2]];
-        const float u1 = p.x - o.x, v1 = p.y - o.y, u2 = q.x - o.x, v2 = q.y - o.y;
-        const float turn = u1 * v2 - u2 * v1 < 0 ? -1.0f : 1.0f;
-        growth.along_u += turn * (v2 * one - v1 * two);
-        growth.along_v += turn * (u1 * two - u2 * one);
+        const Side one = side_of(view, t, 1), two = side_of(view, t, 2);
+        const double turn = one.u * two.v - two.u * one.v < 0 ? -1 : 1;
+        growth.along_u += turn * (two.v * one.way - one.v * two.way);
+        growth.along_v += turn * (one.u * two.way - two.u * one.way);
     }
     return growth;
 }
@@ -83,10 +93,13 @@ Growth growth_at(const ClothView& view, const ClothModel& model, std::uint32_t v
 std::array<float, 4> tangent_at(const ClothView& view, const ClothModel& model,
                                 std::uint32_t vertex) noexcept {
     const Vector3 normal = xyz(view.normals[view.vertex_to_particle[vertex]]);
+    const Vector3d out = normal.cast<double>();
     const Growth growth = growth_at(view, model, vertex);
-    const Vector3 level = growth.along_u - growth.along_u.dot(normal) * normal;
-    const Vector3 tangent = unit_or_other(level, normal.unitOrthogonal());
-    const float handedness = normal.cross(tangent).dot(growth.along_v) < 0 ? -1.0f : 1.0f;
+    const Vector3d level = growth.along_u - growth.along_u.dot(out) * out;
+    const double length = level.norm();
+    const Vector3 tangent =
+        length > 1e-100 ? Vector3((level / length).cast<float>()) : normal.unitOrthogonal();
+    const float handedness = out.cross(tangent.cast<double>()).dot(growth.along_v) < 0 ? -1.0f : 1.0f;
     return {tangent.x(), tangent.y(), tangent.z(), handedness};
 }
 
