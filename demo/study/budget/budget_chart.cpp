@@ -15,7 +15,7 @@ std::string points_of(const CsvTable& table, const std::string& kind) {
     std::ostringstream text;
     for (const CsvRow& row : table.rows)
         if (row.at("kind") == kind)
-            text << row.at("mean_ms") << ' ' << row.at("p99_ms") << ' ' << row.at("error_mrad") << " \""
+            text << row.at("mean_ms") << ' ' << row.at("p99_ms") << ' ' << row.at("off_mrad") << " \""
                  << row.at("name") << "\"\n";
     return text.str();
 }
@@ -23,7 +23,7 @@ std::string points_of(const CsvTable& table, const std::string& kind) {
 }  // namespace
 
 bool is_budget_table(const CsvTable& table) {
-    return std::ranges::find(table.columns, "error_mrad") != table.columns.end();
+    return std::ranges::find(table.columns, "off_mrad") != table.columns.end();
 }
 
 void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
@@ -33,7 +33,7 @@ void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
              << points_of(table, "budget") << "EOD\n"
              << "set title " << quoted("Fifty curtains in gusts round a camera that turns, on one thread") << '\n'
              << "set xlabel " << quoted("a step, mean and 99th percentile [ms of the processor]") << '\n'
-             << "set ylabel " << quoted("motion error as seen, rms [mrad]") << '\n'
+             << "set ylabel " << quoted("as seen, off the cloth as it is set, rms [mrad]") << '\n'
              << "set yrange [0:*]\nset xrange [0:*]\nset grid\nset key top right\n";
     std::string plot = "plot ";
     for (const auto& [block, colour, title] :
