@@ -10,20 +10,17 @@
 
 #include "cloth/frame/simulation.h"
 #include "cloth/frame/validate.h"
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test::budgets {
 namespace {
 
-constexpr float h = 1.0f / 60;
 constexpr std::uint32_t side = 9;
 
 Mesh sheet(float x) {
-    return make_sheet({.rows = side,
-                       .columns = side,
-                       .origin = {x, 1, 0},
-                       .u = {0.5f, 0, 0},
-                       .v = {0, 0.01f, 0.5f}})
+    return make_sheet(
+               {.rows = side, .columns = side, .origin = {x, 1, 0}, .u = {0.5f, 0, 0}, .v = {0, 0.01f, 0.5f}})
         .value();
 }
 
@@ -54,7 +51,8 @@ struct Hall {
     float step() {
         simulation.step(h);
         float milliseconds = 0;
-        for (const Cloth* cloth : cloths) milliseconds += 1e-6f * static_cast<float>(simulation.cost_of(*cloth));
+        for (const Cloth* cloth : cloths)
+            milliseconds += 1e-6f * static_cast<float>(simulation.cost_of(*cloth));
         changes += simulation.choices.size();
         return milliseconds;
     }
@@ -89,9 +87,8 @@ TEST(Budget, WithRoomForAllNothingIsReduced) {
     }
     for (std::size_t i = 0; i < hall.cloths.size(); ++i) {
         const auto a = hall.cloths[i]->state.positions.span(), b = free.cloths[i]->state.positions.span();
-        EXPECT_TRUE(std::ranges::equal(a, b, [](const Vec4& p, const Vec4& q) {
-            return p.x == q.x && p.y == q.y && p.z == q.z;
-        }));
+        EXPECT_TRUE(std::ranges::equal(
+            a, b, [](const Vec4& p, const Vec4& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }));
     }
     EXPECT_FALSE(free.cloths[0]->budgeted);
     EXPECT_EQ(free.cloths[0]->state.ahead.size(), 0u);
@@ -99,7 +96,8 @@ TEST(Budget, WithRoomForAllNothingIsReduced) {
 
 TEST(Budget, GoesToWhatCounts) {
     Hall hall(0.8f);
-    for (std::size_t i = 0; i < 20; ++i) hall.cloths[i]->settings.view_distance = 1 + 5 * static_cast<float>(i);
+    for (std::size_t i = 0; i < 20; ++i)
+        hall.cloths[i]->settings.view_distance = 1 + 5 * static_cast<float>(i);
     hall.cloths[3]->settings.priority = 0;
     hall.run(200);
     EXPECT_EQ(hall.rung(0), 0u);
@@ -135,7 +133,8 @@ float most_jump(Hall& hall, int steps) {
         std::size_t k = 0;
         for (const Cloth* cloth : hall.cloths)
             for (std::uint32_t i = 0; i < cloth->state.size(); ++i, ++k) {
-                const Vector3 way = (xyz(cloth->state.positions[i]) - xyz(cloth->state.previous_positions[i])) / h;
+                const Vector3 way =
+                    (xyz(cloth->state.positions[i]) - xyz(cloth->state.previous_positions[i])) / h;
                 if (known) most = std::max(most, (way - ways[k]).norm());
                 ways[k] = way;
             }
@@ -225,7 +224,8 @@ TEST(Budget, RefusesWhatIsNoTimeAndNoPriority) {
         EXPECT_NE(answer.error().message.find(name), std::string::npos) << answer.error().message;
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const float budget : {-1.0f, nan, 1e4f}) refuses(World::create({.budget = budget}), "WorldSettings::budget");
+    for (const float budget : {-1.0f, nan, 1e4f})
+        refuses(World::create({.budget = budget}), "WorldSettings::budget");
     World world = World::create({.threads = 1, .budget = 1}).value();
     const ClothId cloth = world.add_cloth(sheet(0)).value();
     ASSERT_TRUE(world.set_importance(cloth, 2, 30));
@@ -251,7 +251,8 @@ struct Game {
     void run(int steps) {
         for (int s = 0; s < steps; ++s) {
             for (std::size_t i = 0; i < cloths.size(); ++i)
-                EXPECT_TRUE(world.set_importance(cloths[i], 1, 1 + static_cast<float>((i + static_cast<std::size_t>(s) / 10) % 6)));
+                EXPECT_TRUE(world.set_importance(
+                    cloths[i], 1, 1 + static_cast<float>((i + static_cast<std::size_t>(s) / 10) % 6)));
             if (s % 40 == 20) budget(1e-4f);
             if (s % 40 == 39) budget(100);
             if (s % 16 == 9) {
