@@ -355,8 +355,8 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
                         cloths[k]->state.velocities.span());
 }
 
-// Where it is made anew there is room for an eighth more of such cloths as come: so of n that are added one
-// after the other few make it, and it is hardly larger than it has to be.
+// Where it is made anew there is room for an eighth more, of such cloths as there are: so of n that are added
+// one after the other few make it, and it is hardly larger than it has to be.
 std::optional<Simulation::Together> Simulation::make_together(const Cloth* changed, const SelfCollision& of,
                                                               const ContactMesh* mesh) {
     std::vector<ContactCloth> bodies;
@@ -368,8 +368,8 @@ std::optional<Simulation::Together> Simulation::make_together(const Cloth* chang
     if (mesh != nullptr) bodies.push_back({.mesh = mesh, .by_zones = has_zones(of)});
     if (bodies.size() < 2) return Together();
     if (together_ && together_->has_room_for(bodies)) return std::nullopt;
-    const std::size_t more = bodies.size() / 8;
-    bodies.insert(bodies.end(), more, ContactCloth(bodies.back()));
+    bodies.reserve(bodies.size() + bodies.size() / 8);
+    for (std::size_t k = 7, count = bodies.size(); k < count; k += 8) bodies.push_back(bodies[k]);
     return std::make_unique<FeatureContact>(bodies);
 }
 

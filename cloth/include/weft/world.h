@@ -28,10 +28,11 @@
 
 namespace weft {
 
-/// A cloth's buffers, uncopied, in the layout in which they are uploaded. They stay where they are, and are
-/// there, until the cloth is removed or its World ends, whatever else is called, and show what the last call
-/// left; only begin_step() and end_step() change over between two sets of them. Particles are numbered by
-/// Weft; vertex_to_particle leads there from the mesh's own vertices: see World::write_vertices, too.
+/// A cloth's buffers, uncopied, in the layout in which they are uploaded. Take it anew after each step or
+/// change: an old one can still be read, since its memory is there until the cloth is removed or the World
+/// ends, whatever else is called, but positions and previous_positions may have changed places. Particles are
+/// numbered by Weft; vertex_to_particle leads there from the mesh's own vertices: see World::write_vertices,
+/// too.
 struct ClothView {
     std::span<const Vec4> positions{};  ///< x y z [m], w inverse mass [1/kg], 0 for pinned particles
     /// At the start of the last step; blend by FixedStepFrame::alpha.

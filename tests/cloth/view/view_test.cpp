@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -170,6 +171,8 @@ TEST(WriteVertices, PreviousNormalsAreThoseOfTheStepBefore) {
         }
         scene.steps(8);
         const Vertices before = Vertices::of(scene);
+        const Vec3& corner = scene.mesh.positions[0];
+        ASSERT_TRUE(scene.world.move_pin(scene.cloth, 0, {corner.x, corner.y + 0.05f, corner.z}));
         scene.steps(1);
         const Vertices after = Vertices::of(scene);
         float most = 0;
@@ -276,14 +279,17 @@ TEST(WriteVertices, OfACookedClothReadBackFromBytesIsThatOfItsMesh) {
     EXPECT_EQ(Vertices::of(scene).all, of_mesh.all);
 }
 
-/// Where a view's buffers are.
+/// Where a view's buffers are; a step may swap the first two.
 std::vector<const void*> places(const ClothView& view) {
-    return {view.positions.data(), view.previous_positions.data(), view.velocities.data(),
-            view.normals.data(),   view.triangles.data(),          view.vertex_to_particle.data(),
-            view.texcoords.data(), view.vertex_triangles.data()};
+    std::vector<const void*> all{view.positions.data(),  view.previous_positions.data(),
+                                 view.velocities.data(), view.normals.data(),
+                                 view.triangles.data(),  view.vertex_to_particle.data(),
+                                 view.texcoords.data(),  view.vertex_triangles.data()};
+    std::sort(all.begin(), all.begin() + 2, std::less<>());
+    return all;
 }
 
-TEST(View, BuffersStayWhereTheyAreWhateverIsCalled) {
+TEST(View, MemoryIsThereWhateverIsCalled) {
     Scene scene;
     const ClothView kept = *scene.world.cloth(scene.cloth);
     const auto expect_same = [&](const char* call) {
