@@ -341,6 +341,7 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
     }
     state.pins = std::move(pins);
     wake();
+    land();
     // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
     if (any_released) state.record.h = 0;
 }

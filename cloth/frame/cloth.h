@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "cloth/frame/budget/budgeted.h"
 #include "cloth/frame/feature_contact.h"
 #include "cloth/frame/history.h"
 #include "cloth/frame/state.h"
@@ -246,8 +247,25 @@ struct Cloth {
     std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
     LimitLag limit_lag{};                 ///< of its worn limits, at the end
+    bool is_disturbed = false;            ///< see Simulation::find_disturbed()
     bool was_stepped = false;             ///< by the last step; if not, it says nothing of the above
     std::int64_t nanoseconds = 0;         ///< that its threads took for it
+
+    std::unique_ptr<Budgeted> budgeted;  ///< only with a budget
+    /// As the present step takes it.
+    [[nodiscard]] const ClothSettings& stepped_settings() const noexcept {
+        return budgeted ? budgeted->settings : settings;
+    }
+    /// It takes no step of its own, but moves on to where its last one ended.
+    [[nodiscard]] bool is_gliding() const noexcept { return state.detail && state.detail->left > 0; }
+    /// How many of the World's steps its own is long.
+    [[nodiscard]] float stride() const noexcept {
+        return state.detail ? static_cast<float>(state.detail->rate) : 1.0f;
+    }
+    /// It goes no further to where its last step ended.
+    void land() noexcept;
+    [[nodiscard]] BudgetBuffers make_budget(bool on) const;
+    void take_budget(BudgetBuffers&& made) noexcept;
 
     std::unique_ptr<ShownCloth> shown;  ///< only where steps are taken apart
 

@@ -22,6 +22,10 @@ constexpr float parted_in_a_step = 0.2f;
 // Room for crossings: one a particle, and at least so many.
 constexpr std::size_t least_crossings = 1024;
 
+std::size_t room_for_crossings(std::size_t particles) {
+    return std::max(least_crossings, particles);
+}
+
 }  // namespace
 
 FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
@@ -39,7 +43,7 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     pairs_ = PairList(pairs);
     rows_.reserve(particles, pairs);
     settler_.reserve(particles, bodies.size(), pairs);
-    const std::size_t crossings = std::max(least_crossings, particles);
+    const std::size_t crossings = room_for_crossings(particles);
     crossings_ = CrossingList(crossings);
     tangles_.reserve(
         {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
@@ -91,6 +95,11 @@ void FeatureContact::add(const ContactCloth& body) {
         {.mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask});
     ranges_.push_back({first, body.mesh->particles()});
     restitutions_.push_back(body.restitution);
+    // Room that cloths elsewhere, or gone, were given is to be seen in nothing.
+    std::size_t particles = 0;
+    for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
+    pairs_.limit = room_for_pairs(particles);
+    crossings_.limit = room_for_crossings(particles);
 }
 
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,

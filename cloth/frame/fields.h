@@ -100,12 +100,13 @@ template <FieldsOf<ClothSettings> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
     auto& [fabric, finite_elements, method, time_scheme, substeps, tethers, self_collision, air_damping,
            thickness, friction, restitution, collider_mask, collider_response, enabled, sleep_speed,
-           frame_inertia] = of;
+           frame_inertia, priority, view_distance] = of;
     visit_each(visit, "fabric", fabric, "finite_elements", finite_elements, "method", method, "time_scheme",
                time_scheme, "substeps", substeps, "tethers", tethers, "self_collision", self_collision,
                "air_damping", air_damping, "thickness", thickness, "friction", friction, "restitution",
                restitution, "collider_mask", collider_mask, "collider_response", collider_response, "enabled",
-               enabled, "sleep_speed", sleep_speed, "frame_inertia", frame_inertia);
+               enabled, "sleep_speed", sleep_speed, "frame_inertia", frame_inertia, "priority", priority,
+               "view_distance", view_distance);
 }
 
 template <FieldsOf<Wind> T, class Visit>
@@ -118,10 +119,10 @@ void for_each_field(T& of, const Visit& visit) {
 /// But for the executor, which is the host's.
 template <FieldsOf<WorldSettings> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [gravity, wind, max_speed, substeps, contact_reports, threads, executor] = of;
+    auto& [gravity, wind, max_speed, substeps, contact_reports, threads, budget, executor] = of;
     static_cast<void>(executor);
     visit_each(visit, "gravity", gravity, "wind", wind, "max_speed", max_speed, "substeps", substeps,
-               "contact_reports", contact_reports, "threads", threads);
+               "contact_reports", contact_reports, "threads", threads, "budget", budget);
 }
 
 template <FieldsOf<Sphere> T, class Visit>
@@ -184,21 +185,21 @@ template <FieldsOf<ClothReport> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
     auto& [flags, enabled, asleep, particles, collider_contacts, self_contacts, peak_self_contacts,
            truncated_particles, crossings, unresolved_pairs, pin_lag, limits_exceeded, limit_lag, peak_speed,
-           residual, milliseconds] = of;
+           residual, rung, rate, milliseconds] = of;
     visit_each(visit, "flags", flags, "enabled", enabled, "asleep", asleep, "particles", particles,
                "collider_contacts", collider_contacts, "self_contacts", self_contacts, "peak_self_contacts",
                peak_self_contacts, "truncated_particles", truncated_particles, "crossings", crossings,
                "unresolved_pairs", unresolved_pairs, "pin_lag", pin_lag, "limits_exceeded", limits_exceeded,
-               "limit_lag", limit_lag, "peak_speed", peak_speed, "residual", residual, "milliseconds",
-               milliseconds);
+               "limit_lag", limit_lag, "peak_speed", peak_speed, "residual", residual, "rung", rung, "rate", rate,
+               "milliseconds", milliseconds);
 }
 template <FieldsOf<StepReport> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [flags, step, substeps, cloths, sleeping_cloths, particles, collider_contacts, self_contacts,
+    auto& [flags, step, substeps, cloths, sleeping_cloths, reduced_cloths, particles, collider_contacts, self_contacts,
            contacts, peak_self_contacts, truncated_particles, pin_lag, limits_exceeded, limit_lag, crossings,
            unresolved_pairs, restored_cloths, peak_speed, residual, milliseconds] = of;
     visit_each(visit, "flags", flags, "step", step, "substeps", substeps, "cloths", cloths, "sleeping_cloths",
-               sleeping_cloths, "particles", particles, "collider_contacts", collider_contacts,
+               sleeping_cloths, "reduced_cloths", reduced_cloths, "particles", particles, "collider_contacts", collider_contacts,
                "self_contacts", self_contacts, "contacts", contacts, "peak_self_contacts", peak_self_contacts,
                "truncated_particles", truncated_particles, "pin_lag", pin_lag, "limits_exceeded",
                limits_exceeded, "limit_lag", limit_lag, "crossings", crossings, "unresolved_pairs",

@@ -227,7 +227,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
         steps_.push_back({.parallel = worker.parallel,
                           .profiler = profiler,
                           .model = cloth.model,
-                          .settings = cloth.settings,
+                          .settings = cloth.stepped_settings(),
                           .equation = equation,
                           .velocities = cloth.next_velocities.span()});
         members_.push_back({static_cast<MultilevelSolver*>(cloth.solver.get()), &steps_.back()});

@@ -22,7 +22,9 @@ bool suits_one_thread(const Schedule::Group& group, std::uint64_t total, std::ui
 }
 
 std::uint64_t work_of(const Cloth& cloth) {
-    return std::uint64_t{cloth.model.particle_count} * static_cast<std::uint64_t>(cloth.settings.substeps);
+    const std::uint64_t particles = cloth.model.particle_count;
+    if (cloth.is_gliding()) return particles / 8;
+    return particles * static_cast<std::uint64_t>(cloth.settings.substeps);
 }
 
 }  // namespace

@@ -164,6 +164,11 @@ void check(Checks& checks, const SelfCollision& contact) {
                    "SelfCollisionSearch::sorted_sweep"});
 }
 
+void check_importance(Checks& checks, float priority, float view_distance) {
+    checks.between("ClothSettings::priority", priority, 0, 1e6f);
+    checks.between("ClothSettings::view_distance", view_distance, 0, 1e6f);
+}
+
 void check(Checks& checks, const Wind& wind) {
     checks.within("Wind::velocity", wind.velocity, 1e3f);
     checks.between("Wind::gust", wind.gust, 0, 100);
@@ -182,6 +187,7 @@ Result<void> validate(const WorldSettings& settings) {
     checks.between("WorldSettings::max_speed", settings.max_speed, 1e-3f, 1e4f);
     checks.within("WorldSettings::substeps", settings.substeps, 1, 256);
     checks.within("WorldSettings::contact_reports", settings.contact_reports, 0, most_contact_reports);
+    checks.between("WorldSettings::budget", settings.budget, 0, 1e3f);
     checks.within("WorldSettings::threads", settings.threads, 0, 256);
     if (settings.executor.run != nullptr) checks.within("Executor::width", settings.executor.width, 1, 256);
     return checks.result();
@@ -208,6 +214,13 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("FrameInertia::linear", settings.frame_inertia.linear, 0, 1);
     checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
     checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
+    check_importance(checks, settings.priority, settings.view_distance);
+    return checks.result();
+}
+
+Result<void> validate_importance(float priority, float view_distance) {
+    Checks checks;
+    check_importance(checks, priority, view_distance);
     return checks.result();
 }
 

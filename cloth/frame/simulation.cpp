@@ -85,6 +85,16 @@ void Simulation::apply(const WorldSettings& changed) {
         });
     }
 
+    const bool has_budget = changed.budget > 0;
+    ForCloths<BudgetBuffers> budgets;
+    if (has_budget != (settings.budget > 0)) {
+        budgets.reserve(cloths.size());
+        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+            budgets.emplace_back(cloth.get(), cloth->make_budget(has_budget));
+        });
+        if (has_budget) reserve_budget(cloths.size());
+    }
+
     // From here on nothing can fail.
     if (threads) {
         parallel = *std::move(threads);
@@ -94,6 +104,8 @@ void Simulation::apply(const WorldSettings& changed) {
     if (reports) contact_reports_ = *std::move(reports);
     for (auto& [cloth, made] : impulses) cloth->take_impulses(std::move(made));
     for (auto& [cloth, made] : air) cloth->take_air(std::move(made));
+    for (auto& [cloth, made] : budgets) cloth->take_budget(std::move(made));
+    if (!has_budget) choices.clear();
     if (!have_same_forces(settings, changed)) wake_all();
     settings = changed;
 }
@@ -188,11 +200,18 @@ void Simulation::reserve_cloth() {
     members_.reserve(count);
     residuals_.reserve(count);
     if (bodies_) bodies_->reserve(count, state.colliders.size());
+    if (settings.budget > 0) reserve_budget(count);
+}
+
+void Simulation::reserve_budget(std::size_t count) {
+    allotment_.reserve(count);
+    choices.reserve(count);
 }
 
 void Simulation::prepare(Cloth& cloth) {
     const bool any_colliders = state.colliders.size() > 0 || state.bodies.size() > 0;
     prepare_for_bodies(cloth);
+    cloth.take_budget(cloth.make_budget(settings.budget > 0));
     cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);

@@ -1,11 +1,14 @@
 #pragma once
 // What a World holds, and the frame: how all of it advances by one step.
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "cloth/frame/bodies/body_stage.h"
+#include "cloth/frame/budget/allotment.h"
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/contact_log.h"
 #include "cloth/frame/islands.h"
@@ -38,6 +41,8 @@ struct Substep {
         const int of_all = count * parts;
         return {index * parts + k, of_all, step / static_cast<float>(of_all)};
     }
+    /// So many times as long.
+    [[nodiscard]] Substep times(float longer) const { return {index, count, longer * h}; }
     [[nodiscard]] bool is_first() const { return index == 0; }
     [[nodiscard]] bool is_last() const { return index + 1 == count; }
     /// Where it begins and ends, as parts of the step.
@@ -48,6 +53,10 @@ struct Substep {
 [[nodiscard]] inline BodyPose pose_of(const BodyState& state) {
     const Rotation& r = state.rotation;
     return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
+}
+
+[[nodiscard]] inline std::int64_t steady_nanoseconds() noexcept {
+    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
 /// Settings are validated before they get here. Calls that can run out of memory change nothing then.
@@ -105,6 +114,14 @@ struct Simulation {
     }
     void clear_body_impulses() noexcept;
 
+    // Of a World with a budget.
+    std::vector<RungOfCloth> choices;  ///< that the last step changed
+    bool has_given_choices = false;    ///< who replays makes them; the step makes none
+    /// By which costs are measured [ns].
+    std::int64_t (*clock)() noexcept = steady_nanoseconds;
+    /// Instead of it, where time is to be known: what the step took of a cloth [ns].
+    std::int64_t (*cost_of)(const Cloth& cloth) = nullptr;
+
     /// Memory for contact between cloths, besides that of each.
     [[nodiscard]] std::size_t bytes_together() const noexcept { return together_ ? together_->bytes() : 0; }
 
@@ -127,6 +144,16 @@ struct Simulation {
     void begin(float dt);
     void choose_present(float dt);
     void disturb(float dt);
+    void find_disturbed(float dt);
+    void choose_details(float dt);
+    void choose_rungs();
+    void choose_rates(float dt);
+    void spread_long_steps();
+    void begin_stride(Worker& worker, Cloth& cloth);
+    void glide(Worker& worker, Cloth& cloth);
+    [[nodiscard]] bool can_stride(const Cloth& cloth) const;
+    void learn_costs();
+    void reserve_budget(std::size_t count);
     void sleep_and_wake(float dt);
     static void count_still_time(Cloth& cloth, float dt);
     void step_together(float dt);
@@ -252,6 +279,9 @@ struct Simulation {
     Islands finder_;
     Motions motions_;  // one list for each thread
     ContactReports contact_reports_;
+    Allotment allotment_;
+    std::int64_t began_ = 0;  // the present step, by the clock
+    float overhead_ = 1;      // of the step's time over that of its cloths, threads included
     std::unique_ptr<BodyStage> bodies_;     // null: there are none
     std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
 

@@ -95,15 +95,21 @@ void Simulation::choose_present(float dt) {
     report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
 }
 
-/// Cloths near a collider that moves in this step, and all where the air is gusty, are not still.
+/// Cloths that are disturbed, and all where the air is gusty, are not still.
 void Simulation::disturb(float dt) {
     const Wind& wind = settings.wind;
     const bool gusts = air_is_on() && wind.gust > 0 && !to_vector(wind.velocity).isZero(0);
+    if (!gusts) find_disturbed(dt);
+    for (Cloth* cloth : present_)
+        if (cloth->state.rest && (gusts || cloth->is_disturbed)) cloth->wake();
+}
+
+/// Which the host moves, or have near them a collider that moves in this step.
+void Simulation::find_disturbed(float dt) {
     const auto for_all = [&](const auto& disturbed) {
-        for (Cloth* cloth : present_)
-            if (cloth->state.rest && disturbed(*cloth)) cloth->wake();
+        for (Cloth* cloth : present_) cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
     };
-    if (gusts) return for_all([](const Cloth&) { return true; });
+    for (Cloth* cloth : present_) cloth->is_disturbed = false;
     for_all(is_moved_by_host);
     if (bodies_) for_all([&](const Cloth& cloth) { return is_near_bodies(cloth, dt); });
     Worker worker{serial_, motions_[0], contact_reports_.of_thread(0)};
@@ -206,6 +212,7 @@ void Cloth::stand_still() noexcept {
     std::ranges::copy(std::as_const(state.positions).span(), state.previous_positions.data());
     std::ranges::fill(state.velocities.span(), Vec4{});
     state.record.h = 0;
+    land();
     extent.peak_speed_squared = 0;
 }
 

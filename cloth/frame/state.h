@@ -50,6 +50,17 @@ struct Rest {
     std::uint32_t asleep = 0;
 };
 
+/// By how much less than it is set to a cloth is stepped.
+struct DetailState {
+    std::uint32_t rung = 0;  ///< see frame/budget/ladder.h
+    std::uint32_t rate = 1;  ///< steps that its last one was long
+    std::uint32_t left = 0;  ///< of these, in which it is still to move on
+    /// It takes long steps where the World's number of steps leaves this; none: it takes none.
+    std::uint32_t phase = no_phase;
+    static constexpr std::uint32_t no_phase = ~0u;
+    std::uint32_t since = 0;  ///< the World's step in which its rung changed
+};
+
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
 struct FrameState {
     Transform pose, target;
@@ -78,6 +89,8 @@ struct ClothState {
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;  ///< only where it may fall asleep
+    std::optional<DetailState> detail;  ///< only with a budget
+    AlignedBuffer<Vec4> ahead;          ///< likewise: where its last step ended, if it was long
     std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
@@ -87,7 +100,7 @@ struct ClothState {
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
-               pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + skin.bytes() +
+               ahead.bytes() + pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + skin.bytes() +
                tangles.bytes() + shares.capacity() * sizeof(BodyShare);
     }
 };
@@ -144,6 +157,10 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.touching.span());
     if (!state.shares.empty()) visit(std::span(state.shares));
     if (state.rest) visit(std::span(&*state.rest, 1));
+    if (state.detail) {
+        visit(std::span(&*state.detail, 1));
+        visit(state.ahead.span());
+    }
     if (state.skin.places.size() > 0) {
         visit(std::span(&state.skin.known, 1));
         for (auto* buffer :

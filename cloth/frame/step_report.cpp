@@ -48,6 +48,10 @@ ClothReport Simulation::report_of(const Cloth& cloth) const {
     of.limit_lag = cloth.limit_lag.most;
     of.peak_speed = std::sqrt(cloth.extent.peak_speed_squared);
     of.residual = cloth.residual;
+    if (cloth.state.detail) {
+        of.rung = cloth.state.detail->rung;
+        of.rate = cloth.state.detail->rate;
+    }
     of.milliseconds = 1e-6f * static_cast<float>(cloth.nanoseconds);
     return of;
 }
@@ -56,6 +60,7 @@ void Simulation::add_to_report(const ClothReport& cloth) {
     ++report.cloths;
     report.flags = report.flags | cloth.flags;
     if (has(cloth.flags, StepFlags::state_restored)) ++report.restored_cloths;
+    if (cloth.rung > 0) ++report.reduced_cloths;
     report.particles += cloth.particles;
     report.collider_contacts += cloth.collider_contacts;
     report.self_contacts += cloth.self_contacts;

@@ -9,6 +9,7 @@ namespace weft {
 /// Error: the first setting that is out of its documented range.
 [[nodiscard]] Result<void> validate(const WorldSettings& settings);
 [[nodiscard]] Result<void> validate(const ClothSettings& settings);
+[[nodiscard]] Result<void> validate_importance(float priority, float view_distance);
 /// Error: they leave no room for maps of mass or stiffness.
 [[nodiscard]] Result<void> validate_for_maps(const ClothSettings& settings);
 /// Error: a point that is not finite or beyond runaway_distance. `name` is what the message calls it.

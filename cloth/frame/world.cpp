@@ -168,6 +168,17 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
     });
 }
 
+Result<void> World::set_importance(ClothId id, float priority, float view_distance) {
+    return impl_->change(Call::set_importance, id, priority, view_distance)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_importance(priority, view_distance); !valid) return valid;
+            cloth.settings.priority = priority;
+            cloth.settings.view_distance = view_distance;
+            return {};
+        });
+    });
+}
+
 Result<ClothInfo> World::cloth_info(ClothId id) const {
     return impl_->read("cloth_info", [&] {
         return with_cloth(impl_->simulation, id,

@@ -1,8 +1,11 @@
 #pragma once
 // Where meshes cross: an edge through a triangle.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "engine/aligned_buffer.h"
 
@@ -20,9 +23,12 @@ struct CrossingList {
     /// There were more than there is room for: what is listed is not all.
     bool overflowed = false;
 
+    /// Crossings are listed as if there were room for no more.
+    std::size_t limit = std::numeric_limits<std::size_t>::max();
+
     CrossingList() = default;
     explicit CrossingList(std::size_t capacity) : crossings(capacity) {}
-    [[nodiscard]] std::size_t capacity() const noexcept { return crossings.size(); }
+    [[nodiscard]] std::size_t capacity() const noexcept { return std::min(limit, crossings.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept { return crossings.bytes(); }
 };
 

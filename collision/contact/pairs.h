@@ -2,8 +2,11 @@
 // Pairs of features that are near: a vertex and a triangle, or two edges. All that follows detection is the
 // same for both kinds: sides A and B, and a gap that is a weighted sum of four corners.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "engine/aligned_buffer.h"
@@ -45,9 +48,12 @@ struct PairList {
     bool overflowed = false;
     std::uint64_t dropped = 0;  ///< how many more
 
+    /// Pairs are listed as if there were room for no more.
+    std::size_t limit = std::numeric_limits<std::size_t>::max();
+
     PairList() = default;
     explicit PairList(std::size_t capacity) : pairs(capacity), shapes(capacity) {}
-    [[nodiscard]] std::size_t capacity() const noexcept { return pairs.size(); }
+    [[nodiscard]] std::size_t capacity() const noexcept { return std::min(limit, pairs.size()); }
     /// How many of a pair's corners are side A: the first so many.
     [[nodiscard]] std::uint32_t corners_of_a(std::uint32_t pair) const noexcept {
         return pair < vertex_triangle ? 1 : 2;

@@ -15,6 +15,8 @@ int run_physics(const StudyOptions& options);
 int run_motion(const StudyOptions& options);
 /// What passes through what: scenes where cloth meets itself, by every rung of self-collision.
 int run_contact(const StudyOptions& options);
+/// A budget beside one setting for all: time and motion error of many cloths.
+int run_budget(const StudyOptions& options);
 /// Charts from what the others wrote.
 int run_plot(const PlotOptions& options);
 

@@ -83,7 +83,7 @@ void describe_plot(CLI::App& command, PlotOptions& options) {
 int main(int argc, char** argv) {
     CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
     app.require_subcommand(1);
-    StudyOptions accuracy, stability, physics, motion, contact;
+    StudyOptions accuracy, stability, physics, motion, contact, budget;
     PlotOptions plot;
     CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
     CLI::App* const stability_command =
@@ -94,12 +94,15 @@ int main(int argc, char** argv) {
         app.add_subcommand("motion", "Time schemes: energy, truth, rest, steps and time, as a table and CSV");
     CLI::App* const contact_command =
         app.add_subcommand("contact", "What passes through what where cloth meets itself, as CSV and table");
+    CLI::App* const budget_command =
+        app.add_subcommand("budget", "Fifty cloths within a time a step, beside one setting for all, as CSV");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
     describe_physics(*physics_command, physics);
     describe_measuring(*motion_command, motion);
     describe_contact(*contact_command, contact);
+    describe_table(*budget_command, budget);
     describe_plot(*plot_command, plot);
     try {
         app.parse(argc, argv);
@@ -116,6 +119,7 @@ int main(int argc, char** argv) {
         if (physics_command->parsed()) return run_physics(physics);
         if (motion_command->parsed()) return run_motion(motion);
         if (contact_command->parsed()) return run_contact(contact);
+        if (budget_command->parsed()) return run_budget(budget);
         return run_plot(plot);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft_study: %s\n", error.what());

@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "demo/study/accuracy_chart.h"
+#include "demo/study/budget/budget_chart.h"
 #include "demo/study/commands.h"
 #include "demo/study/contact/contact_chart.h"
 #include "demo/study/contact/contact_table.h"
@@ -27,6 +28,8 @@ int run_plot(const PlotOptions& options) {
             draw_contact(table, options.out);
         } else if (is_searches_table(table)) {
             draw_searches(table, options.out);
+        } else if (is_budget_table(table)) {
+            draw_budget(table, options.out);
         } else {
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
         }

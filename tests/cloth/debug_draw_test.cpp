@@ -11,12 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test::drawn {
 namespace {
-
-constexpr float h = 1.0f / 60;
 
 struct Line {
     Vec3 from, to, colour;

@@ -151,6 +151,31 @@ TEST(FoundDepth, WhatAStepBringsIsPushedAtOnce) {
     }
 }
 
+// A mesh that deforms brings its depth, too.
+TEST(FoundDepth, WhatADeformingMeshBringsIsPushedAtOnce) {
+    World world = World::create(vacuum(weight)).value();
+    const auto corners = [](float top) {
+        std::vector<Vec3> made;
+        for (const float z : {-0.3f, 0.3f})
+            for (const float y : {-0.1f, top})
+                for (const float x : {-0.3f, 0.3f}) made.push_back({x, y, z});
+        return made;
+    };
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6},
+                                                              {0, 1, 5}, {0, 5, 4}, {2, 7, 3}, {2, 6, 7},
+                                                              {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    const std::vector<Vec3> flat = corners(0);
+    const ShapeId shape = world.add_shape(TriangleMesh{flat, triangles}).value();
+    const ClothId id = world.add_cloth(lying_sheet(0.006f, 17)).value();
+    ASSERT_TRUE(world.add_collider({.shape = PlacedShape{shape}}));
+    for (int k = 1; k <= 20; ++k) {
+        const float top = 0.01f * static_cast<float>(k);
+        ASSERT_TRUE(world.deform_shape(shape, corners(top)));
+        world.step(h);
+        for (const Vec4& p : world.cloth(id)->positions) ASSERT_GT(p.y - top, 0.0048f) << k;
+    }
+}
+
 // A ball that is set down inside a hung sheet: the sheet comes off it, and does not fly.
 TEST(FoundDepth, BallPlacedInAHungSheetDoesNotThrowIt) {
     for (const Method& method : {Method(Multilevel{}), Method(Xpbd{})}) {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
 using Bytes = std::vector<std::byte>;
 
 ClothSettings of_method(const Method& method) {

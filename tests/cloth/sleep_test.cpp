@@ -6,12 +6,12 @@
 #include <functional>
 #include <vector>
 
+#include "fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test::sleeping {
 namespace {
 
-constexpr float h = 1.0f / 60;
 constexpr float sleepy = 0.01f;
 constexpr std::uint32_t side = 17, middle = side * side / 2;
 const std::vector<std::uint32_t> corners{0, side - 1, side*(side - 1), side* side - 1};

@@ -104,7 +104,9 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.restitution,
                              &s.frame_inertia.linear,
                              &s.frame_inertia.angular,
-                             &s.frame_inertia.centrifugal};
+                             &s.frame_inertia.centrifugal,
+                             &s.priority,
+                             &s.view_distance};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -132,7 +134,7 @@ void spoil(Random& random, ClothSettings& s) {
 void spoil(Random& random, WorldSettings& s) {
     const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
     float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
-                             &s.wind.drag, &s.wind.lift,        &s.max_speed};
+                             &s.wind.drag, &s.wind.lift,        &s.max_speed, &s.budget};
     const std::uint32_t choice = random.below(std::size(fields) + 5);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -311,6 +313,8 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);
     if (random.chance(0.2)) s.restitution = random.between(0, 1);
+    s.priority = random.one_of({0.0f, 1.0f, 1e6f});
+    s.view_distance = fields.zero_or_more(1e-3f, 1000);
     if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);
@@ -333,6 +337,8 @@ Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
     s.max_speed = fields.positive(0.1f, 1000);
     s.substeps = random.whole(1, std::clamp(most_substeps, 1, 256));
     s.contact_reports = random.one_of({0, 0, 1, 100, 10000});
+    // So little that what is chosen does not depend on time.
+    s.budget = random.one_of({0.0f, 0.0f, 0.0f, 1e-6f});
     s.threads = random.one_of({0, 1, 1, 2, 2, 3, 5});
     if (random.chance(0.1)) s.executor = backwards_executor();
     if (drawn.answer == Answer::refused) spoil(random, s);

@@ -117,7 +117,8 @@ std::string text_of(const ClothSettings& s) {
                    text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision),
                    text_of(s.air_damping), text_of(s.thickness), text_of(s.friction), text_of(s.restitution),
                    text_of(s.collider_mask), text_of(s.collider_response), text_of(s.frame_inertia.linear),
-                   text_of(s.frame_inertia.angular), text_of(s.frame_inertia.centrifugal)});
+                   text_of(s.frame_inertia.angular), text_of(s.frame_inertia.centrifugal),
+                   text_of(s.priority), text_of(s.view_distance)});
 }
 
 static std::string text_of(const Wind& w) {
@@ -130,7 +131,7 @@ static std::string text_of(const Executor& e) {
 std::string text_of(const WorldSettings& s) {
     return braced("WorldSettings",
                   {text_of(s.gravity), text_of(s.wind), text_of(s.max_speed), text_of(s.substeps),
-                   text_of(s.contact_reports), text_of(s.threads), text_of(s.executor)});
+                   text_of(s.contact_reports), text_of(s.threads), text_of(s.budget), text_of(s.executor)});
 }
 
 std::string text_of(const ClothInfo& i) {

@@ -31,10 +31,10 @@ struct Tetrahedron {
 
 /// Two cloths that hang, with wind and a collider that they meet, after some steps.
 struct Scene {
-    explicit Scene(const ClothSettings& settings = {}, bool bare = false)
+    explicit Scene(const ClothSettings& settings = {}, bool bare = false, const ClothSettings& of_other = {})
         : world(World::create(bare ? still() : windy()).value()) {
         cloth = world.add_cloth(LoweredSheet::mesh(true, side), settings).value();
-        other = world.add_cloth(LoweredSheet::mesh(false, side), {}).value();
+        other = world.add_cloth(LoweredSheet::mesh(false, side), of_other).value();
         for (const ClothId id : {cloth, other}) EXPECT_TRUE(world.pin(id, 0));
         if (!bare) collider = world.add_collider({.shape = Sphere{{0, 0.3f, 0.05f}, 0.1f}}).value();
         if (!bare) shape = world.add_shape(Tetrahedron{}.mesh()).value();
@@ -87,6 +87,7 @@ struct Call {
     std::function<Answer(Scene&)> make;
     ClothSettings before = {};  ///< of the scene's first cloth
     bool bare = false;          ///< without air and colliders
+    ClothSettings other = {};   ///< of its second
 };
 void PrintTo(const Call& call, std::ostream* out) {
     *out << call.name;
@@ -95,7 +96,7 @@ void PrintTo(const Call& call, std::ostream* out) {
 /// How a World looks in which memory never ran out.
 struct Expected {
     explicit Expected(const Call& call) {
-        Scene late(call.before, call.bare), soon(call.before, call.bare);
+        Scene late(call.before, call.bare, call.other), soon(call.before, call.bare, call.other);
         before = late.look();
         late.step();
         without = late.look();
@@ -114,7 +115,7 @@ struct Expected {
 /// Empty if all is as it must be; else what is not.
 std::string fault_at(const Call& call, const Expected& expected, std::uint64_t allowed,
                      MemoryRunsOut::For how_long, bool& ran_out) {
-    Scene scene(call.before, call.bare);
+    Scene scene(call.before, call.bare, call.other);
     Answer answer;
     {
         const MemoryRunsOut memory(allowed, how_long);
@@ -187,6 +188,13 @@ std::vector<Call> changes_of_cloths() {
     const ClothSettings contact = meeting_by(SelfCollisionMethod::contact),
                         zones = meeting_by(SelfCollisionMethod::impact_zones);
     change("set_cloth_settings_from_contact_to_zones", zones, contact);
+    const auto meet = [contact, mesh = LoweredSheet::mesh(true, side)](Scene& s) {
+        return without_value(s.world.add_cloth(mesh, contact));
+    };
+    calls.push_back({.name = "add_cloth_as_second_with_contact", .make = meet, .before = contact});
+    calls.push_back(
+        {.name = "add_cloth_as_third_with_contact", .make = meet, .before = contact, .other = contact});
+    calls.push_back({.name = "add_cloth_beside_zones", .make = meet, .before = contact, .other = zones});
     change("set_cloth_settings_from_zones_to_contact", contact, zones);
     for (const MethodCase& of : method_cases()) {
         const auto add = [of, mesh = LoweredSheet::mesh(of.grid, side)](Scene& s) {
@@ -214,6 +222,8 @@ std::vector<Call> other_calls() {
     };
     add("set_settings_gusts", set([](WorldSettings& s) { s.wind.gust = 0.5f; }));
     add("set_settings_no_air", set([](WorldSettings& s) { s.wind.air_density = 0; }));
+    add("set_settings_budget", set([](WorldSettings& s) { s.budget = 1000; }));
+    add("set_importance", [](Scene& s) { return s.world.set_importance(s.cloth, 2, 20); });
     add("set_settings_substeps", set([](WorldSettings& s) { s.substeps = 3; }));
     add("set_settings_threads", set([](WorldSettings& s) { s.threads = 2; }));
 

@@ -67,7 +67,8 @@ std::size_t Cloth::own_bytes() const {
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + (whole ? whole->bytes() : 0) +
            body_buffers.bytes() +
            collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
-           partial_counts.bytes() + partial_surveys.bytes() + (shown ? shown->bytes() : 0);
+           partial_counts.bytes() + partial_surveys.bytes() + (shown ? shown->bytes() : 0) +
+           (budgeted ? sizeof(Budgeted) : 0);
 }
 
 }  // namespace weft

@@ -45,7 +45,9 @@ enum class Call : std::uint32_t {
     restore,
     cook,  ///< CookedCloth::create, once before its first cloth is added
     add_cooked_cloth,
-    last = add_cooked_cloth,
+    set_importance,
+    choose,  ///< the rungs that the next step changes by its budget
+    last = choose,
 };
 
 /// As a host calls it.
@@ -85,7 +87,9 @@ enum class Call : std::uint32_t {
                                      "detach",
                                      "restore",
                                      "CookedCloth::create",
-                                     "add_cloth"};
+                                     "add_cloth",
+                                     "set_importance",
+                                     "what the budget chose"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "cloth/frame/budget/ladder.h"
 #include "cloth/frame/fields.h"
 #include "cloth/frame/record/call.h"
 #include "engine/state_hash.h"
@@ -26,7 +27,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
 /// Another number for each change of what follows, fields.h included.
-inline constexpr std::uint32_t recording_version = 1;
+inline constexpr std::uint32_t recording_version = 2;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
 struct RecordingHead {
@@ -61,10 +62,12 @@ struct HashOfCloth {
 };
 static_assert(std::has_unique_object_representations_v<HashOfCloth>);
 
+static_assert(std::has_unique_object_representations_v<RungOfCloth>);
+
 /// What is copied as it lies in memory.
 template <class T>
 concept Plain = std::same_as<T, Vec2> || std::same_as<T, Vec3> || std::same_as<T, Rotation> ||
-                std::same_as<T, Triangle> || std::same_as<T, HashOfCloth> || std::same_as<T, std::byte> ||
+                std::same_as<T, Triangle> || std::same_as<T, HashOfCloth> || std::same_as<T, RungOfCloth> || std::same_as<T, std::byte> ||
                 (std::is_arithmetic_v<T> && !std::same_as<T, bool>) ||
                 std::is_enum_v<T>;
 

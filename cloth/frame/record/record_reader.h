@@ -153,7 +153,7 @@ class RecordReader {
 
     std::span<const std::byte> left_;
     const ReplayedIds& ids_;
-    Lists<std::uint32_t, float, std::byte, Vec3, Triangle, HashOfCloth> kept_;
+    Lists<std::uint32_t, float, std::byte, Vec3, Triangle, HashOfCloth, RungOfCloth> kept_;
     bool ok_ = true;
 };
 

@@ -52,6 +52,7 @@ Result<void> Replayer::create(RecordReader& reader) {
     auto made = World::create(with_threads(settings));
     if (!made) return refused(made.error());
     world_.emplace(std::move(made).value());
+    world_->impl_->simulation.has_given_choices = true;
     return {};
 }
 
@@ -71,6 +72,8 @@ Result<void> Replayer::make(Call call, std::span<const std::byte> given) {
             return {};
         case Call::step:
             return step(reader);
+        case Call::choose:
+            return choose(reader);
         case Call::set_settings:
             return with<WorldSettings>(reader, [&](const WorldSettings& settings) {
                 return world_->set_settings(with_threads(settings));
@@ -135,6 +138,10 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::set_enabled:
             return with<ClothId, bool>(reader,
                                        [&](ClothId id, bool on) { return world.set_enabled(id, on); });
+        case Call::set_importance:
+            return with<ClothId, float, float>(reader, [&](ClothId id, float priority, float distance) {
+                return world.set_importance(id, priority, distance);
+            });
         case Call::wake:
             return with<ClothId>(reader, [&](ClothId id) { return world.wake(id); });
         case Call::pin:
@@ -221,6 +228,19 @@ Result<void> Replayer::change_body(Call call, RecordReader& reader) {
         default:
             return no_such_call();
     }
+}
+
+Result<void> Replayer::choose(RecordReader& reader) {
+    const auto choices = reader.get<std::span<const RungOfCloth>>();
+    if (!reader.is_done()) return no_such_call();
+    Simulation& simulation = world_->impl_->simulation;
+    for (const RungOfCloth& choice : choices) {
+        std::unique_ptr<Cloth>* const cloth = simulation.cloths.find(ids_.find(choice.cloth));
+        if (cloth == nullptr || !(*cloth)->state.detail || choice.rung >= rung_count) return no_such_call();
+        (*cloth)->state.detail->rung = choice.rung;
+        (*cloth)->state.detail->since = static_cast<std::uint32_t>(simulation.state.steps) + 1;
+    }
+    return {};
 }
 
 Result<void> Replayer::step(RecordReader& reader) {

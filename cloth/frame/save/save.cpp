@@ -120,6 +120,9 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
     if (saved.skin != here.skin)
         return differs("places and normals of its skin", saved.skin, here.skin,
                        "; set the maps of leashes and backstops that it had");
+    if (saved.detail != here.detail)
+        return differs("particles with a budget", saved.detail, here.detail,
+                       "; set WorldSettings::budget to 0 where it was, and above where it was above");
     return {};
 }
 

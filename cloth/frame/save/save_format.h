@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 5;
+inline constexpr std::uint32_t save_version = 6;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -59,6 +59,7 @@ struct ClothHead {
     std::uint32_t tangles = 0;  ///< remembered by contact
     std::uint32_t rest = 0;     ///< 1: it may fall asleep
     std::uint32_t skin = 0;     ///< places and normals of it
+    std::uint32_t detail = 0;   ///< particles with a budget
     std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
 
     ClothHead() = default;
@@ -70,6 +71,7 @@ struct ClothHead {
           tangles(static_cast<std::uint32_t>(state.tangles.size())),
           rest(state.rest ? 1 : 0),
           skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
+          detail(static_cast<std::uint32_t>(state.ahead.size())),
           frame(state.frame ? 1 : 0) {}
 
     /// Where for_each_part() visits the pins: behind positions, previous positions, velocities and normals.

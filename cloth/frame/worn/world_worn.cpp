@@ -146,6 +146,7 @@ Result<void> World::move_cloth(ClothId id, const Transform& by) {
             impl_->simulation.wake_near(cloth);
             impl_->simulation.parallel.lend([&] { impl_->simulation.move(cloth, motion); });
             cloth.wake();
+            cloth.land();
             return {};
         });
     });

@@ -55,6 +55,7 @@ struct StepReport {
     int substeps = 0;
     std::uint32_t cloths = 0;             ///< that are enabled
     std::uint32_t sleeping_cloths = 0;    ///< of these, which were not stepped
+    std::uint32_t reduced_cloths = 0;     ///< of these, whose rung is not 0: see ClothReport
     std::uint32_t particles = 0;          ///< that were stepped
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider, in the last substep
     std::uint32_t self_contacts = 0;      ///< pairs that are close, in the last substep
@@ -109,6 +110,10 @@ struct ClothReport {
     float limit_lag = 0;
     float peak_speed = 0;
     float residual = 0;
+    /// What WorldSettings::budget left it: 0 as it is set, 1 two passes at most, 2 one, 3 likewise in every
+    /// second step, 4 in every fourth.
+    std::uint32_t rung = 0;
+    std::uint32_t rate = 1;  ///< steps that its last one was long
     /// That its threads took for it; cloths that are solved together share this by their particles.
     float milliseconds = 0;
 };

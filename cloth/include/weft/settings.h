@@ -107,6 +107,10 @@ struct ClothSettings {
     /// none. A hundredth is little to see; 0: it never sleeps.
     float sleep_speed = 0;
     FrameInertia frame_inertia{};
+    /// What an error of its motion counts, 0 to 1e6, over view_distance, where WorldSettings::budget is not
+    /// enough for all. 0: nobody sees it, and it gets the least. See World::set_importance.
+    float priority = 1;
+    float view_distance = 1;  ///< from who looks [m], 0 to 1e6; below 0.1 it counts as that
 };
 
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.
@@ -133,6 +137,14 @@ struct WorldSettings {
     int contact_reports = 0;
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
     int threads = 0;
+    /// What a step may take [ms], 0 to 1000. Where it would take more, Weft steps cloths by less than they are
+    /// set to, least those that count most: Multilevel by two passes, then by one, and what has no contact of
+    /// features, frame or skin by one step of twice, then four times the length, through which it moves
+    /// evenly, unless pins or colliders near it move (or the World has bodies). Contact is never dropped.
+    /// What that costs is measured, so that bytes depend on time: a recording holds what was chosen, and its
+    /// replay gives the same bytes. The least that all can be stepped by may take more than the budget. Each
+    /// cloth takes 16 bytes a particle more. 0: none, at no cost.
+    float budget = 0;
     Executor executor{};  ///< the host's own threads instead, where `run` is set
 };
 

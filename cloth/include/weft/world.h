@@ -84,6 +84,8 @@ class World {
     /// See ClothSettings::sleep_speed.
     [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
     Result<void> wake(ClothId id);
+    /// ClothSettings::priority and view_distance, at no cost: once a frame, for WorldSettings::budget.
+    Result<void> set_importance(ClothId id, float priority, float view_distance);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// The view is the World's own, so that `for (const Vec4& p : world.cloth(id)->positions)` is sound; the
     /// next call for the same cloth writes it anew. When the cloth is removed it becomes empty, and may later

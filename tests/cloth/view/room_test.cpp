@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test::room {
 namespace {
-
-constexpr float h = 1.0f / 60;
 
 ClothSettings in_contact(SelfCollisionMethod method = SelfCollisionMethod::contact) {
     ClothSettings settings;

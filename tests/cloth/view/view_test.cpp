@@ -12,13 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
 namespace weft::test::seen {
 namespace {
-
-constexpr float h = 1.0f / 60;
 
 World serial_world() {
     WorldSettings settings;

@@ -1,0 +1,184 @@
+// How each cloth is taken by a step, where the World has a budget.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cloth/frame/simulation.h"
+
+namespace weft {
+
+namespace {
+
+// A cloth goes from rung to rung, and stays on each for so many steps: what a rung has left unsolved the next
+// one would solve at once, for all to see. It does not rise soon after it fell, or it would go to and fro.
+constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
+/// Of the budget, what steps are to take in the mean: some take a tenth more.
+constexpr float aim = 0.93f;
+/// It is not looked from nearer [m].
+constexpr float nearest = 0.1f;
+
+}  // namespace
+
+void Simulation::choose_details(float dt) {
+    began_ = clock();
+    choices.clear();
+    if (!has_given_choices) choose_rungs();
+    choose_rates(dt);
+    for (Cloth* cloth : present_) {
+        if (cloth->is_gliding()) continue;
+        cloth->budgeted->settings = cloth->settings;
+        cloth->budgeted->settings.method = reduced(cloth->settings.method, cloth->state.detail->rung);
+    }
+}
+
+void Simulation::choose_rungs() {
+    std::vector<Claim>& claims = allotment_.claims();
+    claims.clear();
+    const auto now = static_cast<std::uint32_t>(state.steps);
+    for (const Cloth* cloth : present_) {
+        const std::uint32_t rung = cloth->state.detail->rung;
+        const std::uint32_t unchanged = now - cloth->state.detail->since;
+        const std::uint32_t last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1;
+        claims.push_back({.importance = cloth->settings.priority /
+                                        std::max(cloth->settings.view_distance, nearest) *
+                                        static_cast<float>(cloth->model.particle_count),
+                          .costs = cloth->budgeted->costs.all(),
+                          .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
+                          .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
+                          .rung = rung});
+    }
+    allotment_.allot(aim * 1e6f * settings.budget / overhead_);
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        Cloth& cloth = *present_[i];
+        std::uint32_t& rung = cloth.state.detail->rung;
+        if (claims[i].rung == rung) continue;
+        rung = claims[i].rung;
+        cloth.state.detail->since = now;
+        cloth.budgeted->costs.change_rung();
+        choices.push_back({cloth.id, rung});
+    }
+}
+
+/// As far as it is made; see choose_rates().
+bool Simulation::can_stride(const Cloth& cloth) const {
+    return !bodies_ && !cloth.features && !cloth.state.frame && !cloth.worn.has_limits() &&
+           cloth.attached.empty();
+}
+
+/// Those that may take a long step now do, others stop where they are.
+void Simulation::choose_rates(float dt) {
+    const auto is_concerned = [](const Cloth* cloth) {
+        return cloth->is_gliding() || rate_of(cloth->state.detail->rung) > 1;
+    };
+    if (std::ranges::any_of(present_, is_concerned)) find_disturbed(dt);
+    spread_long_steps();
+    for (Cloth* cloth : present_) {
+        DetailState& detail = *cloth->state.detail;
+        const bool may_stride = can_stride(*cloth) && !cloth->is_disturbed;
+        if (!may_stride) cloth->land();
+        if (detail.left > 0) continue;
+        const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
+        detail.rate = rate > 1 && state.steps % rate == detail.phase % rate ? rate : 1;
+    }
+}
+
+/// What begins to take long steps takes them where the others leave most room; of equal ones, where most is
+/// left should all of them take the longest.
+void Simulation::spread_long_steps() {
+    std::array<std::pair<std::uint64_t, std::uint64_t>, greatest_rate> loads{};
+    const auto load = [&](const Cloth& cloth) {
+        const DetailState& detail = *cloth.state.detail;
+        const std::uint32_t rate = rate_of(detail.rung), particles = cloth.model.particle_count;
+        for (std::uint32_t p = detail.phase % rate; p < greatest_rate; p += rate) loads[p].first += particles;
+        loads[detail.phase % greatest_rate].second += particles;
+    };
+    for (Cloth* cloth : present_) {
+        std::uint32_t& phase = cloth->state.detail->phase;
+        if (rate_of(cloth->state.detail->rung) == 1) phase = DetailState::no_phase;
+        if (phase != DetailState::no_phase) load(*cloth);
+    }
+    for (Cloth* cloth : present_) {
+        DetailState& detail = *cloth->state.detail;
+        if (rate_of(detail.rung) == 1 || detail.phase != DetailState::no_phase) continue;
+        detail.phase = static_cast<std::uint32_t>(std::ranges::min_element(loads) - loads.begin());
+        load(*cloth);
+    }
+}
+
+/// From where a long step began to where it has ended it goes evenly.
+void Simulation::begin_stride(Worker& worker, Cloth& cloth) {
+    if (!cloth.state.detail || cloth.state.detail->rate == 1) return;
+    ClothState& now = cloth.state;
+    if (cloth.restored) {
+        now.detail->rate = 1;
+        return;
+    }
+    std::ranges::copy(std::as_const(now.positions).span(), now.ahead.data());
+    std::ranges::copy(std::as_const(now.previous_positions).span(), now.positions.data());
+    now.detail->left = now.detail->rate;
+    glide(worker, cloth);
+}
+
+void Simulation::glide(Worker& worker, Cloth& cloth) {
+    const auto timer = timed(Stage::advance);
+    ClothState& now = cloth.state;
+    const std::uint32_t left = now.detail->left--;
+    const float part = 1 / static_cast<float>(left);
+    worker.parallel.ranges(now.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vec4 from = now.positions[i];
+            const Vector3 to = xyz(now.ahead[i]), here = xyz(from);
+            now.previous_positions[i] = from;
+            set_xyz(now.positions[i], left == 1 ? to : Vector3(here + part * (to - here)));
+        }
+    });
+    cloth.extent = survey(worker.parallel, now, cloth.partial_surveys.span());
+    cloth.restored = false;
+    update_normals(worker.parallel, cloth);
+}
+
+void Cloth::land() noexcept {
+    if (!is_gliding()) return;
+    state.detail->left = 0;
+    state.record.h = 0;
+}
+
+BudgetBuffers Cloth::make_budget(bool on) const {
+    BudgetBuffers made;
+    if (!on) return made;
+    made.budgeted = std::make_unique<Budgeted>(settings, model.particle_count);
+    made.ahead = AlignedBuffer<Vec4>(model.particle_count);
+    return made;
+}
+
+void Cloth::take_budget(BudgetBuffers&& made) noexcept {
+    land();
+    budgeted = std::move(made.budgeted);
+    state.ahead = std::move(made.ahead);
+    state.detail.reset();
+    if (budgeted) state.detail.emplace();
+}
+
+void Simulation::learn_costs() {
+    float took = 0;
+    for (Cloth* cloth : present_) {
+        Budgeted& of = *cloth->budgeted;
+        const DetailState& detail = *cloth->state.detail;
+        const auto cost = static_cast<float>(cost_of != nullptr ? cost_of(*cloth) : cloth->nanoseconds);
+        took += cost;
+        of.spent += cost;
+        ++of.steps;
+        if (detail.left > 0) continue;
+        // One that was to take long steps, and could not, says nothing of these.
+        if (detail.rate == rate_of(detail.rung))
+            of.costs.add(detail.rung, of.spent / static_cast<float>(of.steps));
+        of.spent = 0;
+        of.steps = 0;
+    }
+    if (cost_of != nullptr || !(took > 0)) return;
+    const float sample = std::clamp(static_cast<float>(clock() - began_) / took, 0.5f * overhead_, 2 * overhead_);
+    overhead_ += (sample - overhead_) / 32;
+}
+
+}  // namespace weft

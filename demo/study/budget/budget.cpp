@@ -1,0 +1,154 @@
+// weft_study budget: what a budget holds, and how wrong motion is then, beside one setting for all of equal cost.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "demo/study/budget/budget_chart.h"
+#include "demo/study/budget/crowd.h"
+#include "demo/study/commands.h"
+#include "demo/study/csv.h"
+#include "demo/study/machine.h"
+
+namespace weft::study {
+
+namespace {
+
+const std::vector<std::string> columns{"machine", "commit", "kind",   "name",       "mean_ms",
+                                       "p50_ms",  "p99_ms", "budget", "error_mrad", "off_mrad",
+                                       "changes_per_s"};
+
+struct Candidate {
+    std::string kind, name;
+    CrowdSettings settings;
+};
+
+std::vector<Candidate> candidates() {
+    std::vector<Candidate> all;
+    const auto fixed = [&](const std::string& name, const Method& method) {
+        all.push_back({"fixed", name, {.method = method}});
+    };
+    fixed("3 passes of 2 iterations", Multilevel{});
+    fixed("2 passes of 2", Multilevel{.passes = 2});
+    fixed("2 passes of 1", Multilevel{.passes = 2, .iterations = 1, .effort = 1});
+    fixed("1 pass of 2", Multilevel{.passes = 1, .iterations = 2, .effort = 1});
+    fixed("1 pass of 1", Multilevel{.passes = 1, .iterations = 1, .effort = 1});
+    fixed("Jacobi of 15", Jacobi{});
+    fixed("Jacobi of 5", Jacobi{.iterations = 5});
+    all.push_back({"fixed", "1 pass in 2 steps", {.rung = 3}});
+    all.push_back({"fixed", "1 pass in 4 steps", {.rung = 4}});
+    for (const float budget : {1.0f, 1.5f, 2.0f, 2.5f, 3.0f})
+        all.push_back({"budget", number(static_cast<double>(budget)) + " ms", {.budget = budget}});
+    return all;
+}
+
+using Positions3 = std::vector<Vec3>;
+
+class BudgetStudy {
+  public:
+    explicit BudgetStudy(const StudyOptions& options)
+        : steps_(options.quick ? 240 : 960), table_(options.csv, columns, options.resume) {
+        std::fputs("the truth, and the cloth as it is set\n", stderr);
+        truth_ = motion_of({.substeps = 8});
+        as_set_ = motion_of({});
+    }
+
+    void run() {
+        for (const Candidate& candidate : candidates()) measure(candidate);
+    }
+
+  private:
+    /// The camera has turned once, and costs are known.
+    [[nodiscard]] bool is_counted(int step) const { return step >= steps_ / 4; }
+    [[nodiscard]] bool is_compared(int step) const { return is_counted(step) && step % 3 == 0; }
+
+    [[nodiscard]] std::vector<Positions3> motion_of(const CrowdSettings& settings) const {
+        std::vector<Positions3> motion;
+        Crowd crowd(settings);
+        for (int s = 0; s < steps_; ++s) {
+            crowd.step();
+            if (is_compared(s)) motion.push_back(positions_of(crowd));
+        }
+        return motion;
+    }
+
+    static Positions3 positions_of(const Crowd& crowd) {
+        Positions3 all;
+        for (std::size_t i = 0; i < crowd.size(); ++i)
+            for (const Vec4& p : crowd.cloth(i).state.positions.span()) all.push_back({p.x, p.y, p.z});
+        return all;
+    }
+
+    /// The squares of angles between where particles of seen cloths are and should be, and how many these
+    /// are.
+    static std::pair<double, double> error_of(const Crowd& crowd, const Positions3& truth) {
+        double sum = 0, number = 0;
+        auto should = truth.begin();
+        for (std::size_t i = 0; i < crowd.size(); ++i) {
+            const double distance = static_cast<double>(crowd.distance(i));
+            for (const Vec4& p : crowd.cloth(i).state.positions.span()) {
+                const Vector3 off = xyz(p) - to_vector(*should++);
+                if (!crowd.is_seen(i)) continue;
+                sum += static_cast<double>(off.squaredNorm()) / (distance * distance);
+                ++number;
+            }
+        }
+        return {sum, number};
+    }
+
+    void measure(const Candidate& candidate) {
+        Crowd crowd(candidate.settings);
+        std::vector<double> times;
+        double squares = 0, off = 0, number_of = 0, changes = 0;
+        std::size_t compared = 0;
+        for (int s = 0; s < steps_; ++s) {
+            const double time = crowd.step();
+            if (!is_counted(s)) continue;
+            times.push_back(time);
+            changes += static_cast<double>(crowd.simulation().choices.size());
+            if (!is_compared(s)) continue;
+            const auto [sum, particles] = error_of(crowd, truth_[compared]);
+            squares += sum;
+            number_of += particles;
+            off += error_of(crowd, as_set_[compared++]).first;
+        }
+        double mean = 0;
+        for (const double time : times) mean += time / static_cast<double>(times.size());
+        std::ranges::sort(times);
+        const auto at = [&](double part) {
+            return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+        };
+        const double error = 1e3 * std::sqrt(squares / number_of), from_set = 1e3 * std::sqrt(off / number_of);
+        std::printf("%-7s %-24s mean %.2f  p50 %.2f  p99 %.2f ms  error %.3f, off %.3f mrad  %.1f changes a second\n",
+                    candidate.kind.c_str(), candidate.name.c_str(), mean, at(0.5), at(0.99), error, from_set,
+                    60 * changes / static_cast<double>(times.size()));
+        std::fflush(stdout);
+        table_.replace({{"machine", machine_name()},
+                        {"commit", commit_name()},
+                        {"kind", candidate.kind},
+                        {"name", candidate.name},
+                        {"mean_ms", number(mean)},
+                        {"p50_ms", number(at(0.5))},
+                        {"p99_ms", number(at(0.99))},
+                        {"budget", number(static_cast<double>(candidate.settings.budget))},
+                        {"error_mrad", number(error)},
+                        {"off_mrad", number(from_set)},
+                        {"changes_per_s", number(60 * changes / static_cast<double>(times.size()))}},
+                       {"kind", "name"});
+    }
+
+    int steps_;
+    CsvWriter table_;
+    std::vector<Positions3> truth_, as_set_;
+};
+
+}  // namespace
+
+int run_budget(const StudyOptions& options) {
+    BudgetStudy(options).run();
+    return 0;
+}
+
+}  // namespace weft::study

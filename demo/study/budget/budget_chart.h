@@ -1,0 +1,13 @@
+#pragma once
+// What weft_study budget wrote, as a picture.
+
+#include <filesystem>
+
+#include "demo/study/csv.h"
+
+namespace weft::study {
+
+[[nodiscard]] bool is_budget_table(const CsvTable& table);
+void draw_budget(const CsvTable& table, const std::filesystem::path& folder);
+
+}  // namespace weft::study
