@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// Stages of cooking end at these parts of it, by what they take of a large mesh with the default method.
+/// Stages of cooking end at these parts of it, which are rough.
 class Progress {
   public:
     static constexpr float welded = 0.1f, ordered = 0.2f, joined = 0.3f, stored = 0.4f, modelled = 0.5f,

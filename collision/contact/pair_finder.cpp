@@ -203,9 +203,9 @@ void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& 
 }
 
 std::size_t PairFinder::bytes() const noexcept {
-    return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) + boxes_.bytes() +
-           room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) + crossing_room_.bytes() +
-           block_crossings_.capacity() * sizeof(std::uint32_t) + is_calm_.capacity();
+    return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) +
+           boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) +
+           crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) + is_calm_.capacity();
 }
 
 }  // namespace weft

@@ -93,9 +93,9 @@ class World {
     [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
     /// Writes vertices [first, first + count), those there are, as a renderer wants them: by the mesh's own
     /// numbers, into the host's memory, each kind that is asked for. It only writes there, allocates nothing,
-    /// and takes on one core some 2 ns a vertex for positions or normals, 60 ns for tangents or previous
-    /// normals, which are made of the triangles round the vertex. Threads may share the vertices, and draw
-    /// from begin_step() to end_step() what the last step left: calls of it may run side by side, and beside
+    /// and copies, but for tangents and previous normals, which are made of the triangles round each vertex
+    /// and take many times as long: `weft_bench --calls`. Threads may share the vertices, and draw from
+    /// begin_step() to end_step() what the last step left: calls of it may run side by side, and beside
     /// work(). Errors: a stream of less room than all vertices take, or whose stride is less than a value;
     /// texture coordinates or tangents of a cloth whose mesh has no texture coordinates.
     Result<void> write_vertices(ClothId id, const VertexStreams& to, std::size_t first = 0,
@@ -233,8 +233,8 @@ class World {
 
     /// step() in three: begin_step() and end_step() on the host's own thread, and between them work() in one
     /// task of the host's, on any thread, while the host draws. Same bytes as by step(). Calls of one World
-    /// still are one thread's at a time, but for these while work() runs: cloth(), write_vertices(), report(), settings(),
-    /// cloth_settings(), body_settings(), shape_info(), and those that are refused.
+    /// still are one thread's at a time, but for these while work() runs: cloth(), write_vertices(), report(),
+    /// settings(), cloth_settings(), body_settings(), shape_info(), and those that are refused.
     ///
     /// From begin_step() to end_step() a cloth()'s view shows copies: all buffers as the last step left them.
     /// report() is the last step's, too. begin_step() makes the copies: it takes the time, and from the first

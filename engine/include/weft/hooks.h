@@ -18,7 +18,7 @@ struct Hooks {
     /// Per-particle memory of cloths: buffers of a multiple of 16 bytes, aligned to 64. Null: there is none,
     /// and the call that needed it fails with ErrorCode::out_of_memory, nothing changed. What is small, or
     /// held only while something is made - lists, ids, texts, shapes - comes from operator new, threads from
-    /// oneTBB: see memory_in_use() for how much is not in it.
+    /// oneTBB.
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) = nullptr;
     /// Of the same bytes. Set both, or neither.
     void (*release)(void* user, void* memory, std::size_t bytes, std::size_t alignment) = nullptr;
