@@ -51,7 +51,7 @@ struct CollidingBlock {
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
     std::uint32_t collider = 0;                               ///< the number of the one that is met
     bool has_left = false;                                    ///< any; else `left` is not written
-    LeftInside* left = nullptr;  ///< where there are starts
+    LeftInside* left = nullptr;                               ///< where there are starts
 };
 
 /// Of those that are numbers. No starts: none has moved.

@@ -36,7 +36,7 @@ class Picture {
     render::SceneRenderer renderer_;
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
     std::vector<render::ClothHandle> solids_;
-    std::vector<Fine> fine_;                   // likewise; empty where the cloth itself is drawn
+    std::vector<Fine> fine_;  // likewise; empty where the cloth itself is drawn
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;
     std::vector<render::DrawnTaperedCapsule> tapered_capsules_;

@@ -75,8 +75,8 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     find(parallel, settler_.relative(), {&ContactCloth::floor});
 }
 
-// Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far in
-// the next step, and never come home.
+// Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far
+// in the next step, and never come home.
 float FeatureContact::find_for_part_of_way(Parallel& parallel) {
     constexpr float shorter = 0.25f;
     constexpr int most_tries = 4;

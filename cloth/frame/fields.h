@@ -190,21 +190,21 @@ void for_each_field(T& of, const Visit& visit) {
                "collider_contacts", collider_contacts, "self_contacts", self_contacts, "peak_self_contacts",
                peak_self_contacts, "truncated_particles", truncated_particles, "crossings", crossings,
                "unresolved_pairs", unresolved_pairs, "pin_lag", pin_lag, "limits_exceeded", limits_exceeded,
-               "limit_lag", limit_lag, "peak_speed", peak_speed, "residual", residual, "rung", rung, "rate", rate,
-               "milliseconds", milliseconds);
+               "limit_lag", limit_lag, "peak_speed", peak_speed, "residual", residual, "rung", rung, "rate",
+               rate, "milliseconds", milliseconds);
 }
 template <FieldsOf<StepReport> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [flags, step, substeps, cloths, sleeping_cloths, reduced_cloths, particles, collider_contacts, self_contacts,
-           contacts, peak_self_contacts, truncated_particles, pin_lag, limits_exceeded, limit_lag, crossings,
-           unresolved_pairs, restored_cloths, peak_speed, residual, milliseconds] = of;
+    auto& [flags, step, substeps, cloths, sleeping_cloths, reduced_cloths, particles, collider_contacts,
+           self_contacts, contacts, peak_self_contacts, truncated_particles, pin_lag, limits_exceeded,
+           limit_lag, crossings, unresolved_pairs, restored_cloths, peak_speed, residual, milliseconds] = of;
     visit_each(visit, "flags", flags, "step", step, "substeps", substeps, "cloths", cloths, "sleeping_cloths",
-               sleeping_cloths, "reduced_cloths", reduced_cloths, "particles", particles, "collider_contacts", collider_contacts,
-               "self_contacts", self_contacts, "contacts", contacts, "peak_self_contacts", peak_self_contacts,
-               "truncated_particles", truncated_particles, "pin_lag", pin_lag, "limits_exceeded",
-               limits_exceeded, "limit_lag", limit_lag, "crossings", crossings, "unresolved_pairs",
-               unresolved_pairs, "restored_cloths", restored_cloths, "peak_speed", peak_speed, "residual",
-               residual, "milliseconds", milliseconds);
+               sleeping_cloths, "reduced_cloths", reduced_cloths, "particles", particles, "collider_contacts",
+               collider_contacts, "self_contacts", self_contacts, "contacts", contacts, "peak_self_contacts",
+               peak_self_contacts, "truncated_particles", truncated_particles, "pin_lag", pin_lag,
+               "limits_exceeded", limits_exceeded, "limit_lag", limit_lag, "crossings", crossings,
+               "unresolved_pairs", unresolved_pairs, "restored_cloths", restored_cloths, "peak_speed",
+               peak_speed, "residual", residual, "milliseconds", milliseconds);
 }
 
 template <FieldsOf<ClothInfo> T, class Visit>

@@ -88,10 +88,10 @@ struct ClothState {
     std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
-    std::optional<Rest> rest;  ///< only where it may fall asleep
+    std::optional<Rest> rest;           ///< only where it may fall asleep
     std::optional<DetailState> detail;  ///< only with a budget
     AlignedBuffer<Vec4> ahead;          ///< likewise: where its last step ended, if it was long
-    std::uint32_t halved = 0;  ///< steps still to be taken in halves, since contact cut much of late
+    std::uint32_t halved = 0;           ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)

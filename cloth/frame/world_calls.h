@@ -27,9 +27,9 @@ struct World::Impl {
     bool has_changed = false;            ///< since the World was made
 
     std::atomic<StepPhase> phase = StepPhase::none;
-    float dt = 0;              ///< of the step that was begun
+    float dt = 0;                        ///< of the step that was begun
     StepFlags logged = StepFlags::none;  ///< those of the last step
-    StepReport last, refused;  ///< while one is: of the one before; step()'s answer
+    StepReport last, refused;            ///< while one is: of the one before; step()'s answer
 
     [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
     /// Error: a step was begun.

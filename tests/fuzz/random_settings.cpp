@@ -134,7 +134,8 @@ void spoil(Random& random, ClothSettings& s) {
 void spoil(Random& random, WorldSettings& s) {
     const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
     float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
-                             &s.wind.drag, &s.wind.lift,        &s.max_speed, &s.budget};
+                             &s.wind.drag, &s.wind.lift,        &s.max_speed,
+                             &s.budget};
     const std::uint32_t choice = random.below(std::size(fields) + 5);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;

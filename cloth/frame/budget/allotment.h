@@ -13,10 +13,10 @@ namespace weft {
 
 /// A cloth to be given time.
 struct Claim {
-    float importance = 1;                      ///< of its error; 0: it stays on its last rung
-    std::array<float, rung_count> costs{};     ///< on each rung, in the unit of the time
+    float importance = 1;                            ///< of its error; 0: it stays on its last rung
+    std::array<float, rung_count> costs{};           ///< on each rung, in the unit of the time
     std::uint32_t first = 0, last = rung_count - 1;  ///< rungs that it may be on
-    std::uint32_t rung = 0;  ///< where it is; allot() writes where it is to be
+    std::uint32_t rung = 0;                          ///< where it is; allot() writes where it is to be
 };
 
 class Allotment {

@@ -33,10 +33,10 @@ struct Budgeted {
     explicit Budgeted(const ClothSettings& of, std::uint32_t particles)
         : settings(of), costs(300.0f * static_cast<float>(particles)) {}
 
-    ClothSettings settings;        ///< as the present step takes it
+    ClothSettings settings;  ///< as the present step takes it
     RungCosts costs;
-    float spent = 0;               ///< since it last took a step of its own [ns]
-    std::uint32_t steps = 0;       ///< of the World, likewise
+    float spent = 0;          ///< since it last took a step of its own [ns]
+    std::uint32_t steps = 0;  ///< of the World, likewise
 };
 
 struct BudgetBuffers {

@@ -40,13 +40,13 @@ void Simulation::choose_rungs() {
         const std::uint32_t rung = cloth->state.detail->rung;
         const std::uint32_t unchanged = now - cloth->state.detail->since;
         const std::uint32_t last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1;
-        claims.push_back({.importance = cloth->settings.priority /
-                                        std::max(cloth->settings.view_distance, nearest) *
-                                        static_cast<float>(cloth->model.particle_count),
-                          .costs = cloth->budgeted->costs.all(),
-                          .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
-                          .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
-                          .rung = rung});
+        claims.push_back(
+            {.importance = cloth->settings.priority / std::max(cloth->settings.view_distance, nearest) *
+                           static_cast<float>(cloth->model.particle_count),
+             .costs = cloth->budgeted->costs.all(),
+             .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
+             .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
+             .rung = rung});
     }
     allotment_.allot(aim * 1e6f * settings.budget / overhead_);
     for (std::size_t i = 0; i < present_.size(); ++i) {
@@ -177,7 +177,8 @@ void Simulation::learn_costs() {
         of.steps = 0;
     }
     if (cost_of != nullptr || !(took > 0)) return;
-    const float sample = std::clamp(static_cast<float>(clock() - began_) / took, 0.5f * overhead_, 2 * overhead_);
+    const float sample =
+        std::clamp(static_cast<float>(clock() - began_) / took, 0.5f * overhead_, 2 * overhead_);
     overhead_ += (sample - overhead_) / 32;
 }
 

@@ -5,8 +5,11 @@
 namespace weft {
 
 // As fifty curtains had them: weft_study budget.
-const std::array<Rung, rung_count> ladder{
-    {{0, 1, 1.0f, 0.0f}, {2, 1, 0.76f, 0.2f}, {1, 1, 0.58f, 0.31f}, {1, 2, 0.34f, 0.46f}, {1, 4, 0.2f, 1.0f}}};
+const std::array<Rung, rung_count> ladder{{{0, 1, 1.0f, 0.0f},
+                                           {2, 1, 0.76f, 0.2f},
+                                           {1, 1, 0.58f, 0.31f},
+                                           {1, 2, 0.34f, 0.46f},
+                                           {1, 4, 0.2f, 1.0f}}};
 
 namespace {
 

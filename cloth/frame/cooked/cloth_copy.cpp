@@ -64,8 +64,8 @@ std::size_t Cloth::own_bytes() const {
                            substep_start.bytes()
                      : 0) +
            surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
-           missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() + (whole ? whole->bytes() : 0) +
-           body_buffers.bytes() +
+           missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
+           (whole ? whole->bytes() : 0) + body_buffers.bytes() +
            collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
            partial_counts.bytes() + partial_surveys.bytes() + (shown ? shown->bytes() : 0) +
            (budgeted ? sizeof(Budgeted) : 0);

@@ -67,8 +67,8 @@ static_assert(std::has_unique_object_representations_v<RungOfCloth>);
 /// What is copied as it lies in memory.
 template <class T>
 concept Plain = std::same_as<T, Vec2> || std::same_as<T, Vec3> || std::same_as<T, Rotation> ||
-                std::same_as<T, Triangle> || std::same_as<T, HashOfCloth> || std::same_as<T, RungOfCloth> || std::same_as<T, std::byte> ||
-                (std::is_arithmetic_v<T> && !std::same_as<T, bool>) ||
+                std::same_as<T, Triangle> || std::same_as<T, HashOfCloth> || std::same_as<T, RungOfCloth> ||
+                std::same_as<T, std::byte> ||(std::is_arithmetic_v<T> && !std::same_as<T, bool>) ||
                 std::is_enum_v<T>;
 
 /// Ids are another in every World.

@@ -59,8 +59,7 @@ void Recorder::note_step(float dt, const Simulation& simulation) noexcept {
         simulation.cloths.for_each([&](ClothId id, const std::unique_ptr<Cloth>& cloth) {
             hashes_.push_back({id, hash_of(*cloth, hasher_)});
         });
-        if (!simulation.choices.empty())
-            note(Call::choose, std::span<const RungOfCloth>(simulation.choices));
+        if (!simulation.choices.empty()) note(Call::choose, std::span<const RungOfCloth>(simulation.choices));
         note(Call::step, dt, hash_of_rest(simulation, hasher_), std::span<const HashOfCloth>(hashes_));
         if (file_ && !failed_ && std::fflush(file_.get()) != 0) fail(ErrorCode::file_not_found, not_taken);
     } catch (...) {

@@ -14,8 +14,8 @@ void shift(Vec3& point, const Vector3& to) {
 }
 
 void shift(ClothState& state, const Vector3& to) {
-    for (AlignedBuffer<Vec4>* points : {&state.positions, &state.previous_positions, &state.record.arrivals, &state.ahead,
-                                        &state.skin.places, &state.skin.target_places})
+    for (AlignedBuffer<Vec4>* points : {&state.positions, &state.previous_positions, &state.record.arrivals,
+                                        &state.ahead, &state.skin.places, &state.skin.target_places})
         shift(points->span(), to);
     for (Pin& pin : state.pins) pin.target -= to;
     if (!state.frame) return;

@@ -80,8 +80,8 @@ struct CookReport {
 /// How far cooking is, for the host to show; it runs on the thread that cooks, and must not throw.
 struct CookProgress {
     void* user = nullptr;  ///< handed back
-    /// `done` grows from above 0 to 1, which comes last, when all is done; false ends the cooking there, unless
-    /// it is 1. A handful of calls: a stage that begins is ended first.
+    /// `done` grows from above 0 to 1, which comes last, when all is done; false ends the cooking there,
+    /// unless it is 1. A handful of calls: a stage that begins is ended first.
     bool (*report)(void* user, float done) = nullptr;
 };
 

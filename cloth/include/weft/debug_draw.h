@@ -17,7 +17,7 @@ enum class DebugParts : std::uint32_t {
     colliders = 1u << 4,   ///< their surfaces
     tangles = 1u << 5,     ///< particles of what is let apart, by contact
     cloths = 1u << 6,      ///< boxes and words: green awake, blue asleep, grey switched off
-    normals = 1u << 7,  ///< of particles, half an edge long
+    normals = 1u << 7,     ///< of particles, half an edge long
     /// Skins of leashes and backstops: from a particle's place there to it, green, red where its leash ends;
     /// and where its backstop begins, violet.
     leashes = 1u << 8,

@@ -23,8 +23,8 @@ enum class StepFlags : std::uint32_t {
     /// More is close than there is memory for. By avoidance, particles have more neighbours than a list holds
     /// (16), and the rest wait for the next step. By contact, there are more than 16 pairs of features a
     /// particle: those of the list are pushed apart, and what touches goes a part of its way in this step, or
-    /// one common way, or nowhere where it is pinned; nothing crosses. By impact zones, those that the list has no room for are
-    /// let through. Lower SelfCollision::distance.
+    /// one common way, or nowhere where it is pinned; nothing crosses. By impact zones, those that the list
+    /// has no room for are let through. Lower SelfCollision::distance.
     contacts_dropped = 1u << 2,
     /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
     /// a pin or a collider that jumps.

@@ -233,8 +233,8 @@ class World {
 
     /// step() in three: begin_step() and end_step() on the host's own thread, and between them work() in one
     /// task of the host's, on any thread, while the host draws. Same bytes as by step(). Calls of one World
-    /// still are one thread's at a time, but for these while work() runs: cloth(), write_vertices(), report(),
-    /// settings(), cloth_settings(), body_settings(), shape_info(), and those that are refused.
+    /// still are one thread's at a time, but for these while work() runs: cloth(), write_vertices(),
+    /// report(), settings(), cloth_settings(), body_settings(), shape_info(), and those that are refused.
     ///
     /// From begin_step() to end_step() a cloth()'s view shows copies: all buffers as the last step left them.
     /// report() is the last step's, too. begin_step() makes the copies: it takes the time, and from the first

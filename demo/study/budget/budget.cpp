@@ -1,4 +1,5 @@
-// weft_study budget: what a budget holds, and how wrong motion is then, beside one setting for all of equal cost.
+// weft_study budget: what a budget holds, and how wrong motion is then, beside one setting for all of equal
+// cost.
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,9 @@ namespace weft::study {
 
 namespace {
 
-const std::vector<std::string> columns{"machine", "commit", "kind",   "name",       "mean_ms",
-                                       "p50_ms",  "p99_ms", "budget", "error_mrad", "off_mrad",
-                                       "changes_per_s"};
+const std::vector<std::string> columns{"machine",    "commit",   "kind",         "name",
+                                       "mean_ms",    "p50_ms",   "p99_ms",       "budget",
+                                       "error_mrad", "off_mrad", "changes_per_s"};
 
 struct Candidate {
     std::string kind, name;
@@ -120,10 +121,12 @@ class BudgetStudy {
         const auto at = [&](double part) {
             return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
         };
-        const double error = 1e3 * std::sqrt(squares / number_of), from_set = 1e3 * std::sqrt(off / number_of);
-        std::printf("%-7s %-24s mean %.2f  p50 %.2f  p99 %.2f ms  error %.3f, off %.3f mrad  %.1f changes a second\n",
-                    candidate.kind.c_str(), candidate.name.c_str(), mean, at(0.5), at(0.99), error, from_set,
-                    60 * changes / static_cast<double>(times.size()));
+        const double error = 1e3 * std::sqrt(squares / number_of),
+                     from_set = 1e3 * std::sqrt(off / number_of);
+        std::printf(
+            "%-7s %-24s mean %.2f  p50 %.2f  p99 %.2f ms  error %.3f, off %.3f mrad  %.1f changes a second\n",
+            candidate.kind.c_str(), candidate.name.c_str(), mean, at(0.5), at(0.99), error, from_set,
+            60 * changes / static_cast<double>(times.size()));
         std::fflush(stdout);
         table_.replace({{"machine", machine_name()},
                         {"commit", commit_name()},

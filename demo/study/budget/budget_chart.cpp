@@ -31,7 +31,8 @@ void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
     settings << "$fixed << EOD\n"
              << points_of(table, "fixed") << "EOD\n$budget << EOD\n"
              << points_of(table, "budget") << "EOD\n"
-             << "set title " << quoted("Fifty curtains in gusts round a camera that turns, on one thread") << '\n'
+             << "set title " << quoted("Fifty curtains in gusts round a camera that turns, on one thread")
+             << '\n'
              << "set xlabel " << quoted("a step, mean and 99th percentile [ms of the processor]") << '\n'
              << "set ylabel " << quoted("as seen, off the cloth as it is set, rms [mrad]") << '\n'
              << "set yrange [0:*]\nset xrange [0:*]\nset grid\nset key top right\n";
@@ -39,9 +40,10 @@ void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
     for (const auto& [block, colour, title] :
          {std::tuple("$fixed", "#7f7f7f", "one setting for all"), {"$budget", "#d62728", "a budget"}}) {
         const std::string style = " linecolor rgb " + quoted(colour);
-        plot += std::string(plot.size() > 5 ? ", " : "") + block + " using 1:3:($2-$1):(0) with vectors nohead" +
-                style + " notitle, " + block + " using 1:3 with points pointtype 7" + style + " title " +
-                quoted(title) + ", " + block + " using 1:3:4 with labels left offset 0.7,0.7 font ',9' notitle";
+        plot += std::string(plot.size() > 5 ? ", " : "") + block +
+                " using 1:3:($2-$1):(0) with vectors nohead" + style + " notitle, " + block +
+                " using 1:3 with points pointtype 7" + style + " title " + quoted(title) + ", " + block +
+                " using 1:3:4 with labels left offset 0.7,0.7 font ',9' notitle";
     }
     draw_with_gnuplot(folder / "budget", 900, 560, settings.str(), plot + "\n");
 }

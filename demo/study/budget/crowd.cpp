@@ -30,11 +30,7 @@ WorldSettings world_of(const CrowdSettings& settings) {
 }
 
 Mesh curtain(float x, float z) {
-    return make_sheet({.rows = side,
-                       .columns = side,
-                       .origin = {x, 2, z},
-                       .u = {1, 0, 0},
-                       .v = {0, -1, 0}})
+    return make_sheet({.rows = side, .columns = side, .origin = {x, 2, z}, .u = {1, 0, 0}, .v = {0, -1, 0}})
         .value();
 }
 

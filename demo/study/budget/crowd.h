@@ -13,7 +13,7 @@ namespace weft::study {
 struct CrowdSettings {
     Method method{};
     int substeps = 1;
-    float budget = 0;  ///< [ms]
+    float budget = 0;        ///< [ms]
     std::uint32_t rung = 0;  ///< of the budget's ladder, for all; 0: as the budget chooses
 };
 
