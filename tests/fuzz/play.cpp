@@ -1,189 +1,15 @@
 #include "tests/fuzz/play.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
-#include <map>
 #include <tuple>
 
 #include "cloth/frame/worn/rigid_motion.h"
+#include "tests/fuzz/player.h"
 #include "tests/fuzz/recording.h"
-#include "tests/fuzz/snapshot.h"
 #include "tests/fuzz/text.h"
 
 namespace weft::fuzz {
-
-namespace {
-
-std::size_t played = 0;
-
-bool is_finite(const Vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
-
-float length(const Vec4& v) {
-    return std::hypot(v.x, v.y, v.z);
-}
-
-template <class Id>
-std::vector<Id> ids_of(std::span<const std::optional<Id>> made) {
-    std::vector<Id> ids;
-    for (const auto& id : made)
-        if (id) ids.push_back(*id);
-    return ids;
-}
-
-bool meets_cloth(const ClothSettings& settings) {
-    return settings.self_collision.enabled && settings.self_collision.method == SelfCollisionMethod::contact;
-}
-
-class Player {
-  public:
-    Player(const Script& script, const PlayOptions& options)
-        : script_(script),
-          options_(options),
-          world_(make_world()),
-          cloths_(script.cloths),
-          pins_(script.cloths) {}
-
-    Played play() {
-        Fingerprints fingerprints;
-        if (options_.recorded != nullptr && !world_.start_recording(sink_to(*options_.recorded)))
-            throw Failure{0, "a new World cannot be recorded"};
-        for (played = 0; played < script_.operations.size(); ++played) {
-            const Operation& operation = script_.operations[played];
-            const bool left_out = options_.without && operation.cloth == *options_.without;
-            if (!left_out) call(operation);
-            fingerprints.push_back(fingerprints_now());
-        }
-        if (options_.recorded != nullptr && !world_.stop_recording())
-            throw Failure{0, "the recording broke off"};
-        return {std::move(fingerprints), std::move(restored_)};
-    }
-
-  private:
-    void call(const Operation& operation);
-
-    // Each makes the call, and returns its answer where there is one.
-    using Answered = std::optional<Result<void>>;
-    [[nodiscard]] Result<CookedCloth> cook(const AddCloth& call) const;
-    Result<ClothId> add(const AddCloth& call);
-    Answered make(const Operation& operation, const AddCloth& call);
-    Answered make(const Operation&, const MeasureCloth& call);
-    Answered make(const Operation& operation, const RemoveCloth&);
-    Answered make(const Operation& operation, const SetClothSettings& call);
-    Answered make(const Operation& operation, const Pin& call);
-    Answered make(const Operation& operation, const MovePin& call);
-    Answered make(const Operation& operation, const Unpin& call);
-    Answered make(const Operation&, const AddCollider& call);
-    Answered make(const Operation&, const MoveCollider& call);
-    Answered make(const Operation&, const PlaceCollider& call);
-    Answered make(const Operation&, const RemoveCollider& call);
-    Answered make(const Operation&, const AddBody& call);
-    Answered make(const Operation&, const SetBody& call);
-    Answered make(const Operation&, const RemoveBody& call);
-    Answered make(const Operation&, const AttachCollider& call);
-    Answered make(const Operation& operation, const Attach& call);
-    Answered make(const Operation& operation, const Detach& call);
-    Answered make(const Operation&, const SetWorldSettings& call);
-    Answered make(const Operation& operation, const MoveCloth& call);
-    Answered make(const Operation& operation, const SetFrame& call);
-    Answered make(const Operation& operation, const LeaveFrame&);
-    Answered make(const Operation& operation, const SetMap& call);
-    Answered make(const Operation& operation, const SetSkin& call);
-    Answered make(const Operation&, const ShiftOrigin& call);
-    Answered make(const Operation&, const Step& call);
-    Answered make(const Operation&, const StartTrace& call);
-    Answered make(const Operation&, const MoveWorld&);
-    Answered make(const Operation& operation, const MovePins& call);
-    Answered make(const Operation&, const AddShape& call);
-    Answered make(const Operation&, const DeformShape& call);
-    Answered make(const Operation&, const RemoveShape& call);
-    Answered make(const Operation&, const Save&);
-    Answered make(const Operation&, const Restore& call);
-
-    /// What a script says of an instance is which of its shapes it is of.
-    [[nodiscard]] Collider resolved(Collider collider) const {
-        if (auto* const placed = std::get_if<PlacedShape>(&collider.shape))
-            placed->shape = shapes_[placed->shape.index].value_or(ShapeId{});
-        return collider;
-    }
-    void check(bool holds, const std::string& what) const {
-        if (options_.checked && !holds) throw Failure{played, what};
-    }
-    void check_answer(const Operation& operation, const Result<void>& answer,
-                      const std::string& before) const;
-    void check_vertices(std::size_t cloth, const ClothView& view) const;
-    void check_cloth(std::size_t cloth) const;
-    void check_step(const StepReport& report, std::uint64_t steps_before) const;
-    void check_contacts(const StepReport& report) const;
-    void check_pins(std::size_t cloth) const;
-
-    [[nodiscard]] WorldSettings with_threads(WorldSettings settings) const {
-        // What is out of range stays so: the call must be refused whoever makes it.
-        if (!options_.threads || settings.threads < 0 || settings.threads > 256) return settings;
-        settings.threads = *options_.threads;
-        settings.executor = {};
-        return settings;
-    }
-    [[nodiscard]] World make_world() const {
-        auto made = World::create(with_threads(script_.world));
-        if (!made) throw Failure{0, "World::create: " + made.error().message};
-        return std::move(made).value();
-    }
-    [[nodiscard]] bool is_carried(std::size_t collider) const {
-        const auto found = carried_.find(collider);
-        return found != carried_.end() && world_.body_state(*bodies_[found->second]).ok();
-    }
-    /// False as well for the id of a cloth that was removed.
-    [[nodiscard]] bool is_there(std::size_t cloth) const {
-        return cloth != Operation::no_cloth && cloths_[cloth] && world_.cloth(*cloths_[cloth]).ok();
-    }
-    [[nodiscard]] std::uint32_t particle(std::size_t cloth, std::uint32_t vertex) const {
-        return world_.cloth(*cloths_[cloth])->vertex_to_particle[vertex];
-    }
-    [[nodiscard]] std::vector<std::uint64_t> fingerprints_now() const {
-        std::vector<std::uint64_t> all;
-        for (std::size_t i = 0; i < cloths_.size(); ++i) {
-            all.push_back(0);
-            if (!is_there(i)) continue;
-            const ClothView view = world_.cloth(*cloths_[i]).value();
-            all.back() = fingerprint(view.velocities, fingerprint(view.positions, 1));
-        }
-        return all;
-    }
-    [[nodiscard]] std::string snapshot_now() const {
-        return options_.checked ? snapshot(world_, ids_of<ClothId>(cloths_), ids_of<ColliderId>(colliders_))
-                                : std::string();
-    }
-
-    const Script& script_;
-    PlayOptions options_;
-    World world_;
-    std::vector<std::optional<ClothId>> cloths_;
-    std::vector<std::optional<ColliderId>> colliders_;
-    std::vector<std::optional<BodyId>> bodies_;
-    std::map<std::size_t, std::size_t> carried_;  ///< colliders, and by which body
-    std::vector<std::optional<ShapeId>> shapes_;
-    std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
-    std::uint64_t steps_ = 0;
-
-    /// What a save is to bring back.
-    struct Kept {
-        std::vector<std::byte> bytes;
-        std::uint64_t hash;
-        std::vector<std::map<std::uint32_t, Vec3>> pins;
-        std::uint64_t steps;
-        std::vector<bool> cloths;  ///< that were there
-    };
-    [[nodiscard]] std::vector<bool> cloths_there() const {
-        std::vector<bool> there;
-        for (std::size_t i = 0; i < cloths_.size(); ++i) there.push_back(is_there(i));
-        return there;
-    }
-    std::vector<Kept> saves_;
-    std::vector<std::size_t> restored_;
-};
 
 void Player::call(const Operation& operation) {
     // Of a cloth of which no mesh could be made there is no id.
@@ -195,22 +21,6 @@ void Player::call(const Operation& operation) {
     if (answer) check_answer(operation, *answer, before);
     for (std::size_t i = 0; options_.checked && i < cloths_.size(); ++i)
         if (is_there(i)) check_cloth(i);
-}
-
-void Player::check_answer(const Operation& operation, const Result<void>& answer,
-                          const std::string& before) const {
-    const bool stale = operation.cloth != Operation::no_cloth && !is_there(operation.cloth) &&
-                       !std::holds_alternative<AddCloth>(operation.call) &&
-                       !std::holds_alternative<RemoveCloth>(operation.call);
-    if (answer) {
-        check(operation.answer != Answer::refused && !stale, "was accepted and must be refused");
-        return;
-    }
-    check(operation.answer != Answer::accepted || stale, "was refused: " + answer.error().message);
-    check(!answer.error().message.empty(), "was refused without a word");
-    const std::string after = snapshot_now();
-    check(after == before,
-          "failed (" + answer.error().message + ") and changed the World from\n" + before + "to\n" + after);
 }
 
 /// Saved, read back, and refused with one bit turned.
@@ -520,102 +330,10 @@ Player::Answered Player::make(const Operation&, const Restore& call) {
     return answer;
 }
 
-void Player::check_vertices(std::size_t cloth, const ClothView& view) const {
-    if (view.texcoords.empty()) return;
-    std::vector<Vec4> tangents(view.vertex_to_particle.size());
-    const auto written =
-        world_.write_vertices(*cloths_[cloth], {.tangents = {std::as_writable_bytes(std::span(tangents))}});
-    check(written.ok(), "cloth " + std::to_string(cloth) + ": its tangents were refused");
-    const bool are_sound = std::ranges::all_of(tangents, [](const Vec4& t) {
-        return std::abs(std::hypot(t.x, t.y, t.z) - 1) < 1e-3f && std::abs(t.w) == 1;
-    });
-    check(are_sound, "cloth " + std::to_string(cloth) + ": a tangent that is not of unit length");
-}
+namespace {
 
-void Player::check_cloth(std::size_t cloth) const {
-    const ClothView view = world_.cloth(*cloths_[cloth]).value();
-    const ClothInfo info = world_.cloth_info(*cloths_[cloth]).value();
-    const auto of = [&](const char* what) { return "cloth " + std::to_string(cloth) + ": " + what; };
-    check(view.positions.size() == info.particles && view.velocities.size() == info.particles &&
-              view.previous_positions.size() == info.particles && view.normals.size() == info.particles,
-          of("buffers are not of its particles"));
-    check(std::isfinite(info.mass), of("a mass that is not finite"));
-    check(std::ranges::all_of(view.positions, is_finite),
-          of("a position or inverse mass that is not finite"));
-    check(std::ranges::all_of(view.previous_positions, is_finite),
-          of("a previous position that is not finite"));
-    check(std::ranges::all_of(view.velocities, is_finite), of("a velocity that is not finite"));
-    check(std::ranges::all_of(view.normals, is_finite), of("a normal that is not finite"));
-    check_vertices(cloth, view);
-    const Vec3 &lower = view.bounds.lower, &upper = view.bounds.upper;
-    for (const Vec4& p : view.positions) {
-        const bool within = p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y &&
-                            p.z >= lower.z && p.z <= upper.z;
-        check(within, of("a position out of its bounds: ") + text_of(Vec3{p.x, p.y, p.z}));
-    }
-    for (const auto& [i, target] : pins_[cloth])
-        check(view.positions[i].w == 0, of("a pin that is not pinned"));
-}
-
-void Player::check_step(const StepReport& report, std::uint64_t steps_before) const {
-    check(report.step == steps_before + 1, "the report counts another number of steps");
-    check(!has(report.flags, StepFlags::invalid_dt), "dt is valid, and flags say otherwise");
-    check(!has(report.flags, StepFlags::crossed), "cloth went through cloth");
-    std::uint32_t cloths = 0, particles = 0;
-    for (std::size_t i = 0; i < cloths_.size(); ++i) {
-        if (!is_there(i)) continue;
-        ++cloths;
-        const ClothView view = world_.cloth(*cloths_[i]).value();
-        particles += static_cast<std::uint32_t>(view.positions.size());
-        // A cloth that was restored stands where the step began, its pins where they are told.
-        if (!has(report.flags, StepFlags::state_restored)) check_pins(i);
-        const float most = world_.settings().max_speed * 1.00001f;
-        for (const Vec4& v : view.velocities)
-            check(length(v) <= most, "cloth " + std::to_string(i) + ": " + text_of(length(v)) +
-                                         " m/s, and max_speed is " + text_of(world_.settings().max_speed));
-    }
-    check(report.cloths == cloths && report.particles == particles, "the report counts other cloths");
-    check(report.restored_cloths <= cloths, "more cloths restored than there are");
-    check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
-          "the flag and the count of restored cloths differ");
-    check_contacts(report);
-    for (const BodyImpulse& impulse : world_.body_impulses()) {
-        const auto state = world_.body_state(impulse.body);
-        check(state.ok(), "an impulse of no body");
-        for (const Vec3& v :
-             {impulse.linear, impulse.angular, state->position, state->velocity, state->angular_velocity})
-            check(is_finite(Vec4{v.x, v.y, v.z}), "a body that is not finite");
-    }
-}
-
-void Player::check_contacts(const StepReport& report) const {
-    const std::span<const Contact> contacts = world_.contacts();
-    const auto room = static_cast<std::size_t>(world_.settings().contact_reports);
-    const std::size_t most = std::min<std::size_t>(room, report.contacts);
-    check(contacts.size() == most || (contacts.size() < most && report.restored_cloths > 0),
-          std::to_string(contacts.size()) + " contacts of " + std::to_string(report.contacts));
-    for (const Contact& c : contacts) {
-        check(world_.cloth(c.cloth).ok(), "a contact of no cloth");
-        check(world_.cloth(c.other_cloth).ok() != world_.collider(c.collider).ok(), "a contact with nothing");
-        check(std::abs(length(Vec4{c.normal.x, c.normal.y, c.normal.z}) - 1) < 1e-4f,
-              "a contact's normal is " + text_of(c.normal));
-        for (const Vec3& v : {c.point, c.impulse})
-            check(is_finite(Vec4{v.x, v.y, v.z}), "a contact that is not finite");
-    }
-}
-
-void Player::check_pins(std::size_t cloth) const {
-    const ClothView view = world_.cloth(*cloths_[cloth]).value();
-    for (const auto& [i, target] : pins_[cloth]) {
-        const Vec4& p = view.positions[i];
-        // By impact zones beside cloth by contact, too: both are cut.
-        const SelfCollision self = world_.cloth_settings(*cloths_[cloth]).value().self_collision;
-        const bool may_lag = self.enabled && self.method != SelfCollisionMethod::avoidance;
-        if (may_lag && world_.report().pin_lag > 0) continue;  // cloth was in its way
-        check(p.x == target.x && p.y == target.y && p.z == target.z,
-              "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +
-                  text_of(target) + " and lies at " + text_of(Vec3{p.x, p.y, p.z}));
-    }
+bool meets_cloth(const ClothSettings& settings) {
+    return settings.self_collision.enabled && settings.self_collision.method == SelfCollisionMethod::contact;
 }
 
 /// Which cloths can meet others at some time.
