@@ -1,7 +1,10 @@
 #include "cloth/surface/nearest_triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "collision/nearest_on_triangle.h"
 
 namespace weft {
 namespace {
@@ -36,29 +39,6 @@ void for_ring(const CellIndex& middle, std::int64_t ring, const F& f) {
             for (std::int64_t z = -ring; z <= ring; z += step) f(CellIndex(middle + CellIndex(x, y, z)));
         }
     }
-}
-
-/// Ericson, "Real-time collision detection", 2004, 5.1.5: barycentric coordinates of the last two corners.
-Vec2 closest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
-    const auto part = [](float of, float all) { return all > 0 ? std::clamp(of / all, 0.0f, 1.0f) : 0.0f; };
-    const Vector3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const float d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return {0, 0};
-    const float d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return {1, 0};
-    const float vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {part(d1, d1 - d3), 0};
-    const float d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return {0, 1};
-    const float vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {0, part(d2, d2 - d6)};
-    const float va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const float third = part(d4 - d3, (d4 - d3) + (d5 - d6));
-        return {1 - third, third};
-    }
-    const float sum = va + vb + vc;
-    return sum > 0 ? Vec2{vb / sum, vc / sum} : Vec2{0, 0};
 }
 
 }  // namespace
@@ -98,7 +78,8 @@ void NearestTriangle::look(std::uint64_t cell, const Vector3& point, const Vecto
         const Triangle& t = cloth_.triangles[entry->triangle];
         const Vector3 a = xyz(cloth_.positions[t[0]]), b = xyz(cloth_.positions[t[1]]),
                       c = xyz(cloth_.positions[t[2]]);
-        const auto [second, third] = closest_on_triangle(point, a, b, c);
+        const std::array<float, 3> weights = nearest_on_triangle(point, {a, b, c});
+        const float second = weights[1], third = weights[2];
         const float distance = (a + second * (b - a) + third * (c - a) - point).norm();
         const Found found{entry->triangle, second, third, distance};
         const auto take = [&](std::optional<Found>& best) {

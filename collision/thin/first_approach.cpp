@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/nearest_on_triangle.h"
+
 namespace weft {
 
 namespace {
@@ -38,42 +40,14 @@ Nearest nearest_of_edge(const Core& core, const Vector3& p, const Vector3& q) {
     return {p + t * d2 - core.at(s), s, {1 - t, t, 0}};
 }
 
-// Ericson 2004, 5.1.5.
 Nearest nearest_of_triangle(const Core& core, const std::array<Vector3, 3>& x) {
-    const auto with = [&](float u, float v, float w) {
-        return Nearest{u * x[0] + v * x[1] + w * x[2] - core.a, 0, {u, v, w}};
-    };
-    const Vector3 ab = x[1] - x[0], ac = x[2] - x[0], ap = core.a - x[0];
-    const float d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return with(1, 0, 0);
-    const Vector3 bp = core.a - x[1];
-    const float d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return with(0, 1, 0);
-    const float vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-        const float v = quotient(d1, d1 - d3);
-        return with(1 - v, v, 0);
-    }
-    const Vector3 cp = core.a - x[2];
-    const float d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return with(0, 0, 1);
-    const float vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-        const float w = quotient(d2, d2 - d6);
-        return with(1 - w, 0, w);
-    }
-    const float va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const float w = quotient(d4 - d3, (d4 - d3) + (d5 - d6));
-        return with(0, 1 - w, w);
-    }
-    const float sum = va + vb + vc;
-    if (!(sum > 0)) return with(1, 0, 0);
-    Nearest nearest = with(va / sum, vb / sum, vc / sum);
+    const std::array<float, 3> weights = nearest_on_triangle(core.a, x);
+    Nearest nearest{weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] - core.a, 0, weights};
+    if (weights[0] == 0 || weights[1] == 0 || weights[2] == 0) return nearest;
     // Exactly across: rounding of long sides would tilt it.
-    const Vector3 normal = ab.cross(ac);
+    const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
     const float squared = normal.squaredNorm();
-    if (squared > 0) nearest.out = -(normal.dot(ap) / squared) * normal;
+    if (squared > 0) nearest.out = -(normal.dot(core.a - x[0]) / squared) * normal;
     return nearest;
 }
 
