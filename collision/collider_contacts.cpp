@@ -14,14 +14,8 @@ namespace weft {
 
 namespace {
 
-float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return cloth.thickness + motion.end.thickness;
-}
 float friction_of(const ColliderMotion& motion, const ClothSide& cloth) {
     return cloth.friction * motion.end.friction;
-}
-float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return std::max(cloth.restitution, motion.end.restitution);
 }
 
 /// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.

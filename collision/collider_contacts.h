@@ -1,6 +1,7 @@
 #pragma once
 // Particles against colliders, moving or not, with Coulomb friction.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -55,6 +56,14 @@ struct ClothSide {
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
 };
+
+/// Of cloth and collider together.
+inline float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
+    return cloth.thickness + motion.end.thickness;
+}
+inline float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
+    return std::max(cloth.restitution, motion.end.restitution);
+}
 
 /// A cloth's particles over a substep.
 struct CollidingParticles {

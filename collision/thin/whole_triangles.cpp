@@ -50,7 +50,7 @@ struct WholeTriangles::Meeting {
     float h, least_gap;
     bool only_fast;
 
-    [[nodiscard]] float thickness() const { return cloth.thickness + motion.end.thickness; }
+    [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
     /// To be kept of these particles.
     [[nodiscard]] float gap(const Triangle& corners) const {
@@ -87,8 +87,8 @@ void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& appr
     if (!(yields > 0)) return;
     const Vector3 normal = cores.in_world(approach.normal);
     const float along = normal.dot(velocity), arrives = std::max(-along, 0.0f);
-    const float restitution = std::max(cloth.restitution, motion.end.restitution);
-    const float taken = arrives > cloth.least_bounce ? (1 + restitution) * arrives : arrives;
+    const float taken =
+        arrives > cloth.least_bounce ? (1 + restitution_of(motion, cloth)) * arrives : arrives;
     const Vector3 sliding = velocity - along * normal;
     const float speed = sliding.norm(), limit = rubs * cloth.friction * motion.end.friction * taken;
     const Vector3 stopped = speed > limit ? Vector3((limit / speed) * sliding) : sliding;
@@ -150,7 +150,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
     BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
-        const float thickness = cloth.thickness + motion.end.thickness;
+        const float thickness = thickness_of(motion, cloth);
         const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
         if (thinness == Thinness::thick) continue;
         if (!has_paths) all = find_paths(parallel, particles);
