@@ -143,11 +143,11 @@ struct Simulation {
                                                         const ContactMesh* mesh);
     void begin(float dt);
     void choose_present(float dt);
-    void disturb(float dt);
+    void wake_disturbed(bool is_gusty);
     void find_disturbed(float dt);
-    void choose_details(float dt);
+    void choose_details();
     void choose_rungs();
-    void choose_rates(float dt);
+    void choose_rates();
     void spread_long_steps();
     void begin_stride(Worker& worker, Cloth& cloth);
     void glide(Worker& worker, Cloth& cloth);

@@ -11,6 +11,7 @@
 
 #include "cloth/frame/simulation.h"
 #include "collision/shapes/moving_shapes.h"
+#include "engine/bounds.h"
 
 namespace weft {
 
@@ -21,16 +22,15 @@ constexpr float time_to_sleep = 0.5f;
 /// What is farther from a sleeping cloth than its thickness and this does not wake it [m].
 constexpr float wakes_within = 1e-3f;
 
-Bounds grown(const Survey& extent, float by) {
-    const Vec3 &lower = extent.lower, &upper = extent.upper;
-    return {{lower.x - by, lower.y - by, lower.z - by}, {upper.x + by, upper.y + by, upper.z + by}};
+Bounds box_of(const Cloth& cloth) {
+    return {cloth.extent.lower, cloth.extent.upper};
 }
 
 /// Where features of the cloth may meet others in a step; empty without features.
 Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
     if (!cloth.features) return {{1, 1, 1}, {-1, -1, -1}};
     const float way = (std::sqrt(cloth.extent.peak_speed_squared) + gravity.norm() * dt) * dt;
-    return grown(cloth.extent, cloth.as_body().radius + way);
+    return grown(box_of(cloth), cloth.as_body().radius + way);
 }
 
 bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
@@ -64,7 +64,7 @@ bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float m
     return with_shapes(motion, [&](const auto& start, const auto& end) {
         return may_meet(start, end, Pace{dt, max_speed},
                         Reach{cloth.settings.thickness + motion.end.thickness, wakes_within},
-                        BlockPaths{grown(cloth.extent, 0), 0})
+                        BlockPaths{box_of(cloth), 0})
             .has_value();
     });
 }
@@ -88,26 +88,29 @@ void Simulation::choose_present(float dt) {
         present_.push_back(cloth.get());
         any_can_sleep |= cloth->state.rest.has_value();
     });
+    const bool is_gusty =
+        air_is_on() && settings.wind.gust > 0 && !to_vector(settings.wind.velocity).isZero(0);
+    if ((any_can_sleep && !is_gusty) || settings.budget > 0) find_disturbed(dt);
     if (!any_can_sleep) return;
-    disturb(dt);
+    wake_disturbed(is_gusty);
     sleep_and_wake(dt);
     const auto sleeping = std::erase_if(present_, [](const Cloth* cloth) { return cloth->is_asleep(); });
     report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
 }
 
 /// Cloths that are disturbed, and all where the air is gusty, are not still.
-void Simulation::disturb(float dt) {
-    const Wind& wind = settings.wind;
-    const bool gusts = air_is_on() && wind.gust > 0 && !to_vector(wind.velocity).isZero(0);
-    if (!gusts) find_disturbed(dt);
+void Simulation::wake_disturbed(bool is_gusty) {
     for (Cloth* cloth : present_)
-        if (cloth->state.rest && (gusts || cloth->is_disturbed)) cloth->wake();
+        if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
-/// Which the host moves, or have near them a collider that moves in this step.
+/// Of those that may sleep or take long steps, which the host moves, or have near them a collider that moves
+/// in this step.
 void Simulation::find_disturbed(float dt) {
     const auto for_all = [&](const auto& disturbed) {
-        for (Cloth* cloth : present_) cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
+        for (Cloth* cloth : present_)
+            if (cloth->state.rest || cloth->state.detail)
+                cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
     };
     for (Cloth* cloth : present_) cloth->is_disturbed = false;
     for_all(is_moved_by_host);

@@ -59,6 +59,11 @@ struct DetailState {
     std::uint32_t phase = no_phase;
     static constexpr std::uint32_t no_phase = ~0u;
     std::uint32_t since = 0;  ///< the World's step in which its rung changed
+
+    void go_to(std::uint32_t other, std::uint32_t step) noexcept {
+        rung = other;
+        since = step;
+    }
 };
 
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.

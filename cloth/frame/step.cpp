@@ -109,7 +109,7 @@ void Simulation::begin(float dt) {
     report = {.step = ++state.steps, .substeps = settings.substeps};
     contact_reports_.clear();
     choose_present(dt);
-    if (settings.budget > 0) choose_details(dt);
+    if (settings.budget > 0) choose_details();
     cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->was_stepped = false; });
     for (Cloth* cloth : present_) {
         cloth->was_stepped = true;

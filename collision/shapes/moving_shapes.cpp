@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "engine/bounds.h"
+
 namespace weft {
 
 namespace {
@@ -37,11 +39,6 @@ Vector3 middle_of(const Vec3& a, const Vec3& b) {
 /// One that is faster than anything may move what it meets has jumped.
 float unless_jumped(float way, const Pace& pace) {
     return way > pace.fastest * pace.h ? -std::numeric_limits<float>::infinity() : way;
-}
-
-Bounds grown(const Bounds& bounds, float by) {
-    const Vector3 margin = Vector3::Constant(by);
-    return {to_vec3(to_vector(bounds.lower) - margin), to_vec3(to_vector(bounds.upper) + margin)};
 }
 
 Meeting meeting_of(const Sweeping& sweep, const BlockPaths& paths) {

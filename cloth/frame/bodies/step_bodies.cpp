@@ -7,6 +7,7 @@
 
 #include "cloth/frame/bodies/free_cloth.h"
 #include "cloth/frame/simulation.h"
+#include "engine/bounds.h"
 
 namespace weft {
 
@@ -47,16 +48,6 @@ Bounds box_of(const Collider& collider, const HeldShape* held) {
     const Sphere ball = ball_around(collider, held);
     const Vector3 centre = to_vector(ball.center), reach = Vector3::Constant(ball.radius);
     return {to_vec3(centre - reach), to_vec3(centre + reach)};
-}
-
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-           b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
-Bounds grown(const Bounds& box, float by) {
-    const Vector3 margin = Vector3::Constant(by);
-    return {to_vec3(to_vector(box.lower) - margin), to_vec3(to_vector(box.upper) + margin)};
 }
 
 /// In single precision, as hosts get it.

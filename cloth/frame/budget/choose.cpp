@@ -20,11 +20,11 @@ constexpr float nearest = 0.1f;
 
 }  // namespace
 
-void Simulation::choose_details(float dt) {
+void Simulation::choose_details() {
     began_ = clock();
     choices.clear();
     if (!has_given_choices) choose_rungs();
-    choose_rates(dt);
+    choose_rates();
     for (Cloth* cloth : present_) {
         if (cloth->is_gliding()) continue;
         cloth->budgeted->settings = cloth->settings;
@@ -51,10 +51,9 @@ void Simulation::choose_rungs() {
     allotment_.allot(aim * 1e6f * settings.budget / overhead_);
     for (std::size_t i = 0; i < present_.size(); ++i) {
         Cloth& cloth = *present_[i];
-        std::uint32_t& rung = cloth.state.detail->rung;
-        if (claims[i].rung == rung) continue;
-        rung = claims[i].rung;
-        cloth.state.detail->since = now;
+        const std::uint32_t rung = claims[i].rung;
+        if (rung == cloth.state.detail->rung) continue;
+        cloth.state.detail->go_to(rung, now);
         cloth.budgeted->costs.change_rung();
         choices.push_back({cloth.id, rung});
     }
@@ -67,11 +66,7 @@ bool Simulation::can_stride(const Cloth& cloth) const {
 }
 
 /// Those that may take a long step now do, others stop where they are.
-void Simulation::choose_rates(float dt) {
-    const auto is_concerned = [](const Cloth* cloth) {
-        return cloth->is_gliding() || rate_of(cloth->state.detail->rung) > 1;
-    };
-    if (std::ranges::any_of(present_, is_concerned)) find_disturbed(dt);
+void Simulation::choose_rates() {
     spread_long_steps();
     for (Cloth* cloth : present_) {
         DetailState& detail = *cloth->state.detail;

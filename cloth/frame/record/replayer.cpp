@@ -237,8 +237,7 @@ Result<void> Replayer::choose(RecordReader& reader) {
     for (const RungOfCloth& choice : choices) {
         std::unique_ptr<Cloth>* const cloth = simulation.cloths.find(ids_.find(choice.cloth));
         if (cloth == nullptr || !(*cloth)->state.detail || choice.rung >= rung_count) return no_such_call();
-        (*cloth)->state.detail->rung = choice.rung;
-        (*cloth)->state.detail->since = static_cast<std::uint32_t>(simulation.state.steps) + 1;
+        (*cloth)->state.detail->go_to(choice.rung, static_cast<std::uint32_t>(simulation.state.steps) + 1);
     }
     return {};
 }
