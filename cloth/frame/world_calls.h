@@ -45,19 +45,25 @@ struct World::Impl {
     template <class... Arguments>
     auto change(Call call, const Arguments&... arguments) noexcept {
         return [this, call, &arguments...](const auto& act) noexcept {
-            return without_exceptions([&]() -> decltype(act()) {
-                if (auto ready = refuse_in_step(name_of(call)); !ready) return ready.error();
-                auto done = act();
-                if (!done) return done;
-                has_changed = true;
-                if (!recorder) return done;
-                if constexpr (std::is_same_v<decltype(done), Result<void>>)
+            return change_by(call, act, [&](const auto& done) {
+                if constexpr (std::is_same_v<decltype(act()), Result<void>>)
                     recorder->note(call, arguments...);
                 else
                     recorder->note(call, *done, arguments...);
-                return done;
             });
         };
+    }
+    /// Likewise; what is written down note(its answer) knows.
+    template <class Act, class Note>
+    auto change_by(Call call, const Act& act, const Note& note) noexcept -> decltype(act()) {
+        return without_exceptions([&]() -> decltype(act()) {
+            if (auto ready = refuse_in_step(name_of(call)); !ready) return ready.error();
+            auto done = act();
+            if (!done) return done;
+            has_changed = true;
+            if (recorder) note(done);
+            return done;
+        });
     }
     /// Makes a call that reads what steps write.
     template <class Act>

@@ -56,16 +56,14 @@ const CookReport& CookedCloth::report() const noexcept {
 }
 
 Result<ClothId> World::add_cloth(const CookedCloth& cooked, const Transform& place) {
-    return without_exceptions([&]() -> Result<ClothId> {
-        if (auto ready = impl_->refuse_in_step("add_cloth"); !ready) return ready.error();
+    const auto add = [&]() -> Result<ClothId> {
         auto cloth = std::make_unique<Cloth>(cooked.impl_->cloth);
         if (auto valid = put(*cloth, place); !valid) return valid.error();
         impl_->simulation.prepare(*cloth);
-        const ClothId id = impl_->simulation.add(std::move(cloth));
-        impl_->has_changed = true;
-        if (impl_->recorder)
-            impl_->recorder->note_cooked(id, cooked.impl_, cooked, cooked.impl_->cloth.settings, place);
-        return id;
+        return impl_->simulation.add(std::move(cloth));
+    };
+    return impl_->change_by(Call::add_cooked_cloth, add, [&](const Result<ClothId>& id) {
+        impl_->recorder->note_cooked(*id, cooked.impl_, cooked, cooked.impl_->cloth.settings, place);
     });
 }
 
