@@ -96,8 +96,7 @@ void FeatureContact::add(const ContactCloth& body) {
     ranges_.push_back({first, body.mesh->particles()});
     restitutions_.push_back(body.restitution);
     // Room that cloths elsewhere, or gone, were given is to be seen in nothing.
-    std::size_t particles = 0;
-    for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
+    const std::size_t particles = first + whole_groups(body.mesh->particles());
     pairs_.limit = room_for_pairs(particles);
     crossings_.limit = room_for_crossings(particles);
 }

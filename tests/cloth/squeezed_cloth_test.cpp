@@ -118,8 +118,8 @@ Held squeeze(World& world, ClothId id, const Bodies& bodies) {
     return held;
 }
 
-Mesh sheet_of(const Vec3& origin, const Vec3& v) {
-    return make_sheet({.rows = side, .columns = side, .origin = origin, .u = {width, 0, 0}, .v = v}).value();
+Mesh sheet_of(const Vec3& origin, const Vec3& v, std::uint32_t rows = side, float u = width) {
+    return make_sheet({.rows = rows, .columns = rows, .origin = origin, .u = {u, 0, 0}, .v = v}).value();
 }
 
 /// A sheet that hangs between two limbs; these come together at up to .3 m/s, until they overlap.
@@ -227,12 +227,7 @@ TEST(SqueezedCloth, WithContactABallDoesNotStretchIt) {
 
 TEST(SqueezedCloth, IsSavedAndPutBack) {
     World world = World::create(vacuum(gravity_of_earth)).value();
-    const Mesh mesh = make_sheet({.rows = 17,
-                                  .columns = 17,
-                                  .origin = {-0.15f, 0.006f, -0.15f},
-                                  .u = {0.3f, 0, 0},
-                                  .v = {0, 0, 0.3f}})
-                          .value();
+    const Mesh mesh = sheet_of({-0.15f, 0.006f, -0.15f}, {0, 0, 0.3f}, 17, 0.3f);
     ASSERT_TRUE(world.add_cloth(mesh));
     ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
     const ColliderId ball = world.add_collider({.shape = Sphere{{0, 0.2f, 0}, 0.1f}}).value();
@@ -256,12 +251,7 @@ TEST(SqueezedCloth, IsSavedAndPutBack) {
 // A corner has a free place within reach: there cloth lies as it would without any of this.
 TEST(SqueezedCloth, AWideCornerSqueezesNothing) {
     World world = World::create(vacuum(gravity_of_earth)).value();
-    const Mesh mesh = make_sheet({.rows = 21,
-                                  .columns = 21,
-                                  .origin = {-0.15f, 0.25f, -0.15f},
-                                  .u = {0.3f, 0, 0},
-                                  .v = {0, 0, 0.3f}})
-                          .value();
+    const Mesh mesh = sheet_of({-0.15f, 0.25f, -0.15f}, {0, 0, 0.3f}, 21, 0.3f);
     const ClothId id = world.add_cloth(mesh).value();
     const float s = std::sqrt(0.5f);
     ASSERT_TRUE(world.add_collider({.shape = Plane{{s, s, 0}, 0}}));
