@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/look/look.h"
 #include "demo/scene_simulation.h"
 #include "demo/wind_control.h"
 #include "weft/render/camera.h"
@@ -45,7 +46,10 @@ class StageHistory {
 class Panels {
   public:
     bool visible = true;
-    std::string message;  ///< why the last request could not be met
+    bool collapsed = false;  ///< to a tab
+    bool help = false;
+    std::string message;  ///< why the last request could not be met, or what came of it
+    Look look;
 
     /// Keeps the times of the step just taken.
     void record(const World& world);
@@ -57,19 +61,25 @@ class Panels {
 
   private:
     void note(const Result<void>& set);
+    void draw_column(Simulation& simulation, WindControl& wind, Playback& playback,
+                     const render::OrbitCamera& camera, PanelRequests& requests);
+    void show_troubles(const Simulation& simulation, const Playback& playback);
 
     StageHistory history_;
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
 // goes on as it was.
-void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
-                 PanelRequests& requests);
+void scene_panel(const Simulation& simulation, Playback& playback, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
-void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback);
+void picture_panel(Look& look);
+[[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
+[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
+/// Keys and mouse, within the `room` left of the column [pixels].
+void help_window(bool& shown, float room);
 
 /// What the method panel shows. True if something was changed.
 bool method_controls(ClothSettings& settings);

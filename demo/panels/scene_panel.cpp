@@ -1,13 +1,14 @@
 #include <cstdio>
 
+#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 
 namespace weft::demo {
 
-void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
-                 PanelRequests& requests) {
-    begin_panel("Scene", {panel_margin, panel_margin}, {300, 264});
+void scene_panel(const Simulation& simulation, Playback& playback, PanelRequests& requests) {
+    const Section section("Scene", true);
+    if (!section) return;
     ImGui::BeginChild("scenes", {0, 5.5f * ImGui::GetTextLineHeightWithSpacing()});
     int key = 0;
     for (const SceneEntry& entry : all_scenes()) {
@@ -20,24 +21,19 @@ void scene_panel(const Simulation& simulation, const std::string& message, Playb
         tooltip(entry.description);
     }
     ImGui::EndChild();
-    ImGui::Separator();
-    if (ImGui::Button(playback.paused ? "Run" : "Pause", {84, 0})) playback.paused = !playback.paused;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    if (ImGui::Button(playback.paused ? "Run" : "Pause", {third, 0})) playback.paused = !playback.paused;
     tooltip("Space. Time stands still; camera and panels do not.");
     ImGui::SameLine();
-    if (ImGui::Button("Single step", {96, 0})) {
+    if (ImGui::Button("Step", {third, 0})) {
         playback.paused = true;
         ++playback.single_steps;
     }
     tooltip("N. Pauses and advances by 1/60 s.");
     ImGui::SameLine();
-    if (ImGui::Button("Reset", {84, 0})) requests.restart = true;
+    if (ImGui::Button("Reset", {third, 0})) requests.restart = true;
     tooltip("R. Starts the scene afresh with the settings as they are.");
-    ImGui::Text("%.1f s, %.0f pictures a second", simulation.time(),
-                static_cast<double>(ImGui::GetIO().Framerate));
-    if (!message.empty()) ImGui::TextWrapped("%s", message.c_str());
-    ImGui::TextDisabled("Drag: cloth, or the camera. Wheel: zoom.");
-    ImGui::TextDisabled("Arrow keys: wind. F1: panels.");
-    ImGui::End();
+    ImGui::Text("%.1f s", simulation.time());
 }
 
 }  // namespace weft::demo

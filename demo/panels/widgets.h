@@ -22,6 +22,10 @@ inline bool begin_panel(const char* title, ImVec2 corner, ImVec2 size) {
     return ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoSavedSettings);
 }
 
+/// Somebody who looks at every slider and may move it: a test. Returns true if it has.
+using SliderProbe = std::function<bool(const char* label, float& value, float least, float most)>;
+inline SliderProbe slider_probe;
+
 /// Explains the widget before, when the pointer rests on it.
 inline void tooltip(const char* text) {
     if (!ImGui::IsItemHovered()) return;
@@ -60,7 +64,7 @@ inline bool slider(const char* label, float& value, float least, float most, con
     const bool moved =
         ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
-    return moved;
+    return (slider_probe && slider_probe(label, value, least, most)) || moved;
 }
 inline bool slider(const char* label, int& value, int least, int most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
@@ -69,7 +73,11 @@ inline bool slider(const char* label, int& value, int least, int most, const cha
     const bool moved =
         ImGui::SliderInt(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
-    return moved;
+    auto number = static_cast<float>(value);
+    if (!slider_probe || !slider_probe(label, number, static_cast<float>(least), static_cast<float>(most)))
+        return moved;
+    value = static_cast<int>(number);
+    return true;
 }
 
 }  // namespace weft::demo
