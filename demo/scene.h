@@ -15,10 +15,15 @@
 
 namespace weft::demo {
 
+/// What of a garment stays where it is.
+enum class Hold { highest_opening, top, border, nothing };
+
 struct SceneOptions {
-    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
-    std::filesystem::path garment{};  ///< OBJ file, for scenes that take one
-    std::filesystem::path motion{};   ///< BVH file, likewise
+    std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
+    std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
+    std::filesystem::path motion{};     ///< BVH file, likewise
+    Hold hold = Hold::highest_opening;  ///< of the scene garment
+    bool y_is_up = false;               ///< in the garment's file; else +Z
 };
 
 /// A cloth of the scene with what drawing it needs.
