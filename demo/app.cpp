@@ -67,6 +67,7 @@ class App {
         }
         GLFWwindow* const window = context_.window_handle();
         remember_dropped_files(window);
+        begin_look(picture_, panels_.look);
         for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
             if (options_.frames && frame == *options_.frames) break;
             glfwPollEvents();

@@ -19,7 +19,8 @@ struct Look {
     bool wants_film = false;                      ///< recording is to begin or to end
     bool wants_save = false, wants_load = false;  ///< of settings, as settings_file says
     std::string settings_file = "weft-settings.json";
-    float text_size = 1;  ///< over the display's own
+    bool by_processor = false;  ///< pictures are drawn
+    float text_size = 1;        ///< over the display's own
 };
 
 }  // namespace weft::demo
