@@ -97,7 +97,7 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
 /// Over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (message.empty() && troubles_.empty()) return;
+    if (help || (message.empty() && troubles_.empty())) return;  // the help is in their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);
