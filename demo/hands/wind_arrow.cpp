@@ -7,9 +7,9 @@ namespace weft::demo {
 namespace {
 
 constexpr float least_pitch = 0.6f;                 // [rad]
-constexpr float shortest = 0.05f, longest = 0.36f;  // in still air, and ever nearer to it in a storm
+constexpr float shortest = 0.05f, longest = 0.30f;  // in still air, and ever nearer to it in a storm
 constexpr float half_way = 10;                      // the speed at half of what is between [m/s]
-constexpr Vec2 foot_from_middle = {0, 0.36f};
+constexpr Vec2 foot_from_middle = {0, 0.24f};
 
 float length_at(float speed) {
     return shortest + (longest - shortest) * speed / (speed + half_way);

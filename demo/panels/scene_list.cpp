@@ -7,7 +7,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr ImVec2 picture_size{64, 40};
+const ImVec2 picture_size{64, 40};
 
 /// A row of the list, as high as its picture.
 bool scene_row(const SceneEntry& entry, int key, const render::ShownImage* picture, bool chosen) {

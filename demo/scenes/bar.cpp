@@ -10,13 +10,13 @@ namespace weft::demo {
 namespace {
 
 constexpr float hanging_width = 0.8f, hanging_length = 1.1f, hung_height = 1.6f;  // [m]
-constexpr float bar_thickness = 0.035f, bar_mass = 0.5f;                          // [m], [kg]
+constexpr float bar_thickness = 0.035f, bar_mass = 0.8f;                          // [m], [kg]
 
 class Bar final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        settings.wind = {.velocity = {0.6f, 0, -3.0f}, .gust = 0.7f, .gust_length = 1.0f};
+        settings.wind = {.velocity = {0.5f, 0, -2.4f}, .gust = 0.6f, .gust_length = 1.0f};
         return settings;
     }
 

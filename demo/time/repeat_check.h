@@ -17,7 +17,7 @@ class RepeatCheck {
     struct Difference {
         std::uint64_t step = 0;               ///< as StepReport::step counts
         std::uint64_t first = 0, second = 0;  ///< state hashes
-        std::optional<std::size_t> cloth;     ///< the first that differs; none: what the World has besides
+        std::optional<std::size_t> cloth{};   ///< the first that differs; none: what the World has besides
         std::uint32_t particle = 0;           ///< of that cloth, the first
     };
 

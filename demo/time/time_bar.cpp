@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr ImVec2 bar_size{560, 104};
+constexpr float widest_bar = 640;  // [pixels]
 
 /// The scrubber.
 void show_moments(const Timeline& timeline, Playback& playback, TimeRequests& requests) {
@@ -79,15 +79,20 @@ std::string words_of(const RepeatCheck& check) {
 TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check) {
     TimeRequests requests;
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
-    begin_panel("Time", {0.5f * (picture.x - bar_size.x), -panel_margin}, bar_size);
+    const float rows = check.enabled ? 3 : 2;
+    const ImVec2 size(std::min(widest_bar, picture.x - 2 * panel_margin),
+                      rows * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y);
+    ImGui::SetNextWindowPos({0.5f * (picture.x - size.x), picture.y - panel_margin - size.y});
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin("Time", nullptr,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);
     show_buttons(timeline, playback, requests);
-    show_moments(timeline, playback, requests);
-    if (ImGui::Checkbox("take each step twice", &check.enabled)) check.forget();
+    ImGui::SameLine();
+    if (ImGui::Checkbox("twice", &check.enabled)) check.forget();
     tooltip("Each step is taken, undone and taken again: both must leave the same bytes.");
-    if (check.enabled) {
-        ImGui::SameLine();
-        ImGui::TextUnformatted(words_of(check).c_str());
-    }
+    show_moments(timeline, playback, requests);
+    if (check.enabled) ImGui::TextUnformatted(words_of(check).c_str());
     ImGui::End();
     return requests;
 }

@@ -20,8 +20,8 @@ class Timeline {
     explicit Timeline(std::size_t room = usual_room) : room_(room) {}
 
     /// Keeps where the simulation is now, which becomes here(). What came after the last here() is forgotten:
-    /// it will not come. `mark`: what the host wants to know again of it.
-    Result<void> keep(const Simulation& simulation, std::uint32_t mark = 0);
+    /// it will not come.
+    Result<void> keep(const Simulation& simulation, const HandMark& mark = {});
     /// Puts the simulation where it was at that moment, which becomes here(). Precondition: which < size().
     /// Error: the World does not take the save, and stays where it is.
     Result<void> go_to(std::size_t which, Simulation& simulation);

@@ -106,7 +106,9 @@ TEST(AirSources, AddUpOnTopOfTheWind) {
 /// A sheet that hangs by its upper edge in still air.
 struct Hung {
     explicit Hung(int threads = 1, float gust = 0) : world(World::create(settings(threads, gust)).value()) {
-        const Mesh mesh = make_sheet({.rows = 24, .columns = 24, .origin = {-0.5f, 2, 0}}).value();
+        const Mesh mesh =
+            make_sheet({.rows = 24, .columns = 24, .origin = {-0.5f, 2, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}})
+                .value();
         cloth = world.add_cloth(mesh).value();
         std::vector<std::uint32_t> top(24);
         for (std::uint32_t k = 0; k < 24; ++k) top[k] = k;

@@ -149,7 +149,7 @@ std::unique_ptr<Scene> make_twist_scene() {
     return stage("twist", {.nearer = 1.25f});
 }
 std::unique_ptr<Scene> make_release_scene() {
-    return stage("twist and release", {.nearer = 1.15f, .check_steps = 420});
+    return stage("twist and release", {.nearer = 0.9f, .lower = -0.1f, .check_steps = 420});
 }
 std::unique_ptr<Scene> make_stack10_scene() {
     return stage("ten sheets");

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 /// Ten sheets on the ground, each a cloth of its own.
 ContactScene ten_sheets(std::uint32_t particles) {
     constexpr int sheets = 10;
-    const Piece sheet = piece(0.4, 0.4, or_else(particles, 6000) / sheets);
+    const Piece sheet = piece(0.4, 0.4, or_else(particles, 3000) / sheets);
     std::vector<Mesh> all;
     for (int k = 0; k < sheets; ++k)
         all.push_back(level_sheet(sheet, 0.006 + 1.2 * usual_distance(sheet.edge()) * k, 0.07 * k));

@@ -23,13 +23,15 @@ constexpr std::array<Vec3, 5> cape_colours{{{0.5f, 0.03f, 0.05f},
                                             {0.25f, 0.06f, 0.3f}}};
 
 /// Who wears it, about the World's origin, facing +Z.
-const std::array<Collider, 5>& figure() {
-    static const std::array<Collider, 5> limbs{
+const std::array<Collider, 7>& figure() {
+    static const std::array<Collider, 7> limbs{
         {{.shape = TaperedCapsule{{0, 0.98f, 0}, {0, 1.32f, 0}, 0.13f, 0.15f}},
          {.shape = Sphere{{0, 1.62f, 0.02f}, 0.11f}},
          {.shape = Capsule{{-0.09f, 0.08f, 0}, {-0.09f, 0.9f, 0}, 0.075f}},
          {.shape = Capsule{{0.09f, 0.08f, 0}, {0.09f, 0.9f, 0}, 0.075f}},
-         {.shape = Capsule{{-0.14f, 1.36f, 0}, {0.14f, 1.36f, 0}, 0.07f}}}};
+         {.shape = Capsule{{-0.14f, 1.36f, 0}, {0.14f, 1.36f, 0}, 0.07f}},
+         {.shape = Capsule{{-0.2f, 1.34f, 0}, {-0.27f, 0.86f, 0.1f}, 0.05f}},
+         {.shape = Capsule{{0.2f, 1.34f, 0}, {0.27f, 0.86f, 0.1f}, 0.05f}}}};
     return limbs;
 }
 
@@ -70,7 +72,7 @@ class Capes final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        settings.wind = {.velocity = {0.8f, 0, -3.5f}, .gust = 0.5f, .gust_length = 1.2f};
+        settings.wind = {.velocity = {0.5f, 0, -2.4f}, .gust = 0.5f, .gust_length = 1.2f};
         settings.substeps = 2;
         return settings;
     }
@@ -83,7 +85,7 @@ class Capes final : public Scene {
         SceneContent content;
         for (std::size_t who = 0; who < people; ++who)
             if (auto dressed = dress(world, grid, who, content); !dressed) return dressed.error();
-        content.camera = {.target = {0, 0.9f, -0.2f}, .distance = 4.4f, .yaw = 2.5f, .pitch = 0.14f};
+        content.camera = {.target = {0, 0.9f, -0.2f}, .distance = 5.4f, .yaw = 2.6f, .pitch = 0.14f};
         return content;
     }
 
@@ -149,7 +151,7 @@ class Capes final : public Scene {
             mesh->pattern.push_back({cape_width * part, down});
         }
         ClothSettings settings;
-        settings.fabric = {.areal_density = 0.2f, .warp = 600, .weft = 600, .shear = 100, .bending = 1.5e-5f};
+        settings.fabric = {.areal_density = 0.28f, .warp = 600, .weft = 600, .shear = 100, .bending = 1.5e-5f};
         settings.thickness = 0.012f;
         const auto cape = world.add_cloth(*mesh, settings);
         if (!cape) return cape.error();
@@ -163,7 +165,7 @@ class Capes final : public Scene {
             wearer.limbs.push_back(*added);
             content.drawn_colliders.push_back(*added);
         }
-        content.cloths.push_back({*cape, *mesh, {.front = cape_colours[who], .back = {0.2f, 0.17f, 0.15f}}});
+        content.cloths.push_back({*cape, *mesh, {.front = {0.2f, 0.17f, 0.15f}, .back = cape_colours[who]}});
         wearers_.push_back(std::move(wearer));
         return {};
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t flag_rows = 10, flag_columns = 10;                              // of flags
 constexpr float flags_apart = 1.15f, flag_fly = 0.75f, flag_hoist = 0.5f, mast = 1.9f;  // [m]
-constexpr std::uint32_t particles_of_flag = 150;
+constexpr std::uint32_t particles_of_flag = 96;
 constexpr std::array<Vec3, 5> flag_colours{{{0.55f, 0.06f, 0.07f},
                                             {0.06f, 0.20f, 0.45f},
                                             {0.60f, 0.45f, 0.05f},
@@ -57,7 +57,6 @@ class Flags final : public Scene {
         ClothSettings settings;
         settings.fabric.areal_density = 0.12f;
         settings.fabric.bending = 5e-6f;
-        settings.substeps = 2;
         const auto cooked = CookedCloth::create(mesh_, settings);
         if (!cooked) return cooked.error();
 

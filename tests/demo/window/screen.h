@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace weft::demo {
 
@@ -12,7 +13,10 @@ class Screen {
     /// None where Xvfb or xdotool is not installed, or does not start.
     static std::optional<Screen> start();
     Screen(Screen&& other) noexcept;
-    Screen& operator=(Screen&&) = delete;
+    Screen& operator=(Screen&& other) noexcept {
+        std::swap(process_, other.process_);
+        return *this;
+    }
     ~Screen();
 
     // All of them wait until the event was given to the window system. Places in pixels of the screen, whose

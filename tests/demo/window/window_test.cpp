@@ -77,8 +77,9 @@ float heading_of_flag(const Simulation& simulation) {
 
 TEST_F(Window, ADraggedArrowTurnsTheWindAndTheFlag) {
     float wanted = 0;
-    play("flag", {wait(3), at_once([](const AppFrame& frame) { point(frame.hands.arrow().tip(frame.wind)); }),
-                  wait(2), at_once([](const AppFrame&) { screen()->press(); }),
+    play("flag", {wait(3), key("F1"), wait(2),
+                  at_once([](const AppFrame& frame) { point(frame.hands.arrow().tip(frame.wind)); }), wait(2),
+                  at_once([](const AppFrame&) { screen()->press(); }),
                   [](const AppFrame& frame) { return frame.hands.holds_arrow(); },
                   at_once([&](const AppFrame& frame) {
                       point(frame.hands.arrow().at(-0.2f, -0.02f));  // to the left of the picture
@@ -137,7 +138,7 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
     };
     std::ptrdiff_t before = 0;
     play("sheet",
-         {wait(2), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
+         {wait(2), key("F1"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
           at_once([&](const AppFrame& frame) {
               before = pins(frame);
               const auto positions =
