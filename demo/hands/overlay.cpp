@@ -152,7 +152,8 @@ void hands_controls(Hands& hands) {
 }
 
 void hands_panel(Hands& hands) {
-    begin_panel("Hands", {panel_margin, 562}, {300, 226});
+    ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
+    begin_panel("Hands", {324, panel_margin}, {300, 226});
     hands_controls(hands);
     ImGui::End();
 }
