@@ -16,8 +16,10 @@ namespace {
 constexpr double growing = 1.0;                      // into a garment that has to be fitted [s]
 constexpr double standing = 0.3, blending_in = 0.9;  // [s]
 
-Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
-    if (file.empty()) return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>());
+Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
+    const std::filesystem::path& file = settings.motion;
+    if (file.empty())
+        return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>(settings.runs ? running : Gait{}));
     if (std::filesystem::is_fifo(file)) {
         auto live = LiveMotion::open(file);
         if (!live) return live.error();
@@ -77,7 +79,7 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
 
 Result<Character> Character::create(const CharacterSettings& settings) {
     if (is_gltf(settings.garment)) return create_skinned(settings);
-    auto motion = make_motion(settings.motion);
+    auto motion = make_motion(settings);
     if (!motion) return motion.error();
     const Skeleton& skeleton = (*motion)->skeleton();
     auto body = Body::create(skeleton);

@@ -14,6 +14,7 @@ namespace weft::demo {
 
 struct CharacterSettings {
     std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
+    bool runs = false;              ///< without a motion file: the run that ships
     std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
     std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
     std::uint32_t drawn = 0;        ///< vertices of a finer dress to draw over it, about; 0: none

@@ -35,11 +35,13 @@ Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& c
 
 class Walkers final : public Scene {
   public:
-    Walkers(std::uint32_t rows, std::uint32_t columns) : rows_(rows), columns_(columns) {}
+    Walkers(std::uint32_t rows, std::uint32_t columns, bool run = false)
+        : rows_(rows), columns_(columns), run_(run) {}
 
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        settings.wind.velocity = {0, 0, -1.2f};  // who walks on the spot has the air come at them
+        // Who walks on the spot has the air come at them.
+        settings.wind.velocity = {0, 0, run_ ? -3.0f : -1.2f};
         settings.wind.gust = 0.2f;
         return settings;
     }
@@ -96,6 +98,7 @@ class Walkers final : public Scene {
     [[nodiscard]] CharacterSettings settings_of(std::uint32_t number, const SceneOptions& options) const {
         CharacterSettings settings;
         settings.motion = options.motion;
+        settings.runs = run_;
         settings.garment = options.garment;
         settings.particles = options.particles / (rows_ * columns_);
         if (settings.particles == 0 && is_crowd()) settings.particles = particles_of_many;
@@ -112,6 +115,7 @@ class Walkers final : public Scene {
     }
 
     std::uint32_t rows_, columns_;
+    bool run_;
     std::vector<Character> walkers_;
 };
 
@@ -119,6 +123,9 @@ class Walkers final : public Scene {
 
 std::unique_ptr<Scene> make_character_scene() {
     return std::make_unique<Walkers>(1, 1);
+}
+std::unique_ptr<Scene> make_runner_scene() {
+    return std::make_unique<Walkers>(1, 1, true);
 }
 std::unique_ptr<Scene> make_crowd_scene() {
     return std::make_unique<Walkers>(crowd_rows, crowd_columns);
