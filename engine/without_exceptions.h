@@ -1,7 +1,7 @@
 #pragma once
-// The edge of the interface, which no exception crosses, and what stands within it in place of try and catch: the library
-// can be built without exceptions (WEFT_EXCEPTIONS=OFF). Then what would have thrown ends the process, memory that is not
-// there above all.
+// The edge of the interface, which no exception crosses, and what stands within it in place of try and catch:
+// the library can be built without exceptions (WEFT_EXCEPTIONS=OFF). Then what would have thrown ends the
+// process, memory that is not there above all.
 
 #include <utility>
 

@@ -19,9 +19,11 @@ class Progress {
         return {ErrorCode::cancelled, "cooking was cancelled by CookProgress::report"};
     }
 
-    /// Refuses where the host cancels. Without exceptions cooking goes on, and whoever asked for it drops what it made.
+    /// Refuses where the host cancels. Without exceptions cooking goes on, and whoever asked for it drops
+    /// what it made.
     void reach(float part) const {
-        if (host_.report == nullptr || is_cancelled_ || host_.report(host_.user, part) || part >= done) return;
+        if (host_.report == nullptr || is_cancelled_ || host_.report(host_.user, part) || part >= done)
+            return;
         if constexpr (has_exceptions) refuse(cancelled());
         is_cancelled_ = true;
     }

@@ -115,7 +115,7 @@ class WEFT_API CookedCloth {
 
   private:
     friend class World;
-    struct WEFT_LOCAL Impl;
+    struct Impl;
     explicit CookedCloth(std::shared_ptr<const Impl> impl);
     std::shared_ptr<const Impl> impl_;
 };

@@ -68,7 +68,7 @@ class WEFT_API DrawnMesh {
                 std::size_t count = SIZE_MAX) const noexcept;
 
   private:
-    struct WEFT_LOCAL Bonds;
+    struct Bonds;
     explicit DrawnMesh(std::unique_ptr<Bonds> bonds);
     std::unique_ptr<Bonds> bonds_;
 };

@@ -313,7 +313,7 @@ class WEFT_API World {
 
   private:
     friend class Replayer;
-    struct WEFT_LOCAL Impl;
+    struct Impl;
     explicit World(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

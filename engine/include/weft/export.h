@@ -1,6 +1,7 @@
 #pragma once
-/* What leaves Weft's library, shared or part of another. C and C++. WEFT_SHARED is defined by the build of Weft as a
-   shared library, and by what links that (weft::weft and weft.pc say so); WEFT_BUILDING by the former alone. */
+/* What leaves Weft's library, shared or part of another. C and C++. WEFT_SHARED is defined by the build of
+   Weft as a shared library, and by what links that (weft::weft and weft.pc say so); WEFT_BUILDING by the
+   former alone. */
 
 #if defined(WEFT_SHARED) && defined(_WIN32)
 #if defined(WEFT_BUILDING)
