@@ -106,32 +106,35 @@ void Picture::update_fine(const SceneCloth& cloth, const ClothView& view, std::s
                                             .normals = fine.normals});
 }
 
+void Picture::add_collider(const World& world, ColliderId id) {
+    const auto collider = world.collider(id);
+    if (!collider) return;
+    if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
+        spheres_.push_back({sphere->center, sphere->radius});
+    } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
+        capsules_.push_back({capsule->a, capsule->b, capsule->radius});
+    } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
+        tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
+    } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
+        boxes_.push_back(drawn(*box));
+    }
+}
+
 const render::View& Picture::view(const Simulation& simulation, const render::OrbitCamera& camera,
-                                  float alpha) {
+                                  float alpha, std::span<const ColliderId> thrown) {
     spheres_.clear();
     capsules_.clear();
     tapered_capsules_.clear();
     boxes_.clear();
-    for (const ColliderId id : simulation.content().drawn_colliders) {
-        const auto collider = simulation.world().collider(id);
-        if (!collider) continue;
-        if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
-            spheres_.push_back({sphere->center, sphere->radius});
-        } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
-            capsules_.push_back({capsule->a, capsule->b, capsule->radius});
-        } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
-            tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
-        } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
-            boxes_.push_back(drawn(*box));
-        }
-    }
+    for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
+    for (const ColliderId id : thrown) add_collider(simulation.world(), id);
     view_.camera = camera;
     view_.alpha = alpha;
     view_.spheres = spheres_;
     view_.capsules = capsules_;
     view_.tapered_capsules = tapered_capsules_;
     view_.boxes = boxes_;
-    view_.wind = simulation.world().settings().wind.velocity;
+    view_.wind = shows_wind ? simulation.world().settings().wind.velocity : Vec3{};
     return view_;
 }
 
