@@ -73,7 +73,7 @@ void Picture::show_solid(const SceneSolid& solid) {
                                                                     .back = solid.colour,
                                                                     .roughness = 0.6f,
                                                                     .sheen = 0,
-                                                                    .weave_per_metre = 0,
+                                                                    .thread_width = 0,
                                                                     .translucency = 0}});
     renderer_.update_cloth(
         drawn,
