@@ -31,6 +31,7 @@ class Picture {
         std::vector<Vec4> positions, previous_positions, normals;
     };
     void show_solid(const SceneSolid& solid);
+    void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
