@@ -62,9 +62,7 @@ void Picture::show(const Simulation& simulation) {
 }
 
 void Picture::show_solid(const SceneSolid& solid) {
-    std::vector<Vec4> positions;
-    for (const Vec3& p : solid.mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
-    std::vector<std::uint32_t> each(positions.size());
+    std::vector<std::uint32_t> each(solid.mesh.positions.size());
     std::iota(each.begin(), each.end(), 0u);
     const render::ClothHandle drawn = renderer_.add_cloth({.triangles = solid.mesh.triangles,
                                                            .vertex_to_particle = each,
@@ -75,13 +73,23 @@ void Picture::show_solid(const SceneSolid& solid) {
                                                                     .sheen = 0,
                                                                     .thread_width = 0,
                                                                     .translucency = 0}});
-    renderer_.update_cloth(
-        drawn,
-        {.positions = positions, .previous_positions = positions, .normals = vertex_normals(solid.mesh)});
     solids_.push_back(drawn);
+    update_solid(solid, drawn);
+}
+
+void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
+    Mesh mesh{.positions = solid.moving ? *solid.moving : solid.mesh.positions,
+              .triangles = solid.mesh.triangles};
+    std::vector<Vec4> positions;
+    for (const Vec3& p : mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
+    renderer_.update_cloth(
+        drawn, {.positions = positions, .previous_positions = positions, .normals = vertex_normals(mesh)});
 }
 
 void Picture::update(const Simulation& simulation) {
+    const std::vector<SceneSolid>& solids = simulation.content().solids;
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+        if (solids[i].moving) update_solid(solids[i], solids_[i]);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);

@@ -35,6 +35,7 @@ class Picture {
     };
     void add_collider(const World& world, ColliderId id);
     void show_solid(const SceneSolid& solid);
+    void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
