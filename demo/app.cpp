@@ -38,7 +38,8 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .left_button = io.MouseDown[ImGuiMouseButton_Left],
             .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
             .wheel = io.MouseWheel,
-            .over_panel = layer.wants_mouse()};
+            .over_panel = layer.wants_mouse(),
+            .has_knife = io.KeyShift};
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
@@ -78,6 +79,8 @@ class App {
         const double seconds = now - std::exchange(last_, now);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
         if (!size.empty()) interaction_.update(read_pointer(layer_), size.aspect(), simulation_, camera_);
+        if (std::string complaint = interaction_.take_complaint(); !complaint.empty())
+            panels_.message = std::move(complaint);
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         advance(seconds);
 

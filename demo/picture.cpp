@@ -58,6 +58,7 @@ void Picture::show(const Simulation& simulation) {
                                  .look = cloth.look}));
     }
     for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
+    cuts_ = simulation.cuts();
     update(simulation);
 }
 
@@ -82,6 +83,7 @@ void Picture::show_solid(const SceneSolid& solid) {
 }
 
 void Picture::update(const Simulation& simulation) {
+    if (cuts_ != simulation.cuts()) return show(simulation);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);

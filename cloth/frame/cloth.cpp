@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
+#include "cloth/frame/recut/copies.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -61,6 +62,9 @@ RestNeighbours find_rest_neighbours(const ClothModel& model, const SelfCollision
         }
         graph = {offsets, neighbours, lengths};
     }
+    std::optional<JoinsWithCopies> joins;
+    if (!has_features(settings) && model.rows == 0) joins = joins_with_copies(model);
+    if (joins) graph = joins->graph();
     auto found = RestNeighbours::find(graph, distance);
     if (!found) throw Refusal{found.error()};
     return std::move(found).value();

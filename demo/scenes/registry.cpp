@@ -25,7 +25,8 @@
     SCENE(crossed, "two sheets that start through each other come apart")                                   \
     SCENE(ball, "a ball falls into a hammock")                                                              \
     SCENE(trampoline, "a box on a trampoline")                                                              \
-    SCENE(shapes, "a sheet over each kind of shape")
+    SCENE(shapes, "a sheet over each kind of shape")                                                        \
+    SCENE(tear, "a sheet is drawn apart till it tears in two")
 // clang-format on
 
 namespace weft::demo {
