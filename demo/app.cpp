@@ -44,7 +44,8 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .left_button = io.MouseDown[ImGuiMouseButton_Left],
             .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
             .wheel = io.MouseWheel,
-            .over_panel = layer.wants_mouse()};
+            .over_panel = layer.wants_mouse(),
+            .has_knife = io.KeyShift};
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
@@ -117,6 +118,8 @@ class App {
         pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
         const Vec3 before = wind_.velocity();
         hands_.update(pointer, aspect, simulation_, camera_, wind_);
+        if (std::string complaint = hands_.take_complaint(); !complaint.empty())
+            panels_.message = std::move(complaint);
         const Gamepad pad = read_gamepad();
         steer_by(pad, camera_.yaw, seconds, wind_);
         if (pad.throws && !pad_.throws) note(hands_.throw_ball(simulation_, camera_.ray(0.5f, 0.5f, aspect)));

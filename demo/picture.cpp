@@ -58,6 +58,7 @@ void Picture::show(const Simulation& simulation) {
                                  .look = cloth.look}));
     }
     for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
+    cuts_ = simulation.cuts();
     update(simulation);
 }
 
@@ -87,6 +88,7 @@ void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
 }
 
 void Picture::update(const Simulation& simulation) {
+    if (cuts_ != simulation.cuts()) return show(simulation);
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
         if (solids[i].moving) update_solid(solids[i], solids_[i]);

@@ -16,7 +16,7 @@ class Picture {
 
     /// Takes over the cloths of a simulation that was just built, in place of those shown so far.
     void show(const Simulation& simulation);
-    /// Streams the particles as they are now.
+    /// Streams the particles as they are now, and takes over what was cut.
     void update(const Simulation& simulation);
     /// What to draw, with what was thrown into the scene. Valid until the next call.
     [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
@@ -39,6 +39,7 @@ class Picture {
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
+    std::uint32_t cuts_ = 0;                   // that are shown
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
     std::vector<render::ClothHandle> solids_;
     std::vector<Fine> fine_;  // likewise; empty where the cloth itself is drawn

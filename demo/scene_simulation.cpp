@@ -86,12 +86,21 @@ Result<void> Simulation::restart() {
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
+    fresh.cuts_ = cuts_ + 1;  // its meshes are whole again
     *this = std::move(fresh);
+    return {};
+}
+
+Result<void> Simulation::cut(std::size_t cloth, std::span<const MeshEdge> edges) {
+    const auto done = cut_cloth(world_, content_.cloths[cloth], edges);
+    if (!done) return done.error();
+    if (*done) ++cuts_;
     return {};
 }
 
 void Simulation::before_step(float dt) {
     scene_->before_step(world_, time_, dt);
+    if (scene_->cut_before_step(world_, content_)) ++cuts_;
     time_ += static_cast<double>(dt);
 }
 

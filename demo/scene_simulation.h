@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "demo/cutting/cut_scene.h"
 #include "demo/rung.h"
 #include "demo/scene.h"
 
@@ -48,6 +49,10 @@ class Simulation {
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }
+    /// Parts edges of a cloth of the content, if they are more than the inside of a cut.
+    Result<void> cut(std::size_t cloth, std::span<const MeshEdge> edges);
+    /// How often cloth was cut: with each, a mesh of the content is another.
+    [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
     [[nodiscard]] double time() const { return time_; }  ///< [s]
 
   private:
@@ -61,6 +66,7 @@ class Simulation {
     World world_;
     SceneContent content_;
     double time_ = 0;
+    std::uint32_t cuts_ = 0;
 };
 
 /// All cloths of a scene as one mesh, as they are drawn now.
