@@ -12,6 +12,7 @@
 #include "demo/hands/hands.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
+#include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
 #include "demo/time/repeat_check.h"
@@ -90,21 +91,22 @@ class App {
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         advance(seconds);
 
+        Look& look = panels_.look;
+        picture_.set_look(look.quality.now(), look.inside);
         picture_.update(simulation_);
-        picture_.renderer().draw(
-            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world())),
-            size.width, size.height);
+        const render::View& view =
+            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
+        draw_picture(picture_, view, size.width, size.height, look);
+        if (!size.empty()) tell(save_pictures(picture_, view, size.width, size.height, look));
         draw_panels();
     }
 
     void draw_panels() {
+        draw_words(picture_, camera_);
         draw_overlay(hands_, simulation_, camera_, wind_);
-        const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
-        if (panels_.visible) {
-            hands_panel(hands_);
-            time = time_bar(timeline_, playback_, repeat_);
-        }
+        if (panels_.visible) time = time_bar(timeline_, playback_, repeat_, panels_.room());
         layer_.end();
         if (time.go_to) go_to(*time.go_to);
         if (requests.restart || time.restart) restart();
@@ -131,6 +133,8 @@ class App {
 
     /// As many whole steps as the real time asks for.
     void advance(double seconds) {
+        if (panels_.look.recorder.recording())
+            seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
         const FixedStepFrame frame =
             clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
@@ -164,7 +168,8 @@ class App {
         const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (ImGui::IsKeyPressed(key::space, false)) playback_.paused = !playback_.paused;
-        if (ImGui::IsKeyPressed(key::f1, false)) panels_.visible = !panels_.visible;
+        if (ImGui::IsKeyPressed(key::f1, false)) panels_.help = !panels_.help;
+        if (read_look_keys(panels_.look)) panels_.visible = !panels_.visible;
         if (ImGui::IsKeyPressed(key::r, false)) restart();
         if (ImGui::IsKeyPressed(key::n)) {
             playback_.paused = true;
@@ -248,6 +253,9 @@ class App {
         if (!done) complain(done.error());
     }
     void complain(const Error& error) { panels_.message = error.message; }
+    void tell(const std::string& words) {
+        if (!words.empty()) panels_.message = words;
+    }
 
     [[nodiscard]] int write_trace() const {
         if (options_.trace.empty()) return 0;

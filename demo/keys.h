@@ -19,6 +19,7 @@ constexpr Key space = ImGuiKey_Space, f1 = ImGuiKey_F1, r = ImGuiKey_R, n = ImGu
 constexpr Key b = ImGuiKey_B, f = ImGuiKey_F, p = ImGuiKey_P, t = ImGuiKey_T;
 constexpr Key comma = ImGuiKey_Comma, full_stop = ImGuiKey_Period;
 constexpr Key first_digit = ImGuiKey_1;
+constexpr Key f2 = ImGuiKey_F2, f5 = ImGuiKey_F5, f6 = ImGuiKey_F6;
 }  // namespace key
 
 #else  // keys have the numbers of the window system
@@ -31,6 +32,7 @@ constexpr Key space = GLFW_KEY_SPACE, f1 = GLFW_KEY_F1, r = GLFW_KEY_R, n = GLFW
 constexpr Key b = GLFW_KEY_B, f = GLFW_KEY_F, p = GLFW_KEY_P, t = GLFW_KEY_T;
 constexpr Key comma = GLFW_KEY_COMMA, full_stop = GLFW_KEY_PERIOD;
 constexpr Key first_digit = GLFW_KEY_1;
+constexpr Key f2 = GLFW_KEY_F2, f5 = GLFW_KEY_F5, f6 = GLFW_KEY_F6;
 }  // namespace key
 
 #endif

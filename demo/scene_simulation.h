@@ -43,6 +43,10 @@ class Simulation {
     /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is
     /// of.
     [[nodiscard]] Result<void> restart();
+    /// The settings that the world and the cloths started with; what moves goes on.
+    [[nodiscard]] Result<void> restore_defaults();
+    /// Gives all cloths a fabric's threads, shine and light; their colours stay.
+    void weave(const render::FabricLook& look);
 
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
     [[nodiscard]] Scene& scene() { return *scene_; }
@@ -56,6 +60,7 @@ class Simulation {
     [[nodiscard]] double time() const { return time_; }  ///< [s]
 
   private:
+    void remember_defaults();
     Simulation(const SceneEntry& entry, const SceneOptions& options, std::unique_ptr<Scene> scene,
                World world);
     Result<void> build();
@@ -65,6 +70,8 @@ class Simulation {
     std::unique_ptr<Scene> scene_;
     World world_;
     SceneContent content_;
+    WorldSettings first_settings_;
+    std::vector<ClothSettings> first_cloths_;  // in the order of content_.cloths
     double time_ = 0;
     std::uint32_t cuts_ = 0;
 };
