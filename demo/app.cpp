@@ -10,6 +10,7 @@
 
 #include "demo/hands/gamepad.h"
 #include "demo/hands/hands.h"
+#include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
 #include "demo/look/show.h"
@@ -61,7 +62,7 @@ class App {
           simulation_(std::move(simulation)),
           context_(std::move(context)),
           picture_(std::move(picture)),
-          layer_(context_),
+          layer_(heard(context_)),
           last_(glfwGetTime()) {
         picture_.shows_wind = false;  // the hands' arrow does
         arrive();
@@ -83,12 +84,19 @@ class App {
     }
 
   private:
+    /// The layer passes on what keys_ hear.
+    render::Context& heard(render::Context& context) {
+        keys_.listen_to(context.window_handle());
+        return context;
+    }
+
     void draw_frame(PictureSize size) {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
+        keys_.forget();
         advance(seconds);
 
         Look& look = panels_.look;
@@ -167,26 +175,26 @@ class App {
     void read_keys(float seconds) {
         const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
-        if (ImGui::IsKeyPressed(key::space, false)) playback_.paused = !playback_.paused;
-        if (ImGui::IsKeyPressed(key::f1, false)) panels_.help = !panels_.help;
+        if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
+        if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
         if (read_look_keys(panels_.look)) panels_.visible = !panels_.visible;
-        if (ImGui::IsKeyPressed(key::r, false)) restart();
-        if (ImGui::IsKeyPressed(key::n)) {
+        if (keys_.count(GLFW_KEY_R) > 0) restart();
+        if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
             playback_.paused = true;
-            ++playback_.single_steps;
+            playback_.single_steps += steps;
         }
-        if (ImGui::IsKeyPressed(key::comma) && timeline_.here() > 0) {
-            playback_.paused = true;
-            go_to(timeline_.here() - 1);
-        }
-        if (ImGui::IsKeyPressed(key::full_stop)) step_on();
+        for (int k = keys_.count(GLFW_KEY_COMMA, true); k > 0; --k) step_back();
+        for (int k = keys_.count(GLFW_KEY_PERIOD, true); k > 0; --k) step_on();
         read_keys_of_hands();
         const std::span<const SceneEntry> scenes = all_scenes();
         for (std::size_t k = 0; k < std::min<std::size_t>(scenes.size(), 9); ++k)
-            if (ImGui::IsKeyPressed(key::digit(static_cast<int>(k) + 1), false))
-                return change_scene(scenes[k]);
+            if (keys_.count(GLFW_KEY_1 + static_cast<int>(k)) > 0) return change_scene(scenes[k]);
     }
 
+    void step_back() {
+        playback_.paused = true;
+        if (timeline_.here() > 0) go_to(timeline_.here() - 1);
+    }
     void step_on() {
         playback_.paused = true;
         if (timeline_.here() + 1 < timeline_.size())
@@ -196,9 +204,9 @@ class App {
     }
 
     void read_keys_of_hands() {
-        if (ImGui::IsKeyPressed(key::p, false)) note(hands_.pin_or_unpin(simulation_, pointed_));
-        if (ImGui::IsKeyPressed(key::t, false)) note(hands_.throw_ball(simulation_, pointed_));
-        if (ImGui::IsKeyPressed(key::b, false)) hands_.blast(simulation_, camera_, pointed_);
+        if (keys_.count(GLFW_KEY_P) % 2 == 1) note(hands_.pin_or_unpin(simulation_, pointed_));
+        for (int k = keys_.count(GLFW_KEY_T); k > 0; --k) note(hands_.throw_ball(simulation_, pointed_));
+        if (keys_.count(GLFW_KEY_B) > 0) hands_.blast(simulation_, camera_, pointed_);
         if (ImGui::IsKeyDown(key::f))
             hands_.blow(simulation_, camera_, pointed_);
         else
@@ -269,6 +277,7 @@ class App {
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;
     Picture picture_;
+    KeyTaps keys_;
     render::ImGuiLayer layer_;
 
     FixedStep clock_;

@@ -1,7 +1,8 @@
-#include "demo/hands/hands.h"
 #include "demo/photographer.h"
 
 #include <utility>
+
+#include "demo/hands/hands.h"
 
 namespace weft::demo {
 namespace {

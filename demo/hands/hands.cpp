@@ -117,7 +117,7 @@ void Hands::begin(const Simulation& simulation) {
     balls.forget();
     air.forget();
     const render::OrbitCamera& camera = simulation.content().camera;
-    streaks.begin(camera.target, 0.45f * camera.distance);
+    streaks.begin(camera.target, 0.38f * camera.distance);
 }
 
 }  // namespace weft::demo

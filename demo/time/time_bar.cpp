@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float widest_bar = 640;  // [pixels]
+constexpr float widest_bar = 592;  // [pixels]
 
 /// The scrubber.
 void show_moments(const Timeline& timeline, Playback& playback, TimeRequests& requests) {
@@ -54,7 +54,7 @@ void show_buttons(const Timeline& timeline, Playback& playback, TimeRequests& re
     requests.restart = ImGui::Button("Reset");
     tooltip("R. The scene from its start, with the settings as they are.");
     ImGui::SameLine();
-    requests.defaults = ImGui::Button("Restore defaults");
+    requests.defaults = ImGui::Button("Defaults");
     tooltip("The scene from its start, with all settings as they were.");
 }
 

@@ -1,10 +1,10 @@
 // What the panels show, as far as it needs no picture.
 
-#include "demo/hands/hands.h"
 #include "demo/panels/panels.h"
 
 #include <gtest/gtest.h>
 
+#include "demo/hands/hands.h"
 #include "demo/method_table.h"
 #include "demo/panels/widgets.h"
 #include "demo/report_text.h"
