@@ -177,7 +177,7 @@ class App {
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
         if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
-        if (read_look_keys(panels_.look)) panels_.visible = !panels_.visible;
+        if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
         if (keys_.count(GLFW_KEY_R) > 0) restart();
         if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
             playback_.paused = true;

@@ -16,7 +16,6 @@ namespace key {
 constexpr Key left = ImGuiKey_LeftArrow, right = ImGuiKey_RightArrow;
 constexpr Key up = ImGuiKey_UpArrow, down = ImGuiKey_DownArrow;
 constexpr Key f = ImGuiKey_F;
-constexpr Key f2 = ImGuiKey_F2, f5 = ImGuiKey_F5, f6 = ImGuiKey_F6;
 }  // namespace key
 
 #else  // keys have the numbers of the window system
@@ -26,7 +25,6 @@ namespace key {
 constexpr Key left = GLFW_KEY_LEFT, right = GLFW_KEY_RIGHT;
 constexpr Key up = GLFW_KEY_UP, down = GLFW_KEY_DOWN;
 constexpr Key f = GLFW_KEY_F;
-constexpr Key f2 = GLFW_KEY_F2, f5 = GLFW_KEY_F5, f6 = GLFW_KEY_F6;
 }  // namespace key
 
 #endif

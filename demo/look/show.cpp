@@ -1,11 +1,11 @@
 #include "demo/look/show.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <chrono>
 #include <utility>
 
-#include "demo/keys.h"
 
 namespace weft::demo {
 namespace {
@@ -80,10 +80,10 @@ std::string save_pictures(Picture& picture, const render::View& view, int width,
     return words;
 }
 
-bool read_look_keys(Look& look) {
-    look.wants_picture |= ImGui::IsKeyPressed(key::f5, false);
-    look.wants_film |= ImGui::IsKeyPressed(key::f6, false);
-    return ImGui::IsKeyPressed(key::f2, false);
+bool read_look_keys(const KeyTaps& keys, Look& look) {
+    look.wants_picture |= keys.count(GLFW_KEY_F5) > 0;
+    look.wants_film |= keys.count(GLFW_KEY_F6) % 2 == 1;
+    return keys.count(GLFW_KEY_F2) % 2 == 1;
 }
 
 }  // namespace weft::demo
