@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "engine/without_exceptions.h"
+
 namespace weft {
 
 namespace {
@@ -47,8 +49,8 @@ Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<con
     const auto first = std::ranges::min_element(events, {}, &TraceEvent::begin);
     const std::map<std::uint32_t, std::string> names = names_of_threads(events, driver);
     std::ofstream out(file);
-    try {
-        out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+    ignoring<std::ios_base::failure>([&] {
+        if constexpr (has_exceptions) out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
         out << std::fixed << std::setprecision(3) << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n";
         write_name(out, "process_name", 0, "weft");
         for (const auto& [thread, name] : names) {
@@ -61,8 +63,7 @@ Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<con
         }
         out << "\n]}\n";
         out.close();
-    } catch (const std::ios_base::failure&) {
-    }
+    });
     if (!out) return Error{ErrorCode::file_not_found, "the trace " + file.string() + " cannot be written"};
     return {};
 }

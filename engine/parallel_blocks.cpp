@@ -9,6 +9,7 @@
 #include "engine/host_team.h"
 #include "engine/loop_team.h"
 #include "engine/tracy_zones.h"
+#include "engine/without_exceptions.h"
 
 #ifdef WEFT_STD_THREADS
 #include "engine/helper_threads.h"
@@ -51,12 +52,9 @@ class Helpers {
     Helpers& operator=(const Helpers&) = delete;
 
     bool send(std::uint32_t place) noexcept {
-        try {
+        return comes_through([&] {
             arena_.enqueue([team = team_, place, waiting = waiting_] { team->help(place, waiting); });
-        } catch (const std::bad_alloc&) {
-            return false;
-        }
-        return true;
+        });
     }
 
   private:

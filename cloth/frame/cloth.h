@@ -109,6 +109,10 @@ struct ShownCloth {
     return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
+/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where nothing can
+/// be thrown this is asked before, else it is passed over.
+[[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
+
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/without_exceptions.h"
+
 namespace weft {
 
 namespace {
@@ -125,14 +127,13 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
     if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
     std::optional<Together> together;
-    try {
-        if (!cloth.features) cloth.make_contact_mesh();
-        together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
-        cloth.apply(changed);
-    } catch (...) {
-        cloth.drop_contact_mesh();
-        throw;
-    }
+    or_undo(
+        [&] {
+            if (!cloth.features) cloth.make_contact_mesh();
+            together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
+            cloth.apply(changed);
+        },
+        [&] { cloth.drop_contact_mesh(); });
     if (together) together_ = *std::move(together);
 }
 

@@ -15,6 +15,7 @@
 #include "weft/cooked_cloth.h"
 #include "weft/debug_draw.h"
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
@@ -53,7 +54,7 @@ enum class DescriptionFormat : std::uint8_t { text, json };
 
 /// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each
 /// other.
-class World {
+class WEFT_API World {
   public:
     /// Error: a setting out of range.
     [[nodiscard]] static Result<World> create(const WorldSettings& settings = {});
