@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
+#include "engine/platform.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -19,7 +19,7 @@ bool has_gusts(const Wind& wind) {
 
 Parallel make_parallel(const WorldSettings& settings) {
     if (settings.executor.run != nullptr) return Parallel(settings.executor);
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int cores = hardware_threads();
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 

@@ -10,8 +10,8 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "tests/guarantees/method_cases.h"
@@ -26,11 +26,14 @@ constexpr int steps = 30;
 /// "METHOD fused HASH" and "METHOD plain HASH", a line each.
 using Hashes = std::map<std::string, std::string>;
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;  // since WASI has no streams of files
+
 Hashes read_hashes() {
     Hashes hashes;
-    std::ifstream in(WEFT_PORTABLE_HASHES);
-    for (std::string method, rounding, hash; in >> method >> rounding >> hash;)
-        hashes[method + ' ' + rounding] = hash;
+    const File in(std::fopen(WEFT_PORTABLE_HASHES, "r"), std::fclose);
+    char method[128], rounding[16], hash[32];
+    while (in && std::fscanf(in.get(), "%127s %15s %31s", method, rounding, hash) == 3)
+        hashes[std::string(method) + ' ' + rounding] = hash;
     return hashes;
 }
 
@@ -66,9 +69,9 @@ TEST_P(PortableHash, IsThatOfEveryMachine) {
             EXPECT_EQ(hash, recorded[key]) << "under " << hwy::TargetName(target);
     }
     if (std::getenv("WEFT_RECORD_HASHES") == nullptr) return;
-    std::ofstream out(WEFT_PORTABLE_HASHES);
-    for (const auto& [key, hash] : recorded) out << key << ' ' << hash << '\n';
-    ASSERT_TRUE(out.flush()) << WEFT_PORTABLE_HASHES << " cannot be written";
+    const File out(std::fopen(WEFT_PORTABLE_HASHES, "w"), std::fclose);
+    ASSERT_TRUE(out) << WEFT_PORTABLE_HASHES << " cannot be written";
+    for (const auto& [key, hash] : recorded) std::fprintf(out.get(), "%s %s\n", key.c_str(), hash.c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PortableHash, testing::ValuesIn(method_cases()),
