@@ -6,11 +6,17 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "demo/interaction.h"
+#include "demo/hands/gamepad.h"
+#include "demo/hands/hands.h"
+#include "demo/hands/overlay.h"
 #include "demo/keys.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
+#include "demo/time/repeat_check.h"
+#include "demo/time/time_bar.h"
+#include "demo/time/timeline.h"
 #include "weft/render/context.h"
 #include "weft/render/imgui_layer.h"
 
@@ -55,10 +61,11 @@ class App {
           picture_(std::move(picture)),
           layer_(context_),
           last_(glfwGetTime()) {
+        picture_.shows_wind = false;  // the hands' arrow does
         arrive();
     }
 
-    [[nodiscard]] int run() {
+    [[nodiscard]] int run(const AppLook& look) {
         if (!options_.trace.empty()) {
             if (const auto started = simulation_.world().start_trace(); !started) complain(started.error());
         }
@@ -68,6 +75,7 @@ class App {
             glfwPollEvents();
             draw_frame(framebuffer_size(window));
             glfwSwapBuffers(window);
+            if (look && !look({frame, simulation_, wind_, hands_, timeline_, playback_, camera_})) break;
         }
         return write_trace();
     }
@@ -77,21 +85,51 @@ class App {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
-        if (!size.empty()) interaction_.update(read_pointer(layer_), size.aspect(), simulation_, camera_);
+        if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         advance(seconds);
 
         picture_.update(simulation_);
-        picture_.renderer().draw(picture_.view(simulation_, camera_, alpha_), size.width, size.height);
+        picture_.renderer().draw(
+            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world())),
+            size.width, size.height);
+        draw_panels();
+    }
+
+    void draw_panels() {
+        draw_overlay(hands_, simulation_, camera_, wind_);
         const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        TimeRequests time;
+        if (panels_.visible) {
+            hands_panel(hands_);
+            time = time_bar(timeline_, playback_, repeat_);
+        }
         layer_.end();
-        if (requests.restart) restart();
+        if (time.go_to) go_to(*time.go_to);
+        if (requests.restart || time.restart) restart();
+        if (time.defaults) change_scene(simulation_.entry());
         if (requests.scene != nullptr) change_scene(*requests.scene);
+    }
+
+    /// The mouse and the gamepad.
+    void use_hands(float aspect, float seconds) {
+        const Pointer pointer = read_pointer(layer_);
+        pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
+        const Vec3 before = wind_.velocity();
+        hands_.update(pointer, aspect, simulation_, camera_, wind_);
+        const Gamepad pad = read_gamepad();
+        steer_by(pad, camera_.yaw, seconds, wind_);
+        if (pad.throws && !pad_.throws) note(hands_.throw_ball(simulation_, camera_.ray(0.5f, 0.5f, aspect)));
+        if (pad.blasts && !pad_.blasts) hands_.blast(simulation_, camera_, camera_.ray(0.5f, 0.5f, aspect));
+        pad_ = pad;
+        const Vec3 after = wind_.velocity();
+        if (after.x != before.x || after.z != before.z) apply_wind();
     }
 
     /// As many whole steps as the real time asks for.
     void advance(double seconds) {
-        const FixedStepFrame frame = clock_.advance(playback_.paused ? 0 : seconds);
+        const FixedStepFrame frame =
+            clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
         for (int i = 0; i < frame.steps; ++i) step();
         alpha_ = frame.alpha;
@@ -100,9 +138,23 @@ class App {
 
     void step() {
         const auto dt = static_cast<float>(clock_.settings().step);
-        interaction_.before_step(simulation_, dt);
-        simulation_.step(dt);
+        hands_.before_step(simulation_, dt);
+        simulation_.before_step(dt);
+        repeat_.step(simulation_.world(), cloths_, dt);
+        hands_.after_step(simulation_, dt);
         panels_.record(simulation_.world());
+        note(timeline_.keep(simulation_, hands_.mark()));
+    }
+
+    /// To a moment of the timeline.
+    void go_to(std::size_t which) {
+        if (which >= timeline_.size()) return;
+        const HandMark mark = timeline_.mark_of(which);
+        note(hands_.prepare(simulation_, mark));
+        if (auto gone = timeline_.go_to(which, simulation_); !gone) return complain(gone.error());
+        hands_.arrive_in(simulation_, mark);
+        clock_.reset();
+        alpha_ = 1;
     }
 
     void read_keys(float seconds) {
@@ -115,14 +167,42 @@ class App {
             playback_.paused = true;
             ++playback_.single_steps;
         }
+        if (ImGui::IsKeyPressed(key::comma) && timeline_.here() > 0) {
+            playback_.paused = true;
+            go_to(timeline_.here() - 1);
+        }
+        if (ImGui::IsKeyPressed(key::full_stop)) step_on();
+        read_keys_of_hands();
         const std::span<const SceneEntry> scenes = all_scenes();
         for (std::size_t k = 0; k < std::min<std::size_t>(scenes.size(), 9); ++k)
             if (ImGui::IsKeyPressed(key::digit(static_cast<int>(k) + 1), false))
                 return change_scene(scenes[k]);
     }
 
+    void step_on() {
+        playback_.paused = true;
+        if (timeline_.here() + 1 < timeline_.size())
+            go_to(timeline_.here() + 1);
+        else
+            ++playback_.single_steps;
+    }
+
+    void read_keys_of_hands() {
+        if (ImGui::IsKeyPressed(key::p, false)) note(hands_.pin_or_unpin(simulation_, pointed_));
+        if (ImGui::IsKeyPressed(key::t, false)) note(hands_.throw_ball(simulation_, pointed_));
+        if (ImGui::IsKeyPressed(key::b, false)) hands_.blast(simulation_, camera_, pointed_);
+        if (ImGui::IsKeyDown(key::f))
+            hands_.blow(simulation_, camera_, pointed_);
+        else
+            hands_.air.put_fan_away();
+    }
+
     void steer_wind(float turn, float faster, float seconds) {
         wind_.steer(turn, faster, seconds);
+        apply_wind();
+    }
+
+    void apply_wind() {
         WorldSettings settings = simulation_.world().settings();
         settings.wind.velocity = wind_.velocity();
         (void)simulation_.world().set_settings(settings);  // a WindControl's wind is always in range
@@ -145,8 +225,13 @@ class App {
     /// What was about the world before is of no use any more.
     void begin_anew() {
         picture_.show(simulation_);
-        interaction_.forget();
+        cloths_.clear();
+        for (const SceneCloth& cloth : simulation_.content().cloths) cloths_.push_back(cloth.id);
+        hands_.begin(simulation_);
         panels_.forget();
+        repeat_.forget();
+        timeline_.clear();
+        note(timeline_.keep(simulation_));
         clock_.reset();
     }
 
@@ -156,6 +241,9 @@ class App {
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
     }
 
+    void note(const Result<void>& done) {
+        if (!done) complain(done.error());
+    }
     void complain(const Error& error) { panels_.message = error.message; }
 
     [[nodiscard]] int write_trace() const {
@@ -175,7 +263,12 @@ class App {
     FixedStep clock_;
     double last_;      // time of the last picture [s]
     float alpha_ = 1;  // between the last two steps
-    Interaction interaction_;
+    Hands hands_;
+    Gamepad pad_;
+    render::Ray pointed_{};  // through the pointer
+    std::vector<ClothId> cloths_;
+    Timeline timeline_;
+    RepeatCheck repeat_;
     Panels panels_;
     Playback playback_;
     WindControl wind_;
@@ -184,7 +277,7 @@ class App {
 
 }  // namespace
 
-int run_app(const Options& options, Simulation simulation) {
+int run_app(const Options& options, Simulation simulation, const AppLook& look) {
     if (auto writable = check_writable("--trace", options.trace); !writable) {
         std::fprintf(stderr, "weft_demo: %s\n", writable.error().message.c_str());
         return 2;
@@ -197,7 +290,7 @@ int run_app(const Options& options, Simulation simulation) {
     if (!context) return fail(context.error());
     auto picture = Picture::create();
     if (!picture) return fail(picture.error());
-    return App(options, std::move(simulation), std::move(*context), std::move(*picture)).run();
+    return App(options, std::move(simulation), std::move(*context), std::move(*picture)).run(look);
 }
 
 }  // namespace weft::demo

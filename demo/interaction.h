@@ -27,6 +27,8 @@ class Interaction {
     void before_step(Simulation& simulation, float dt) { grab_.before_step(simulation.world(), dt); }
     /// The world that the hand was in is gone.
     void forget() { grab_.forget(); }
+    /// What is grabbed stays pinned when it is let go.
+    void leave_pinned() { grab_.leave_pinned(); }
 
     [[nodiscard]] const Grab& grab() const { return grab_; }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Shows a Simulation through render's SceneRenderer.
 
+#include <span>
 #include <vector>
 
 #include "demo/scene_simulation.h"
@@ -17,9 +18,11 @@ class Picture {
     void show(const Simulation& simulation);
     /// Streams the particles as they are now.
     void update(const Simulation& simulation);
-    /// What to draw. Valid until the next call.
+    /// What to draw, with what was thrown into the scene. Valid until the next call.
     [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
-                                           float alpha);
+                                           float alpha, std::span<const ColliderId> thrown = {});
+
+    bool shows_wind = true;  ///< as an arrow on the ground
 
     [[nodiscard]] render::SceneRenderer& renderer() { return renderer_; }
 
@@ -30,7 +33,9 @@ class Picture {
     struct Fine {
         std::vector<Vec4> positions, previous_positions, normals;
     };
+    void add_collider(const World& world, ColliderId id);
     void show_solid(const SceneSolid& solid);
+    void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;

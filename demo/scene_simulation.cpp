@@ -90,10 +90,9 @@ Result<void> Simulation::restart() {
     return {};
 }
 
-const StepReport& Simulation::step(float dt) {
+void Simulation::before_step(float dt) {
     scene_->before_step(world_, time_, dt);
     time_ += static_cast<double>(dt);
-    return world_.step(dt);
 }
 
 Mesh current_mesh(const World& world, const SceneContent& content) {

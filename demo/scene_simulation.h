@@ -29,7 +29,14 @@ class Simulation {
                                                    const Overrides& overrides);
 
     /// Moves the scene's pins and colliders, then the world, by dt [s].
-    const StepReport& step(float dt);
+    const StepReport& step(float dt) {
+        before_step(dt);
+        return world_.step(dt);
+    }
+    /// The scene's part of it alone: the World's own step has to follow.
+    void before_step(float dt);
+    /// The World was put back to where it was at that time [s].
+    void set_time(double seconds) { time_ = seconds; }
 
     /// The scene from its start, with the settings that the world and the cloths have now. Error: it cannot
     /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is

@@ -1,6 +1,9 @@
 // The air's part of a step.
 
+#include <utility>
+
 #include "cloth/frame/simulation.h"
+#include "cloth/surface/air_sources.h"
 #include "cloth/surface/gusts.h"
 
 namespace weft {
@@ -8,8 +11,12 @@ namespace weft {
 void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
     if (cloth.air.velocities.size() == 0) return;
     const auto timer = timed(Stage::wind);
-    WindField(settings.wind, state.wind_path, state.time)
-        .sample(worker.parallel, cloth.state.positions.span(), cloth.air.velocities.span());
+    find_air(worker.parallel, std::as_const(cloth.state.positions).span(), cloth.air.velocities.span());
+}
+
+void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const {
+    WindField(settings.wind, state.wind_path, state.time).sample(threads, points, velocities);
+    if (has_sources(settings.wind)) add_air_of_sources(threads, settings.wind, points, velocities);
 }
 
 void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {

@@ -276,9 +276,9 @@ ColliderBuffers Cloth::make_collider_buffers(bool any_colliders) const {
     return made;
 }
 
-AirBuffers Cloth::make_air(bool on, bool gusts) const {
+AirBuffers Cloth::make_air(bool on, bool air_varies) const {
     const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
-    return {.forces = sized(on), .velocities = sized(on && gusts)};
+    return {.forces = sized(on), .velocities = sized(on && air_varies)};
 }
 
 float Cloth::inverse_mass_when_free(std::uint32_t particle) const {

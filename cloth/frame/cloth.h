@@ -149,7 +149,7 @@ struct Cloth {
         in_triggers = std::move(made.in_triggers);
     }
 
-    [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
+    [[nodiscard]] AirBuffers make_air(bool on, bool air_varies) const;
     void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
     /// None if the cloth needs no such buffers, or has them.
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const {

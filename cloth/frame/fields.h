@@ -109,11 +109,17 @@ void for_each_field(T& of, const Visit& visit) {
                "view_distance", view_distance);
 }
 
+template <FieldsOf<AirSource> T, class Visit>
+void for_each_field(T& of, const Visit& visit) {
+    auto& [kind, position, velocity, radius] = of;
+    visit_each(visit, "kind", kind, "position", position, "velocity", velocity, "radius", radius);
+}
+
 template <FieldsOf<Wind> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [velocity, gust, gust_length, air_density, drag, lift, seed] = of;
+    auto& [velocity, gust, gust_length, air_density, drag, lift, seed, sources] = of;
     visit_each(visit, "velocity", velocity, "gust", gust, "gust_length", gust_length, "air_density",
-               air_density, "drag", drag, "lift", lift, "seed", seed);
+               air_density, "drag", drag, "lift", lift, "seed", seed, "sources", sources);
 }
 
 /// But for the executor, which is the host's.

@@ -169,6 +169,16 @@ void check_importance(Checks& checks, float priority, float view_distance) {
     checks.between("ClothSettings::view_distance", view_distance, 0, 1e6f);
 }
 
+void check(Checks& checks, const AirSource& source) {
+    checks.one_of(
+        "AirSource::kind", source.kind,
+        {"AirSourceKind::none", "AirSourceKind::jet", "AirSourceKind::blast", "AirSourceKind::wake"});
+    if (source.kind == AirSourceKind::none) return;
+    checks.within("AirSource::position", source.position, runaway_distance);
+    checks.within("AirSource::velocity", source.velocity, 1e3f);
+    checks.between("AirSource::radius", source.radius, 1e-3f, 1e5f);
+}
+
 void check(Checks& checks, const Wind& wind) {
     checks.within("Wind::velocity", wind.velocity, 1e3f);
     checks.between("Wind::gust", wind.gust, 0, 100);
@@ -176,6 +186,7 @@ void check(Checks& checks, const Wind& wind) {
     checks.between("Wind::air_density", wind.air_density, 0, 1e4f);
     checks.between("Wind::drag", wind.drag, 0, 1e3f);
     checks.between("Wind::lift", wind.lift, 0, 1e3f);
+    for (const AirSource& source : wind.sources) check(checks, source);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "cloth/surface/air_sources.h"
 #include "engine/platform.h"
 #include "engine/without_exceptions.h"
 
@@ -13,8 +14,9 @@ namespace weft {
 
 namespace {
 
-bool has_gusts(const Wind& wind) {
-    return wind.gust > 0;
+/// From place to place.
+bool varies(const Wind& wind) {
+    return wind.gust > 0 || has_sources(wind);
 }
 
 Parallel make_parallel(const WorldSettings& settings) {
@@ -34,7 +36,8 @@ bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
 
 /// Whether cloth at rest feels no difference.
 bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
-    static_assert(std::is_trivially_copyable_v<Wind> && sizeof(Wind) == 9 * sizeof(float));
+    static_assert(std::is_trivially_copyable_v<Wind> && sizeof(AirSource) == 8 * sizeof(float) &&
+                  sizeof(Wind) == 9 * sizeof(float) + sizeof(Wind::sources));
     return std::memcmp(&a.wind, &b.wind, sizeof a.wind) == 0 && to_vector(a.gravity) == to_vector(b.gravity);
 }
 
@@ -78,12 +81,12 @@ void Simulation::apply(const WorldSettings& changed) {
         });
         reserve_collider_ids(reported);
     }
-    const bool on = changed.wind.air_density > 0, gusts = has_gusts(changed.wind);
+    const bool on = changed.wind.air_density > 0, air_varies = varies(changed.wind);
     ForCloths<AirBuffers> air;
-    if (on != air_is_on() || gusts != has_gusts(settings.wind)) {
+    if (on != air_is_on() || air_varies != varies(settings.wind)) {
         air.reserve(cloths.size());
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-            air.emplace_back(cloth.get(), cloth->make_air(on, gusts));
+            air.emplace_back(cloth.get(), cloth->make_air(on, air_varies));
         });
     }
 
@@ -213,7 +216,7 @@ void Simulation::prepare(Cloth& cloth) {
     const bool any_colliders = state.colliders.size() > 0 || state.bodies.size() > 0;
     prepare_for_bodies(cloth);
     cloth.take_budget(cloth.make_budget(settings.budget > 0));
-    cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
+    cloth.take_air(cloth.make_air(air_is_on(), varies(settings.wind)));
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
     cloth.take_collider_buffers(cloth.make_collider_buffers(any_colliders));

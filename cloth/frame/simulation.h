@@ -130,6 +130,9 @@ struct Simulation {
     void wake_near(const Collider& collider) noexcept;
     void wake_near(const Cloth& gone) noexcept;
 
+    /// The air's velocities at points [m/s]; both have room for whole groups of 16.
+    void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
+
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);

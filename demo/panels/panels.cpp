@@ -37,7 +37,7 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& 
                            const render::OrbitCamera& camera) {
     PanelRequests requests;
     if (!visible) return requests;
-    scene_panel(simulation, message, playback, requests);
+    scene_panel(simulation, pictures_, message, playback, requests);
     note(wind_panel(simulation, wind, camera));
     note(method_panel(simulation));
     note(cloth_panel(simulation));

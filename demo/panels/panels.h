@@ -1,6 +1,8 @@
 #pragma once
 // The panels: everything that can be turned while the cloth moves, and what it costs.
 
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "demo/scene_simulation.h"
 #include "demo/wind_control.h"
 #include "weft/render/camera.h"
+#include "weft/render/shown_image.h"
 
 namespace weft::demo {
 
@@ -16,6 +19,7 @@ struct Playback {
     bool paused = false;
     int single_steps = 0;           ///< to take while paused
     bool behind_real_time = false;  ///< the last frame had more time than it could simulate
+    float speed = 1;                ///< seconds of the scene in a second
 };
 
 /// What a panel asks of the program.
@@ -42,6 +46,16 @@ class StageHistory {
     std::vector<float> times_;  // length rows of stages_
 };
 
+/// Pictures of scenes, by name: NAME.png in a folder that `demo/pictures/scenes/make` fills.
+class ScenePictures {
+  public:
+    /// Null: there is none. Precondition: a render::Context is current.
+    [[nodiscard]] const render::ShownImage* of(const char* scene);
+
+  private:
+    std::map<std::string, std::optional<render::ShownImage>> pictures_;
+};
+
 class Panels {
   public:
     bool visible = true;
@@ -59,12 +73,13 @@ class Panels {
     void note(const Result<void>& set);
 
     StageHistory history_;
+    ScenePictures pictures_;
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
 // goes on as it was.
-void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
-                 PanelRequests& requests);
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, const std::string& message,
+                 Playback& playback, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);

@@ -1,24 +1,14 @@
-#include <cstdio>
-
 #include "demo/panels/panels.h"
+#include "demo/panels/scene_list.h"
 #include "demo/panels/widgets.h"
 
 namespace weft::demo {
 
-void scene_panel(const Simulation& simulation, const std::string& message, Playback& playback,
-                 PanelRequests& requests) {
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, const std::string& message,
+                 Playback& playback, PanelRequests& requests) {
     begin_panel("Scene", {panel_margin, panel_margin}, {300, 264});
     ImGui::BeginChild("scenes", {0, 5.5f * ImGui::GetTextLineHeightWithSpacing()});
-    int key = 0;
-    for (const SceneEntry& entry : all_scenes()) {
-        char label[64];
-        if (++key <= 9)  // that has one
-            std::snprintf(label, sizeof label, "%d  %s", key, entry.name);
-        else
-            std::snprintf(label, sizeof label, "   %s", entry.name);
-        if (ImGui::Selectable(label, &entry == &simulation.entry())) requests.scene = &entry;
-        tooltip(entry.description);
-    }
+    scene_list(simulation, pictures, requests);
     ImGui::EndChild();
     ImGui::Separator();
     if (ImGui::Button(playback.paused ? "Run" : "Pause", {84, 0})) playback.paused = !playback.paused;

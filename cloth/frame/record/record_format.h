@@ -27,7 +27,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
 /// Another number for each change of what follows, fields.h included.
-inline constexpr std::uint32_t recording_version = 2;
+inline constexpr std::uint32_t recording_version = 3;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
 struct RecordingHead {
@@ -92,6 +92,10 @@ class RecordWriter {
         put(static_cast<std::uint64_t>(list.size()));
         const auto bytes = std::as_bytes(list);
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+    template <HasFields T, std::size_t count>
+    void put(const std::array<T, count>& values) {
+        for (const T& each : values) put(each);
     }
     template <HasFields T>
     void put(const T& value) {

@@ -64,6 +64,10 @@ class WEFT_API World {
 
     [[nodiscard]] const WorldSettings& settings() const noexcept;
     Result<void> set_settings(const WorldSettings& settings);
+    /// Writes the air's velocity at points [m/s], as the next step will have it: wind, gusts and sources. For
+    /// what drifts in it besides cloth, such as leaves and smoke; takes some 30 ns a point where there are
+    /// gusts. Error: not as many velocities as points.
+    Result<void> sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const;
 
     /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
     /// cloth alone; the mesh is not kept.

@@ -71,6 +71,7 @@ struct EveryCall {
         WorldSettings settings;
         settings.threads = 1;
         settings.wind.velocity = {1, 0, 3};
+        settings.wind.sources[1] = {AirSourceKind::jet, {0, 0.5f, -1}, {0, 0, 4}, 0.5f};
         settings.contact_reports = 32;
         settings.budget = 1e-4f;  // less than there is
         EXPECT_TRUE(world.set_settings(settings));
