@@ -137,6 +137,11 @@ static WeftClothId add_cloths(WeftWorld* world, const WeftMesh* mesh, const Weft
     settings.time_scheme = 9;
     REFUSES(WEFT_INVALID_ARGUMENT, "time_scheme", weft_world_add_cloth(world, mesh, &settings, &cloth));
     settings.time_scheme = WEFT_TIME_OF_METHOD;
+    settings.self_collision.enabled = 1;
+    settings.self_collision.distance = 5;
+    REFUSES(WEFT_INVALID_ARGUMENT, "distance", weft_world_add_cloth(world, mesh, &settings, &cloth));
+    settings.self_collision.enabled = 0;
+    settings.self_collision.distance = 0;
     TAKES(weft_fabric_named("denim", &settings.fabric));
     REFUSES(WEFT_INVALID_ARGUMENT, "denim", weft_fabric_named("tin", &settings.fabric));
     weft_method_init(&settings.method, WEFT_METHOD_JACOBI);
