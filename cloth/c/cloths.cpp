@@ -192,6 +192,16 @@ WeftResult weft_world_set_skin(WeftWorld* world, WeftClothId id, WeftInput place
         return of.set_skin(id_of(id), *there, *out);
     });
 }
+WeftResult weft_world_sample_air(const WeftWorld* world, WeftInput points, WeftStream velocities) {
+    return on(world, [&](const weft::World& of) -> weft::Result<void> {
+        std::vector<weft::Vec3> room;
+        const auto places = items("points", points, room);
+        if (!places) return places.error();
+        std::vector<weft::Vec3> found(places->size());
+        if (auto done = of.sample_air(*places, found); !done) return done;
+        return write<weft::Vec3>("velocities", found, velocities);
+    });
+}
 WeftResult weft_world_shift_origin(WeftWorld* world, WeftVec3 to) {
     return on(world, [&](weft::World& of) { return of.shift_origin(std::bit_cast<weft::Vec3>(to)); });
 }

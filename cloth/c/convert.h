@@ -61,6 +61,11 @@ struct Enumerators<Fibres::SetSolver> {
     static constexpr int count = WEFT_SET_LDLT + 1;
 };
 template <>
+struct Enumerators<AirSourceKind> {
+    static constexpr const char* name = "AirSource::kind";
+    static constexpr int count = WEFT_AIR_WAKE + 1;
+};
+template <>
 struct Enumerators<Map> {
     static constexpr const char* name = "map";
     static constexpr int count = WEFT_MAP_STIFFNESS + 1;

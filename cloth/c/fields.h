@@ -106,6 +106,13 @@ void fields(const Way& way, Is<WeftClothSettings> auto& c, Is<ClothSettings> aut
 }
 
 template <class Way>
+void fields(const Way& way, Is<WeftAirSource> auto& c, Is<AirSource> auto& of) {
+    way(c.kind, of.kind);
+    way(c.position, of.position);
+    way(c.velocity, of.velocity);
+    way(c.radius, of.radius);
+}
+template <class Way>
 void fields(const Way& way, Is<WeftWind> auto& c, Is<Wind> auto& of) {
     way(c.velocity, of.velocity);
     way(c.gust, of.gust);
@@ -114,6 +121,8 @@ void fields(const Way& way, Is<WeftWind> auto& c, Is<Wind> auto& of) {
     way(c.drag, of.drag);
     way(c.lift, of.lift);
     way(c.seed, of.seed);
+    static_assert(std::size(decltype(c.sources){}) == std::size(decltype(of.sources){}));
+    for (std::size_t k = 0; k < of.sources.size(); ++k) way(c.sources[k], of.sources[k]);
 }
 /// But for the executor, which the World's handle keeps.
 template <class Way>

@@ -40,6 +40,25 @@ template <class T>
     return std::span<const T>(room);
 }
 
+/// `values` to where the host has room. Error: not enough of it, or a stride that is shorter than one.
+template <class T>
+[[nodiscard]] Result<void> write(const char* name, std::span<const T> values, const WeftStream& to) {
+    if (values.empty()) return {};
+    const std::size_t stride = to.stride == 0 ? sizeof(T) : to.stride;
+    if (to.data == nullptr || stride < sizeof(T) || to.bytes < sizeof(T) ||
+        (to.bytes - sizeof(T)) / stride < values.size() - 1)
+        return Error{ErrorCode::invalid_argument, std::string(name) + " has " + std::to_string(to.bytes) +
+                                                      " bytes and a stride of " + std::to_string(to.stride) +
+                                                      "; it takes room for " + std::to_string(values.size()) +
+                                                      " items of " + std::to_string(sizeof(T)) + " bytes"};
+    auto* at = static_cast<std::byte*>(to.data);
+    for (const T& value : values) {
+        std::memcpy(at, &value, sizeof(T));
+        at += stride;
+    }
+    return {};
+}
+
 /// Indices of vertices.
 [[nodiscard]] inline Result<std::span<const std::uint32_t>> indices(const uint32_t* vertices,
                                                                     std::size_t count) {

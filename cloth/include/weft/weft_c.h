@@ -23,8 +23,9 @@
 // - A struct that begins with struct_size can grow at its end in later versions: the size says which version
 // the host was
 //   compiled with. Those that have an _init function get it there, with all defaults; of the others set
-//   struct_size and leave the rest 0, as by `WeftHooks hooks = {.struct_size = sizeof hooks}`. What a host does not know yet
-//   stays as it was before that. All other structs stay as they are within one 0.x of the version.
+//   struct_size and leave the rest 0, as by `WeftHooks hooks = {.struct_size = sizeof hooks}`. What a host
+//   does not know yet stays as it was before that. All other structs stay as they are within one 0.x of the
+//   version.
 // - A pointer that a call gives belongs to Weft. It is valid as long as the C++ span or view is.
 
 #include "weft/c/reports.h"
@@ -85,6 +86,9 @@ WEFT_API WeftResult weft_world_create(const WeftWorldSettings* settings, WeftWor
 WEFT_API void weft_world_destroy(WeftWorld* world);
 WEFT_API WeftResult weft_world_settings(const WeftWorld* world, WeftWorldSettings* settings);
 WEFT_API WeftResult weft_world_set_settings(WeftWorld* world, const WeftWorldSettings* settings);
+
+// Points are three floats each, and so are the velocities that are written.
+WEFT_API WeftResult weft_world_sample_air(const WeftWorld* world, WeftInput points, WeftStream velocities);
 
 WEFT_API WeftResult weft_world_add_cloth(WeftWorld* world, const WeftMesh* mesh,
                                          const WeftClothSettings* settings, WeftClothId* id);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <set>
@@ -23,6 +24,10 @@ void each_leaf(T& of, const Act& act);
 template <class... Kinds, class Act>
 void each_leaf_of(std::variant<Kinds...>& of, const Act& act) {
     std::visit([&](auto& one) { each_leaf(one, act); }, of);
+}
+template <class T, std::size_t size, class Act>
+void each_leaf_of(std::array<T, size>& of, const Act& act) {
+    for (T& one : of) each_leaf(one, act);
 }
 template <class T, class Act>
 void each_leaf_of(T& of, const Act& act) {
@@ -205,6 +210,8 @@ static_assert(is(WEFT_MAP_MASS, Map::mass) && is(WEFT_MAP_PIN, Map::pin) && is(W
               is(WEFT_MAP_BACKSTOP, Map::backstop) && is(WEFT_MAP_BACKSTOP_RADIUS, Map::backstop_radius) &&
               is(WEFT_MAP_FRICTION, Map::friction) && is(WEFT_MAP_THICKNESS, Map::thickness) &&
               is(WEFT_MAP_STIFFNESS, Map::stiffness));
+static_assert(is(WEFT_AIR_NONE, AirSourceKind::none) && is(WEFT_AIR_JET, AirSourceKind::jet) &&
+              is(WEFT_AIR_BLAST, AirSourceKind::blast) && is(WEFT_AIR_WAKE, AirSourceKind::wake));
 static_assert(is(WEFT_LOG_NOTE, LogLevel::note) && is(WEFT_LOG_WARNING, LogLevel::warning));
 static_assert(is(WEFT_DESCRIBE_TEXT, DescriptionFormat::text) &&
               is(WEFT_DESCRIBE_JSON, DescriptionFormat::json));

@@ -208,6 +208,19 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     TAKES(weft_world_shift_origin(world, origin));
 }
 
+static void air(const WeftWorld* world) {
+    const WeftVec3 points[2] = {{0, 0, 0}, {5, 0, 0}};
+    const WeftInput at = {points, 2, 0};
+    float found[2][4] = {{0, 0, 0, 9}, {0, 0, 0, 9}};
+    WeftStream to = {found, sizeof found, sizeof found[0]};
+    TAKES(weft_world_sample_air(world, at, to));
+    CHECK(found[0][0] == 3 && found[1][0] == 3 && found[0][3] == 9);
+    to.bytes = 16 + 11;
+    REFUSES(WEFT_INVALID_ARGUMENT, "27 bytes", weft_world_sample_air(world, at, to));
+    to.bytes = 16 + 12;
+    TAKES(weft_world_sample_air(world, at, to));
+}
+
 static void solids(WeftWorld* world, WeftClothId other) {
     static const WeftVec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     static const uint32_t faces[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
@@ -289,6 +302,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     files(mesh, folder);
     cloth = add_cloths(world, mesh, cooked, &other);
     hold(world, cloth, other);
+    air(world);
     solids(world, other);
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);

@@ -95,12 +95,21 @@ typedef struct WeftClothSettings {
     float priority, view_distance;
 } WeftClothSettings;
 
+// weft/settings.h: AirSource
+enum { WEFT_AIR_NONE, WEFT_AIR_JET, WEFT_AIR_BLAST, WEFT_AIR_WAKE };
+typedef struct WeftAirSource {
+    int32_t kind;  // WEFT_AIR_...
+    WeftVec3 position, velocity;
+    float radius;
+} WeftAirSource;
+
 // weft/settings.h: Wind
 typedef struct WeftWind {
     WeftVec3 velocity;
     float gust, gust_length;
     float air_density, drag, lift;
     uint32_t seed;
+    WeftAirSource sources[8];
 } WeftWind;
 
 // weft/executor.h. `run` calls body(context, block) once for each block and returns when all are done.
