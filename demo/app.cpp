@@ -13,6 +13,7 @@
 #include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
+#include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
 #include "demo/time/repeat_check.h"
@@ -45,7 +46,8 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .left_button = io.MouseDown[ImGuiMouseButton_Left],
             .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
             .wheel = io.MouseWheel,
-            .over_panel = layer.wants_mouse()};
+            .over_panel = layer.wants_mouse(),
+            .has_knife = io.KeyShift};
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
@@ -97,21 +99,22 @@ class App {
         keys_.forget();
         advance(seconds);
 
+        Look& look = panels_.look;
+        picture_.set_look(look.quality.now(), look.inside);
         picture_.update(simulation_);
-        picture_.renderer().draw(
-            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world())),
-            size.width, size.height);
+        const render::View& view =
+            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
+        draw_picture(picture_, view, size.width, size.height, look);
+        if (!size.empty()) tell(save_pictures(picture_, view, size.width, size.height, look));
         draw_panels();
     }
 
     void draw_panels() {
+        draw_words(picture_, camera_);
         draw_overlay(hands_, simulation_, camera_, wind_);
-        const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
-        if (panels_.visible) {
-            hands_panel(hands_);
-            time = time_bar(timeline_, playback_, repeat_);
-        }
+        if (panels_.visible) time = time_bar(timeline_, playback_, repeat_, panels_.room());
         layer_.end();
         if (time.go_to) go_to(*time.go_to);
         if (requests.restart || time.restart) restart();
@@ -125,6 +128,8 @@ class App {
         pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
         const Vec3 before = wind_.velocity();
         hands_.update(pointer, aspect, simulation_, camera_, wind_);
+        if (std::string complaint = hands_.take_complaint(); !complaint.empty())
+            panels_.message = std::move(complaint);
         const Gamepad pad = read_gamepad();
         steer_by(pad, camera_.yaw, seconds, wind_);
         if (pad.throws && !pad_.throws) note(hands_.throw_ball(simulation_, camera_.ray(0.5f, 0.5f, aspect)));
@@ -136,6 +141,8 @@ class App {
 
     /// As many whole steps as the real time asks for.
     void advance(double seconds) {
+        if (panels_.look.recorder.recording())
+            seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
         const FixedStepFrame frame =
             clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
@@ -169,7 +176,8 @@ class App {
         const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
-        if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.visible = !panels_.visible;
+        if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
+        if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
         if (keys_.count(GLFW_KEY_R) > 0) restart();
         if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
             playback_.paused = true;
@@ -253,6 +261,9 @@ class App {
         if (!done) complain(done.error());
     }
     void complain(const Error& error) { panels_.message = error.message; }
+    void tell(const std::string& words) {
+        if (!words.empty()) panels_.message = words;
+    }
 
     [[nodiscard]] int write_trace() const {
         if (options_.trace.empty()) return 0;

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/hooks.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -69,7 +70,7 @@ class AlignedBuffer {
         std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // elements that can be named
 
     static constexpr std::size_t padded(std::size_t size) {
-        if (size > most) throw std::bad_array_new_length();
+        if (size > most) refuse_memory();
         return (size + group - 1) / group * group;
     }
     static T* allocate(std::size_t count) {

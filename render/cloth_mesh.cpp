@@ -76,6 +76,8 @@ void ClothMesh::stream(const ClothFrame& frame) {
     positions_.upload(frame.positions);
     previous_positions_.upload(frame.previous_positions);
     normals_.upload(frame.normals);
+    coloured_ = !frame.colours.empty();
+    if (coloured_) colours_.upload(frame.colours);
     bounds_ = box_of(frame.positions);
     bounds_.extend(box_of(frame.previous_positions));
 }
@@ -85,6 +87,8 @@ void ClothMesh::draw(const Program& program, float alpha) const {
     positions_.bind(unit::positions);
     previous_positions_.bind(unit::previous_positions);
     normals_.bind(unit::normals);
+    colours_.bind(unit::colours);
+    program.set("coloured", coloured_ ? 1 : 0);
     program.set("alpha", alpha);
     program.set("textured", textured_ ? 1 : 0);
     glBindVertexArray(vertex_array_.id());

@@ -46,7 +46,8 @@ class ClothMesh {
     Buffer vertices_, indices_;
     GLsizei index_count_ = 0;
     bool textured_ = false;
-    ParticleTexture positions_, previous_positions_, normals_;
+    ParticleTexture positions_, previous_positions_, normals_, colours_;
+    bool coloured_ = false;
     Box bounds_;
 };
 

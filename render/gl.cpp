@@ -80,6 +80,9 @@ void Program::set(const char* uniform, int value) const {
 void Program::set(const char* uniform, float value) const {
     glUniform1f(glGetUniformLocation(program_.id(), uniform), value);
 }
+void Program::set(const char* uniform, const Vec2& value) const {
+    glUniform2f(glGetUniformLocation(program_.id(), uniform), value.x, value.y);
+}
 void Program::set(const char* uniform, const Vec3& value) const {
     glUniform3f(glGetUniformLocation(program_.id(), uniform), value.x, value.y, value.z);
 }

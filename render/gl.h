@@ -58,6 +58,7 @@ using Buffer = Handle<ArrayKind<&glGenBuffers, &glDeleteBuffers>>;
 using Texture = Handle<ArrayKind<&glGenTextures, &glDeleteTextures>>;
 using Sampler = Handle<ArrayKind<&glGenSamplers, &glDeleteSamplers>>;
 using VertexArray = Handle<ArrayKind<&glGenVertexArrays, &glDeleteVertexArrays>>;
+using Query = Handle<ArrayKind<&glGenQueries, &glDeleteQueries>>;
 using Framebuffer = Handle<ArrayKind<&glGenFramebuffers, &glDeleteFramebuffers>>;
 using Renderbuffer = Handle<ArrayKind<&glGenRenderbuffers, &glDeleteRenderbuffers>>;
 
@@ -73,6 +74,7 @@ class Program {
     // A uniform that the program does not have, or that its compiler found unused, is skipped.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
+    void set(const char* uniform, const Vec2& value) const;
     void set(const char* uniform, const Vec3& value) const;
     void set(const char* uniform, const Vec4& value) const;
     void set(const char* uniform, const Matrix4& value) const;

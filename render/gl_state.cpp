@@ -122,7 +122,7 @@ SavedBindings::~SavedBindings() {
 }
 
 SavedUnits::SavedUnits() {
-    static_assert(units == unit::picture + 1);
+    static_assert(units == unit::colours + 1);
     const GLint active = integer(GL_ACTIVE_TEXTURE);
     for (std::size_t i = 0; i < units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
@@ -161,7 +161,8 @@ SavedRaster::SavedRaster()
       depth_func_(integer(GL_DEPTH_FUNC)),
       cull_face_(integer(GL_CULL_FACE_MODE)),
       front_face_(integer(GL_FRONT_FACE)),
-      derivative_hint_(integer(GL_FRAGMENT_SHADER_DERIVATIVE_HINT)) {
+      derivative_hint_(integer(GL_FRAGMENT_SHADER_DERIVATIVE_HINT)),
+      provoking_vertex_(integer(GL_PROVOKING_VERTEX)) {
     for (std::size_t i = 0; i < capabilities.size(); ++i) {
         capabilities_[i] = glIsEnabled(capabilities[i]);
         set(capabilities[i], capabilities[i] == GL_DITHER || capabilities[i] == GL_MULTISAMPLE);
@@ -189,6 +190,7 @@ SavedRaster::SavedRaster()
     glPolygonOffset(0, 0);
     glLineWidth(1);
     glHint(GL_FRAGMENT_SHADER_DERIVATIVE_HINT, GL_DONT_CARE);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);  // where interpolation starts from, and how it is rounded
 }
 
 SavedRaster::~SavedRaster() {
@@ -208,6 +210,7 @@ SavedRaster::~SavedRaster() {
     glPolygonOffset(offset_factor_, offset_units_);
     glLineWidth(line_width_);
     glHint(GL_FRAGMENT_SHADER_DERIVATIVE_HINT, code(derivative_hint_));
+    glProvokingVertex(code(provoking_vertex_));
 }
 
 }  // namespace weft::render

@@ -46,7 +46,7 @@ class SavedUnits {
     ~SavedUnits();
 
   private:
-    static constexpr std::size_t units = 7;
+    static constexpr std::size_t units = 8;
     std::array<GLint, units> textures_{}, samplers_{};
     GLint block_buffer_ = 0;
     GLint64 block_start_ = 0, block_size_ = 0;
@@ -65,7 +65,7 @@ class SavedRaster {
     GLboolean blend_ = GL_FALSE, depth_mask_ = GL_TRUE;
     std::array<GLboolean, 4> color_mask_{};
     std::array<GLint, 6> blending_{};  // source and destination of colour, of alpha; equation of each
-    GLint depth_func_ = 0, cull_face_ = 0, front_face_ = 0, derivative_hint_ = 0;
+    GLint depth_func_ = 0, cull_face_ = 0, front_face_ = 0, derivative_hint_ = 0, provoking_vertex_ = 0;
     std::array<GLint, 2> polygon_mode_{};
     std::array<GLdouble, 2> depth_range_{};
     GLdouble clear_depth_ = 1;

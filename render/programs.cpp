@@ -18,6 +18,7 @@ constexpr std::pair<const char*, int> samplers[] = {
     {"previous_positions", unit::previous_positions},
     {"normals", unit::normals},
     {"picture", unit::picture},
+    {"colours", unit::colours},
 };
 
 struct Recipe {
@@ -47,6 +48,7 @@ const Recipe recipes[] = {
      {"cloth.vert"},
      {"frame.glsl", "sky.glsl", "tone.glsl", "light.glsl", "weave.glsl", "cloth.frag"}},
     {&Programs::cloth_lines, "cloth lines", {"cloth.vert"}, {"lines.frag"}},
+    {&Programs::lines, "lines", {"frame.glsl", "lines.vert"}, {"colour.frag"}},
     {&Programs::display, "display", {"screen.vert"}, {"display.frag"}},
     {&Programs::solid_depth, "solid depth", {"solid.vert"}, {"depth.frag"}},
     {&Programs::cloth_depth, "cloth depth", {"cloth.vert"}, {"depth.frag"}},

@@ -22,16 +22,17 @@ struct FrameUniforms {
     Vec4 sky_extent;         ///< the same of the map seen from above
     Vec4 ground;             ///< a point of it, and how far from there it fades [m]
     Vec4 arrow;              ///< foot x and z, vector x and z [m]
+    Vec4 quality;            ///< taps that find blockers, of the sun's edge, of the sky; 1: threads are drawn
 };
 constexpr GLuint frame_binding = 0;
 
 /// Texture units; the sampler uniforms of every program are set to them once.
 namespace unit {
-enum : int { sun_compare, sun_depth, sky_depth, positions, previous_positions, normals, picture };
+enum : int { sun_compare, sun_depth, sky_depth, positions, previous_positions, normals, picture, colours };
 }
 
 struct Programs {
-    Program sky, ground, solid, cloth, cloth_lines, display;
+    Program sky, ground, solid, cloth, cloth_lines, lines, display;
     Program solid_depth, cloth_depth;
 
     /// Error: the shader that this driver refuses, with its log.

@@ -11,6 +11,7 @@ namespace weft::render {
 class DepthMap {
   public:
     explicit DepthMap(int texels);
+    void resize(int texels);  ///< keeps what it has where the size is the same
 
     void begin() const;  ///< binds, sets the viewport and clears
     void bind(int plain_unit) const;
@@ -18,26 +19,27 @@ class DepthMap {
     [[nodiscard]] int texels() const noexcept { return texels_; }
 
   private:
-    int texels_;
+    int texels_ = 0;
     Texture texture_;
     Framebuffer framebuffer_;
     Sampler compare_;
 };
 
-/// The multisampled picture in display-linear light, half floats, so that its resolve averages light and not
-/// codes.
+/// The picture in display-linear light, half floats, so that averages of its samples, or of its pixels where
+/// it is shown larger, are of light and not of codes.
 class ScenePicture {
   public:
     /// Keeps what it has where the size is the same.
-    void resize(int width, int height);
+    void resize(int width, int height, int samples);
     void begin() const;  ///< binds, sets the viewport and clears the depth
-    void resolve(
-        int texture_unit) const;  ///< averages the samples into a texture, and binds that to a texture unit
+    /// Averages the samples into a texture, and binds that to a texture unit; `smooth` where it is shown in
+    /// another size.
+    void resolve(int texture_unit, bool smooth) const;
 
   private:
-    int width_ = 0, height_ = 0;
+    int width_ = 0, height_ = 0, samples_ = 0;
     Renderbuffer color_, depth_;
-    Framebuffer samples_;
+    Framebuffer drawn_;  // of several samples; one alone is drawn where it is resolved
     Texture resolved_color_;
     Framebuffer resolved_;
 };

@@ -10,6 +10,8 @@
 #include "render/cloth_mesh.h"
 #include "render/gl_state.h"
 #include "render/light_frame.h"
+#include "render/line_mesh.h"
+#include "render/pass_times.h"
 #include "render/programs.h"
 #include "render/render_targets.h"
 
@@ -17,8 +19,26 @@ namespace weft::render {
 
 namespace {
 
-constexpr int sun_map_texels = 2048;
-constexpr int sky_map_texels = 512;
+/// Each of its numbers within its range.
+Quality bounded(Quality quality) {
+    quality.samples = std::clamp(quality.samples, 1, 4);
+    quality.sun_map = std::clamp(quality.sun_map, 64, 4096);
+    quality.sky_map = std::clamp(quality.sky_map, 64, 4096);
+    quality.blocker_taps = std::clamp(quality.blocker_taps, 0, 16);
+    quality.sun_taps = std::clamp(quality.sun_taps, 1, 32);
+    quality.sky_taps = std::clamp(quality.sky_taps, 0, 32);
+    quality.resolution = quality.resolution >= 0.25f ? std::min(quality.resolution, 1.0f) : 0.25f;
+    return quality;
+}
+
+Vec4 shader_quality(const Quality& quality) {
+    return {static_cast<float>(quality.blocker_taps), static_cast<float>(quality.sun_taps),
+            static_cast<float>(quality.sky_taps), quality.weave ? 1.0f : 0.0f};
+}
+
+int scaled(int pixels, float resolution) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(pixels) * resolution)));
+}
 
 Vector3 unit_or_up(const Vec3& direction) {
     const Vector3 v = to_vector(direction);
@@ -61,7 +81,11 @@ void set_look_uniforms(const Program& program, const FabricLook& look) {
     program.set("roughness", look.roughness);
     program.set("sheen", look.sheen);
     program.set("translucency", look.translucency);
-    program.set("threads_per_metre", look.weave_per_metre);
+    const bool threads = look.threads != Threads::none && look.thread_width > 0;
+    program.set("threads_per_metre", threads ? 1e3f / look.thread_width : 0.0f);
+    program.set("threads", static_cast<int>(look.threads));
+    program.set("shine", look.shine);
+    program.set("shine_width", std::clamp(look.shine_width, 0.02f, 1.0f));
     program.set("stripe_width", look.stripe_width);
 }
 
@@ -69,7 +93,7 @@ void set_look_uniforms(const Program& program, const FabricLook& look) {
 
 struct SceneRenderer::Impl {
     explicit Impl(Programs built)
-        : programs(std::move(built)), sun_map(sun_map_texels), sky_map(sky_map_texels) {}
+        : programs(std::move(built)), sun_map(Quality{}.sun_map), sky_map(Quality{}.sky_map) {}
 
     Programs programs;
     DepthMap sun_map, sky_map;
@@ -79,6 +103,8 @@ struct SceneRenderer::Impl {
     VertexArray no_attributes = VertexArray::make();  // for vertices made from gl_VertexID
     CapsuleMesh capsule_mesh;
     BoxMesh box_mesh;
+    LineMesh line_mesh;
+    PassTimes pass_times;
     std::vector<DrawnTaperedCapsule> solids;  // of the picture being drawn, but for its boxes
     std::vector<DrawnBox> boxes;
 
@@ -98,37 +124,57 @@ struct SceneRenderer::Impl {
     void draw_solids(const Program& program, const Matrix4f& clip) const;
     void draw_cloths(const Matrix4f& clip, float alpha) const;
     void draw_cloth_lines(const Matrix4f& clip, float alpha) const;
+    void draw_lines(std::span<const DrawnLine> lines);
+    void draw_maps(const LightFrame& sun, const LightFrame& sky, const View& view, const Quality& quality);
+    void draw_scene(const View& view, const Matrix4f& clip);
     void display(unsigned target, int width, int height) const;
 };
 
 void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned target) {
+    const Quality quality = bounded(view.quality);
     gather_solids(view);
     const Box bounds = scene_bounds();
-    const LightFrame sun = fit_light(unit_or_up(view.sun_direction), bounds, sun_map_texels);
-    const LightFrame sky = fit_light(Vector3::UnitY(), bounds, sky_map_texels);
+    sun_map.resize(quality.sun_map);
+    sky_map.resize(quality.sky_map);
+    const LightFrame sun = fit_light(unit_or_up(view.sun_direction), bounds, sun_map.texels());
+    const LightFrame sky = fit_light(Vector3::UnitY(), bounds, sky_map.texels());
     const Matrix4f clip =
         clip_from_world(view.camera, static_cast<float>(width) / static_cast<float>(height));
     upload_frame(view, clip, sun, sky, bounds);
-    picture.resize(width, height);
+    picture.resize(scaled(width, quality.resolution), scaled(height, quality.resolution), quality.samples);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
 
-    // The sun meets a solid's lit side; from above its underside counts, which tells how close it is to the
-    // ground.
+    pass_times.begin();
+    draw_maps(sun, sky, view, quality);
+    pass_times.mark();
+    draw_scene(view, clip);
+    const bool smooth = quality.resolution < 1;
+    picture.resolve(unit::picture, smooth);
+    pass_times.mark();
+    display(target, width, height);
+    pass_times.end();
+}
+
+/// The sun meets a solid's lit side; from above its underside counts, which tells how close it is to the
+/// ground.
+void SceneRenderer::Impl::draw_maps(const LightFrame& sun, const LightFrame& sky, const View& view,
+                                    const Quality& quality) {
     draw_depth(sun_map, sun, view.alpha, GL_BACK);
-    draw_depth(sky_map, sky, view.alpha, GL_FRONT);
+    if (quality.sky_taps > 0) draw_depth(sky_map, sky, view.alpha, GL_FRONT);
     sun_map.bind(unit::sun_depth, unit::sun_compare);
     sky_map.bind(unit::sky_depth);
+}
 
+/// What is near comes first, so that what it hides is not shaded; the sky is behind all.
+void SceneRenderer::Impl::draw_scene(const View& view, const Matrix4f& clip) {
     picture.begin();
-    draw_sky();
-    if (view.ground) draw_ground();
     draw_solids(programs.solid, clip);
     draw_cloths(clip, view.alpha);
+    if (view.ground) draw_ground();
+    draw_sky();
     if (view.wireframe) draw_cloth_lines(clip, view.alpha);
-
-    picture.resolve(unit::picture);
-    display(target, width, height);
+    draw_lines(view.lines);
 }
 
 void SceneRenderer::Impl::gather_solids(const View& view) {
@@ -157,10 +203,11 @@ void SceneRenderer::Impl::upload_frame(const View& view, const Matrix4f& clip, c
         .sky_from_world = to_matrix4(map_from_clip() * sky.clip_from_world),
         .eye = to_vec4(to_vector(view.camera.eye()), 0),
         .sun_direction = to_vec4(unit_or_up(view.sun_direction), 0),
-        .sun_extent = extent_of(sun, sun_map_texels),
-        .sky_extent = extent_of(sky, sky_map_texels),
+        .sun_extent = extent_of(sun, sun_map.texels()),
+        .sky_extent = extent_of(sky, sky_map.texels()),
         .ground = {target.x, view.ground_height, target.z, std::max(14.0f, 2.0f * view.camera.distance)},
         .arrow = wind_arrow(view.wind, bounds),
+        .quality = shader_quality(bounded(view.quality)),
     };
     glBindBuffer(GL_UNIFORM_BUFFER, frame_uniforms.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
@@ -184,11 +231,9 @@ void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& ligh
 }
 
 void SceneRenderer::Impl::draw_sky() const {
-    glDisable(GL_DEPTH_TEST);
     programs.sky.use();
     glBindVertexArray(no_attributes.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_DEPTH_TEST);
 }
 
 /// From below the ground is not there, so that it never hides the scene.
@@ -231,11 +276,18 @@ void SceneRenderer::Impl::draw_cloth_lines(const Matrix4f& clip, float alpha) co
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
+void SceneRenderer::Impl::draw_lines(std::span<const DrawnLine> lines) {
+    if (lines.empty()) return;
+    programs.lines.use();
+    line_mesh.draw(lines);
+}
+
 void SceneRenderer::Impl::display(unsigned target, int width, int height) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, width, height);
     glDisable(GL_DEPTH_TEST);
     programs.display.use();
+    programs.display.set("size", Vec2{static_cast<float>(width), static_cast<float>(height)});
     glBindVertexArray(no_attributes.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -294,6 +346,10 @@ Image SceneRenderer::capture(const View& view, int width, int height, const std:
     if (overlay) overlay();
     const SavedBindings bindings;  // anew, since the overlay may have changed them
     return target.read();
+}
+
+DrawTimes SceneRenderer::draw_times() const {
+    return impl_->pass_times.latest();
 }
 
 }  // namespace weft::render

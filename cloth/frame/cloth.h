@@ -109,6 +109,10 @@ struct ShownCloth {
     return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
+/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where nothing can
+/// be thrown this is asked before, else it is passed over.
+[[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
+
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
@@ -158,6 +162,12 @@ struct Cloth {
         part_start = std::move(made.part_start);
         whole = std::move(made.whole);
     }
+
+    /// A cloth that takes the place of another, `sources` naming for each of its particles the one there. Its
+    /// maps first: what they change a World prepares for. Then, once it did, all that it has as state. Either
+    /// may run out of memory; then it is of no use.
+    void take_maps(const Cloth& before, std::span<const std::uint32_t> sources);
+    void go_on_from(const Cloth& before, std::span<const std::uint32_t> sources, std::size_t colliders);
 
     /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
     /// May run out of memory; then nothing has changed.
@@ -287,6 +297,12 @@ struct Cloth {
     [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
     void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
     void set_masses(AlignedBuffer<float>&& values);
+    void set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map);
+    void take_areas(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_pins(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_contact(const ClothState& before, std::span<const std::uint32_t> sources);
+    void take_rest(const Cloth& before, bool is_split);
+    void part_copies(std::span<const std::uint32_t> sources);
     void set_stiffness(AlignedBuffer<float>&& values);
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
 #include "cloth/surface/air_sources.h"
+#include "engine/platform.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -20,7 +21,7 @@ bool varies(const Wind& wind) {
 
 Parallel make_parallel(const WorldSettings& settings) {
     if (settings.executor.run != nullptr) return Parallel(settings.executor);
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int cores = hardware_threads();
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 
@@ -129,14 +130,13 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
     if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
     std::optional<Together> together;
-    try {
-        if (!cloth.features) cloth.make_contact_mesh();
-        together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
-        cloth.apply(changed);
-    } catch (...) {
-        cloth.drop_contact_mesh();
-        throw;
-    }
+    or_undo(
+        [&] {
+            if (!cloth.features) cloth.make_contact_mesh();
+            together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
+            cloth.apply(changed);
+        },
+        [&] { cloth.drop_contact_mesh(); });
     if (together) together_ = *std::move(together);
 }
 

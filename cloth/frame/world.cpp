@@ -24,6 +24,7 @@ Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings&
     if (const auto valid = validate(settings); !valid) return valid.error();
     auto cooked = cook(mesh);
     if (!cooked) return cooked.error();
+    if (auto valid = validate_neighbours(*cooked, settings); !valid) return valid.error();
     return std::make_unique<Cloth>(std::move(cooked).value(), settings);
 }
 
@@ -162,6 +163,7 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (auto valid = validate(settings); !valid) return valid;
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
+            if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
             impl_->simulation.apply(cloth, settings);
             return {};
         });

@@ -20,7 +20,7 @@ namespace weft {
 /// Where a step that was begun is.
 enum class StepPhase : std::uint32_t { none, begun, working, done };
 
-struct World::Impl {
+struct WEFT_LOCAL World::Impl {
     explicit Impl(const WorldSettings& settings) : simulation(settings) {}
     Simulation simulation;
     std::unique_ptr<Recorder> recorder;  ///< null: nothing is recorded

@@ -99,12 +99,8 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
         if (const auto valid = validate(collider); !valid) return valid.error();
         if (const auto there = validate_instance(simulation, collider); !there) return there.error();
         const ColliderId id = simulation.state.colliders.insert({collider, collider});
-        try {
-            simulation.expect_colliders(simulation.state.colliders.size());
-        } catch (...) {
-            simulation.state.colliders.erase(id);
-            throw;
-        }
+        or_undo([&] { simulation.expect_colliders(simulation.state.colliders.size()); },
+                [&] { simulation.state.colliders.erase(id); });
         simulation.wake_near(collider);
         return id;
     });

@@ -21,7 +21,7 @@ Vec3 looking_along(const render::OrbitCamera& camera) {
 
 Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulation& simulation,
                            const render::OrbitCamera& camera, const WindControl& wind) {
-    if (pointer.over_panel || pointer.other_button) return Holding::other;
+    if (pointer.over_panel || pointer.other_button || pointer.has_knife) return Holding::other;
     if (arrow_.is_under({aspect * pointer.x, pointer.y}, wind)) return Holding::arrow;
     const render::Ray ray = camera.ray(pointer.x, pointer.y, aspect);
     const auto cloth = pointed_cloth(simulation, ray);

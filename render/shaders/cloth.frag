@@ -2,21 +2,32 @@
 in vec3 point;
 in vec3 normal;
 in vec2 texcoord;
+in vec4 shown;
 out vec4 pixel;
 
 uniform vec3 front, back, stripe;
 uniform float roughness, sheen, translucency;
-uniform float threads_per_metre, stripe_width;
-uniform int textured;
+uniform float threads_per_metre, stripe_width, shine, shine_width;
+uniform int textured, threads;
 
-// Tilts `n` by a slope along u and v, without stored tangents (Mikkelsen 2010).
-vec3 tilted(vec3 n, vec2 slope) {
+// Along u and v on the surface, the longer one of length 1, without stored tangents (Mikkelsen 2010).
+struct Axes {
+    vec3 u, v;
+};
+
+Axes surface_axes(vec3 n) {
     vec3 px = dFdx(point), py = dFdy(point);
     vec2 ux = dFdx(texcoord), uy = dFdy(texcoord);
     vec3 u = cross(py, n) * ux.x + cross(n, px) * uy.x;
     vec3 v = cross(py, n) * ux.y + cross(n, px) * uy.y;
     float scale = inversesqrt(max(max(dot(u, u), dot(v, v)), 1e-20));
-    return normalize(n + (slope.x * u + slope.y * v) * scale);
+    return Axes(u * scale, v * scale);
+}
+
+// Threads reflect into a cone about themselves, so that their light lies in a band across them (Kajiya and Kay 1989).
+float thread_light(vec3 thread, vec3 half_way) {
+    float along = dot(normalize(thread + 1e-6), half_way) / shine_width;
+    return exp(-along * along);
 }
 
 vec3 striped(vec3 base) {
@@ -31,7 +42,7 @@ vec3 striped(vec3 base) {
 // after Neubelt and Pettineo 2013).
 float fibre_edge(vec3 n, vec3 to_eye, vec3 to_light) {
     vec3 half_way = normalize(to_eye + to_light);
-    float sine = sqrt(max(1.0 - pow(dot(n, half_way), 2.0), 0.0));
+    float sine = sqrt(max(1.0 - dot(n, half_way) * dot(n, half_way), 0.0));
     float inverse = 1.0 / max(roughness, 0.15);
     float spread = (2.0 + inverse) * pow(sine, inverse) / (2.0 * pi);
     float n_l = max(dot(n, to_light), 0.0), n_v = max(dot(n, to_eye), 0.0);
@@ -50,11 +61,17 @@ void main() {
         albedo = striped(albedo);
         through = striped(through);
     }
-    if (textured != 0 && threads_per_metre > 0.0) {
-        Weave threads = weave(texcoord * threads_per_metre);
-        n = tilted(n, threads.slope);
-        albedo *= threads.light;
+    float along_threads = 0.0;
+    if (textured != 0 && threads_per_metre > 0.0 && frame.quality.w > 0.0) {
+        Axes axes = surface_axes(n);
+        Weave fabric = weave(texcoord * threads_per_metre, threads);
+        n = normalize(n + fabric.slope.x * axes.u + fabric.slope.y * axes.v);
+        albedo *= fabric.light;
+        vec3 half_way = normalize(to_eye + to_sun);
+        along_threads = shine * (0.7 * thread_light(axes.v, half_way) + 0.3 * thread_light(axes.u, half_way));
     }
+    albedo = mix(albedo, shown.rgb, shown.a);
+    through = mix(through, shown.rgb, shown.a);
 
     float sun_seen = sun_visibility(point, smooth_normal);
     float sky_seen = sky_visibility(point);
@@ -69,7 +86,8 @@ void main() {
     lit += sun_light * sun_seen * (1.0 - roughness) * specular(n, to_eye, to_sun, roughness);
 
     vec3 fibre_color = mix(vec3(1.0), albedo, 0.6);
-    float grazing = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
+    lit += (1.0 - shown.a) * along_threads * fibre_color * sun_light * sun_seen * max(n_l, 0.0);
+    float across = 1.0 - max(dot(n, to_eye), 0.0), grazing = across * across * across * across;
     lit += sheen * fibre_color * (0.35 * sun_light * sun_seen * fibre_edge(n, to_eye, to_sun) +
                                   0.5 * grazing * ambient_light(n, sky_seen));
     pixel = vec4(tone(lit), 1.0);

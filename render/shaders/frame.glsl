@@ -10,4 +10,5 @@ layout(std140) uniform Frame {
     vec4 sky_extent;
     vec4 ground;
     vec4 arrow;
+    vec4 quality;
 } frame;

@@ -51,7 +51,8 @@ void main() {
     lit += sun_light * sun_seen * 0.6 * specular(up, -direction, frame.sun_direction.xyz, 0.55);
 
     float away = distance(point.xz, frame.ground.xz);
-    float haze = 1.0 - exp(-pow(away / frame.ground.w, 1.7));
-    vec3 horizon = sky_color(normalize(vec3(direction.x, 0.0, direction.z)));
+    float far = away / frame.ground.w;
+    float haze = 1.0 - exp(-far * sqrt(far * sqrt(far)));
+    vec3 horizon = horizon_color + sun_glow(normalize(vec3(direction.x, 0.0, direction.z)));
     color = vec4(tone(mix(lit, horizon, haze)), 1.0);
 }

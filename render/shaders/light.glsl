@@ -50,12 +50,14 @@ float sun_visibility(vec3 point, vec3 normal) {
     int count = inside_map(p.xy) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
 
     // What casts a shadow here lies no farther off than the map's near side.
-    vec2 search = pixel_direction() * min(p.z * frame.sun_extent.y * sun_size, 0.25) / frame.sun_extent.x;
+    vec2 turned = pixel_direction();
+    vec2 search = turned * min(p.z * frame.sun_extent.y * sun_size, 0.25) / frame.sun_extent.x;
     float gap = 0.0;
     float found = 0.0;
-    for (int i = 0; i < 8 * count; ++i) {
+    float searches = frame.quality.x, taps = frame.quality.y;
+    for (int i = 0; i < int(searches) * count; ++i) {
         search = golden_turn * search;
-        vec2 aside = search * tap_radius(i, 8.0);
+        vec2 aside = search * tap_radius(i, searches);
         float depth = textureLod(sun_depth, p.xy + aside, 0.0).r;
         float before = p.z + dot(slope, aside) - bias - depth;
         float blocked = step(0.0, before) * step(depth, nothing);
@@ -67,34 +69,34 @@ float sun_visibility(vec3 point, vec3 normal) {
 
     // Where light grazes the cloth its triangles show in the edge, unless the edge is as wide as they are.
     float least = (3.0 + 9.0 * (1.0 - abs(facing))) * texel;
-    vec2 offset = pixel_direction() * max(blocker_distance * sun_size, least) / frame.sun_extent.x;
+    vec2 offset = turned * max(blocker_distance * sun_size, least) / frame.sun_extent.x;
     float seen = 0.0;
-    for (int i = 0; i < 16 * count; ++i) {
+    for (int i = 0; i < int(taps) * count; ++i) {
         offset = golden_turn * offset;
-        vec2 aside = offset * tap_radius(i, 16.0);
+        vec2 aside = offset * tap_radius(i, taps);
         float reference = min(p.z + dot(slope, aside), 1.0) - bias;
         seen += textureLod(sun_compare, vec3(p.xy + aside, reference), 0.0);
     }
-    return quad_average(count == 0 ? 1.0 : seen / 16.0);
+    return quad_average(count == 0 ? 1.0 : seen / taps);
 }
 
 // Part of the sky not hidden by what lies above within reach: contact shadows and the darkness inside of folds.
 float sky_visibility(vec3 point) {
-    const int taps = 12;
+    float taps = frame.quality.z;
     const float reach = 0.30;  // [m]
     vec3 p = (frame.sky_from_world * vec4(point, 1.0)).xyz;
     vec2 offset = pixel_direction() * reach / frame.sky_extent.x;
     float hidden = 0.0;
-    int count = inside_map(p.xy) ? taps : 0;
+    int count = inside_map(p.xy) ? int(taps) : 0;
     for (int i = 0; i < count; ++i) {
         offset = golden_turn * offset;
-        float radius = tap_radius(i, float(taps));
+        float radius = tap_radius(i, taps);
         float depth = textureLod(sky_depth, p.xy + offset * radius, 0.0).r;
         float above = max((p.z - depth) * frame.sky_extent.y - frame.sky_extent.z, 0.0);
         float fall_off = reach * reach / (reach * reach + above * above);
         hidden += step(depth, nothing) * fall_off * above / (above + 0.25 * reach * radius + 1e-4);
     }
-    return quad_average(1.0 - 0.85 * hidden / float(taps));
+    return quad_average(1.0 - 0.85 * hidden / max(taps, 1.0));
 }
 
 // Light from the sky, and from the ground that it falls on, on a surface that faces `normal`.
@@ -105,12 +107,13 @@ vec3 ambient_light(vec3 normal, float sky_seen) {
 // Microfacets (Walter 2007, Schlick 1994) with a fixed reflectance of 4 %.
 float specular(vec3 normal, vec3 to_eye, vec3 to_sun, float roughness) {
     vec3 half_way = normalize(to_eye + to_sun);
-    float a2 = pow(max(roughness, 0.08), 4.0);
+    float a = max(roughness, 0.08) * max(roughness, 0.08), a2 = a * a;
     float n_h = max(dot(normal, half_way), 0.0);
     float n_l = max(dot(normal, to_sun), 0.0);
     float n_v = max(dot(normal, to_eye), 1e-3);
     float base = n_h * n_h * (a2 - 1.0) + 1.0;
-    float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(to_eye, half_way), 0.0), 5.0);
+    float away = 1.0 - max(dot(to_eye, half_way), 0.0), twice = away * away;
+    float fresnel = 0.04 + 0.96 * twice * twice * away;
     float visible = n_l / (n_l * (n_v * (1.0 - 0.5 * roughness) + 0.5 * roughness) * 4.0 + 1e-3);
     return fresnel * a2 / (base * base) * visible * n_l;
 }

@@ -170,7 +170,7 @@ struct HungSheet {
 };
 
 const LongRangeAttachments& tethers_of(HungSheet& sheet) {
-    return dynamic_cast<const LongRangeAttachments&>(*sheet.cloth().limits.front());
+    return static_cast<const LongRangeAttachments&>(*sheet.cloth().limits.front());
 }
 
 /// By how much the particles exceed a layer's limit at most, as a part of it.

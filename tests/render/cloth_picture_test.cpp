@@ -170,10 +170,10 @@ TEST_F(ClothPicture, ThreadsShowFromNearAndFadeFromAfar) {
     const auto difference = [&](float distance) {
         View view = straight_on();
         view.camera.distance = distance;
-        look.weave_per_metre = 0;
+        look.thread_width = 0;
         renderer().set_look(cloth, look);
         const Image plain = renderer().capture(view, width, height);
-        look.weave_per_metre = 220;
+        look.thread_width = 4.5f;
         renderer().set_look(cloth, look);
         const Image woven = renderer().capture(view, width, height);
         return std::abs(pixel(plain, width / 2 + 3, height / 2 + 5).red -

@@ -75,7 +75,7 @@ FabricLook signal_look() {
     look.front = {0.6f, 0.01f, 0.01f};
     look.back = {0.01f, 0.4f, 0.01f};
     look.sheen = 0;
-    look.weave_per_metre = 0;
+    look.thread_width = 0;
     look.translucency = 0;
     return look;
 }

@@ -39,8 +39,10 @@ Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& s
         CookReport report;
         auto model = cook(mesh, &report, progress);
         if (!model) return model.error();
+        if (auto valid = validate_neighbours(*model, settings); !valid) return valid.error();
         CookedCloth cooked(
             std::make_shared<const Impl>(std::move(model).value(), std::move(report), settings, progress));
+        if (progress.is_cancelled()) return Progress::cancelled();
         log_repairs(cooked.info());
         progress.reach(Progress::done);
         return cooked;

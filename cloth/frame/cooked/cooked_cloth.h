@@ -9,7 +9,7 @@
 
 namespace weft {
 
-struct CookedCloth::Impl {
+struct WEFT_LOCAL CookedCloth::Impl {
     Impl(ClothModel&& model, CookReport&& of_cooking, const ClothSettings& settings,
          const Progress& progress = {})
         : cloth(std::move(model), settings, progress), info(cloth.info()), report(std::move(of_cooking)) {}

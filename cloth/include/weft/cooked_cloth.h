@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/mesh.h"
 #include "weft/settings.h"
 
@@ -88,7 +89,7 @@ struct CookProgress {
 /// All that of a cloth is constant, and one cloth at rest. Cooking takes a frame and more: it may be done on
 /// any thread, for many meshes at a time, and be read back from a file. Copies share what they hold; one may
 /// be added to Worlds on several threads at a time.
-class CookedCloth {
+class WEFT_API CookedCloth {
   public:
     /// What a mesh may have is repaired or left out as CookReport lists it. Errors, which name the vertex or
     /// the triangle: a setting out of range; coordinates that are not finite or beyond 100 km; indices of no

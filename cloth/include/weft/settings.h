@@ -8,6 +8,7 @@
 #include "weft/collider.h"
 #include "weft/error.h"
 #include "weft/executor.h"
+#include "weft/export.h"
 #include "weft/methods.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
@@ -45,7 +46,7 @@ struct Fabric {
     float stiffening = 0;
 
     /// One of fabrics.h, such as "denim". Error: no fabric of that name, with the names there are.
-    [[nodiscard]] static Result<Fabric> named(std::string_view name);
+    [[nodiscard]] WEFT_API static Result<Fabric> named(std::string_view name);
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };

@@ -1,0 +1,10 @@
+layout(location = 0) in vec3 point;
+layout(location = 1) in vec3 colour_;
+
+out vec3 colour;
+
+void main() {
+    colour = colour_;
+    gl_Position = frame.clip_from_world * vec4(point, 1.0);
+    gl_Position.z -= 1e-4 * gl_Position.w;  // before the surface that it lies on
+}
