@@ -10,8 +10,10 @@
 
 #include "demo/hands/gamepad.h"
 #include "demo/hands/hands.h"
+#include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
+#include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
 #include "demo/time/repeat_check.h"
@@ -44,7 +46,8 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .left_button = io.MouseDown[ImGuiMouseButton_Left],
             .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
             .wheel = io.MouseWheel,
-            .over_panel = layer.wants_mouse()};
+            .over_panel = layer.wants_mouse(),
+            .has_knife = io.KeyShift};
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
@@ -59,7 +62,7 @@ class App {
           simulation_(std::move(simulation)),
           context_(std::move(context)),
           picture_(std::move(picture)),
-          layer_(context_),
+          layer_(heard(context_)),
           last_(glfwGetTime()) {
         picture_.shows_wind = false;  // the hands' arrow does
         arrive();
@@ -81,29 +84,37 @@ class App {
     }
 
   private:
+    /// The layer passes on what keys_ hear.
+    render::Context& heard(render::Context& context) {
+        keys_.listen_to(context.window_handle());
+        return context;
+    }
+
     void draw_frame(PictureSize size) {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
+        keys_.forget();
         advance(seconds);
 
+        Look& look = panels_.look;
+        picture_.set_look(look.quality.now(), look.inside);
         picture_.update(simulation_);
-        picture_.renderer().draw(
-            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world())),
-            size.width, size.height);
+        const render::View& view =
+            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
+        draw_picture(picture_, view, size.width, size.height, look);
+        if (!size.empty()) tell(save_pictures(picture_, view, size.width, size.height, look));
         draw_panels();
     }
 
     void draw_panels() {
+        draw_words(picture_, camera_);
         draw_overlay(hands_, simulation_, camera_, wind_);
-        const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
-        if (panels_.visible) {
-            hands_panel(hands_);
-            time = time_bar(timeline_, playback_, repeat_);
-        }
+        if (panels_.visible) time = time_bar(timeline_, playback_, repeat_, panels_.room());
         layer_.end();
         if (time.go_to) go_to(*time.go_to);
         if (requests.restart || time.restart) restart();
@@ -117,6 +128,8 @@ class App {
         pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
         const Vec3 before = wind_.velocity();
         hands_.update(pointer, aspect, simulation_, camera_, wind_);
+        if (std::string complaint = hands_.take_complaint(); !complaint.empty())
+            panels_.message = std::move(complaint);
         const Gamepad pad = read_gamepad();
         steer_by(pad, camera_.yaw, seconds, wind_);
         if (pad.throws && !pad_.throws) note(hands_.throw_ball(simulation_, camera_.ray(0.5f, 0.5f, aspect)));
@@ -128,6 +141,8 @@ class App {
 
     /// As many whole steps as the real time asks for.
     void advance(double seconds) {
+        if (panels_.look.recorder.recording())
+            seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
         const FixedStepFrame frame =
             clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
@@ -160,25 +175,26 @@ class App {
     void read_keys(float seconds) {
         const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
-        if (ImGui::IsKeyPressed(key::space, false)) playback_.paused = !playback_.paused;
-        if (ImGui::IsKeyPressed(key::f1, false)) panels_.visible = !panels_.visible;
-        if (ImGui::IsKeyPressed(key::r, false)) restart();
-        if (ImGui::IsKeyPressed(key::n)) {
+        if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
+        if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
+        if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
+        if (keys_.count(GLFW_KEY_R) > 0) restart();
+        if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
             playback_.paused = true;
-            ++playback_.single_steps;
+            playback_.single_steps += steps;
         }
-        if (ImGui::IsKeyPressed(key::comma) && timeline_.here() > 0) {
-            playback_.paused = true;
-            go_to(timeline_.here() - 1);
-        }
-        if (ImGui::IsKeyPressed(key::full_stop)) step_on();
+        for (int k = keys_.count(GLFW_KEY_COMMA, true); k > 0; --k) step_back();
+        for (int k = keys_.count(GLFW_KEY_PERIOD, true); k > 0; --k) step_on();
         read_keys_of_hands();
         const std::span<const SceneEntry> scenes = all_scenes();
         for (std::size_t k = 0; k < std::min<std::size_t>(scenes.size(), 9); ++k)
-            if (ImGui::IsKeyPressed(key::digit(static_cast<int>(k) + 1), false))
-                return change_scene(scenes[k]);
+            if (keys_.count(GLFW_KEY_1 + static_cast<int>(k)) > 0) return change_scene(scenes[k]);
     }
 
+    void step_back() {
+        playback_.paused = true;
+        if (timeline_.here() > 0) go_to(timeline_.here() - 1);
+    }
     void step_on() {
         playback_.paused = true;
         if (timeline_.here() + 1 < timeline_.size())
@@ -188,9 +204,9 @@ class App {
     }
 
     void read_keys_of_hands() {
-        if (ImGui::IsKeyPressed(key::p, false)) note(hands_.pin_or_unpin(simulation_, pointed_));
-        if (ImGui::IsKeyPressed(key::t, false)) note(hands_.throw_ball(simulation_, pointed_));
-        if (ImGui::IsKeyPressed(key::b, false)) hands_.blast(simulation_, camera_, pointed_);
+        if (keys_.count(GLFW_KEY_P) % 2 == 1) note(hands_.pin_or_unpin(simulation_, pointed_));
+        for (int k = keys_.count(GLFW_KEY_T); k > 0; --k) note(hands_.throw_ball(simulation_, pointed_));
+        if (keys_.count(GLFW_KEY_B) > 0) hands_.blast(simulation_, camera_, pointed_);
         if (ImGui::IsKeyDown(key::f))
             hands_.blow(simulation_, camera_, pointed_);
         else
@@ -245,6 +261,9 @@ class App {
         if (!done) complain(done.error());
     }
     void complain(const Error& error) { panels_.message = error.message; }
+    void tell(const std::string& words) {
+        if (!words.empty()) panels_.message = words;
+    }
 
     [[nodiscard]] int write_trace() const {
         if (options_.trace.empty()) return 0;
@@ -258,6 +277,7 @@ class App {
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;
     Picture picture_;
+    KeyTaps keys_;
     render::ImGuiLayer layer_;
 
     FixedStep clock_;

@@ -24,6 +24,8 @@ render::DrawnBox drawn(const Box& box) {
             .z = to_face(2, box.half_extents.z)};
 }
 
+constexpr std::size_t most_rounded = 50'000;  // particles; more are fine enough by themselves
+
 }  // namespace
 
 Picture::Picture(render::SceneRenderer renderer) : renderer_(std::move(renderer)) {}
@@ -40,25 +42,37 @@ void Picture::show(const Simulation& simulation) {
     cloths_.clear();
     solids_.clear();
     fine_.clear();
-    for (const SceneCloth& cloth : simulation.content().cloths) {
-        const auto view = simulation.world().cloth(cloth.id);
-        const Mesh& mesh = cloth.drawn ? cloth.fine : cloth.mesh;
-        const std::vector<Vec2>& texcoords = mesh.texcoords.empty() ? mesh.pattern : mesh.texcoords;
-        const std::size_t own = cloth.drawn ? cloth.drawn->size() : 0;
-        fine_.push_back({.positions = std::vector<Vec4>(own),
-                         .previous_positions = std::vector<Vec4>(own),
-                         .normals = std::vector<Vec4>(own)});
-        std::vector<std::uint32_t> each(own);
-        std::iota(each.begin(), each.end(), 0u);
-        const std::span<const std::uint32_t> particles = each;
-        cloths_.push_back(
-            renderer_.add_cloth({.triangles = mesh.triangles,
-                                 .vertex_to_particle = cloth.drawn ? particles : view->vertex_to_particle,
-                                 .texcoords = texcoords,
-                                 .look = cloth.look}));
-    }
+    shown_rounded_ = rounded_;
+    for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
     for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
+    cuts_ = simulation.cuts();
     update(simulation);
+}
+
+void Picture::show_cloth(const SceneCloth& cloth, const World& world) {
+    const auto view = world.cloth(cloth.id);
+    const Mesh& mesh = cloth.drawn ? cloth.fine : cloth.mesh;
+    const std::vector<Vec2>& texcoords = mesh.texcoords.empty() ? mesh.pattern : mesh.texcoords;
+    Fine fine;
+    if (!cloth.drawn && shown_rounded_ && view->positions.size() <= most_rounded)
+        fine.rounded = RoundedMesh(mesh.triangles, texcoords, view->vertex_to_particle.size());
+    const bool rounded = fine.rounded.size() > 0;
+    const std::size_t own = cloth.drawn ? cloth.drawn->size() : fine.rounded.size();
+    for (std::vector<Vec4>* each : {&fine.positions, &fine.previous_positions, &fine.normals})
+        each->resize(own);
+    std::vector<std::uint32_t> each(own);
+    std::iota(each.begin(), each.end(), 0u);
+    const std::span<const std::uint32_t> particles = each;
+    render::ClothSurface surface{.triangles = mesh.triangles,
+                                 .vertex_to_particle = own > 0 ? particles : view->vertex_to_particle,
+                                 .texcoords = texcoords,
+                                 .look = cloth.look};
+    if (rounded) {
+        surface.triangles = fine.rounded.triangles();
+        surface.texcoords = fine.rounded.texcoords();
+    }
+    cloths_.push_back(renderer_.add_cloth(surface));
+    fine_.push_back(std::move(fine));
 }
 
 void Picture::show_solid(const SceneSolid& solid) {
@@ -86,21 +100,47 @@ void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
         drawn, {.positions = positions, .previous_positions = positions, .normals = vertex_normals(mesh)});
 }
 
+void Picture::set_look(const QualityLevel& level, const Inside& inside) {
+    quality_ = level.quality;
+    rounded_ = level.rounded;
+    inside_ = inside;
+}
+
 void Picture::update(const Simulation& simulation) {
+    if (cuts_ != simulation.cuts() || rounded_ != shown_rounded_) return show(simulation);  // which updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
         if (solids[i].moving) update_solid(solids[i], solids_[i]);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);
+        renderer_.set_look(cloths_[i], drawn.look);
         if (drawn.drawn) {
             update_fine(drawn, *cloth, i);
             continue;
         }
+        colour_particles(inside_.colour, drawn.mesh, *cloth, colours_);
+        if (fine_[i].rounded.size() > 0) {
+            update_rounded(*cloth, i);
+            continue;
+        }
         renderer_.update_cloth(cloths_[i], {.positions = cloth->positions,
                                             .previous_positions = cloth->previous_positions,
-                                            .normals = cloth->normals});
+                                            .normals = cloth->normals,
+                                            .colours = colours_});
     }
+    drawing_.take(simulation.world(), inside_.parts);
+}
+
+void Picture::update_rounded(const ClothView& view, std::size_t index) {
+    Fine& fine = fine_[index];
+    fine.rounded.update(view, {fine.positions, fine.previous_positions, fine.normals});
+    fine.colours.resize(colours_.empty() ? 0 : fine.rounded.size());
+    if (!colours_.empty()) fine.rounded.spread(view, colours_, fine.colours);
+    renderer_.update_cloth(cloths_[index], {.positions = fine.positions,
+                                            .previous_positions = fine.previous_positions,
+                                            .normals = fine.normals,
+                                            .colours = fine.colours});
 }
 
 void Picture::update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index) {
@@ -137,6 +177,9 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
     for (const ColliderId id : thrown) add_collider(simulation.world(), id);
     view_.camera = camera;
+    view_.quality = quality_;
+    view_.wireframe = inside_.wireframe;
+    view_.lines = drawing_.lines;
     view_.alpha = alpha;
     view_.spheres = spheres_;
     view_.capsules = capsules_;

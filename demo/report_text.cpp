@@ -1,8 +1,14 @@
 #include "demo/report_text.h"
 
+#include <cmath>
+
 namespace weft::demo {
 
 namespace {
+
+constexpr float strong_wind = 25;  // that alone makes cloth as fast as it may be [m/s]
+constexpr const char* blown =
+    "The wind is so strong that particles were held to the largest speed: take less of it, or heavier cloth.";
 
 struct FlagText {
     StepFlags flag;
@@ -20,11 +26,18 @@ constexpr FlagText texts[] = {
 
 }  // namespace
 
-std::string flags_text(StepFlags flags) {
+std::string flags_text(StepFlags flags, float wind_speed) {
     std::string result;
-    for (const auto& [flag, text] : texts)
-        if (has(flags, flag)) result.append(text).append("\n");
+    for (const auto& [flag, text] : texts) {
+        if (!has(flags, flag)) continue;
+        const bool wind = flag == StepFlags::speed_limited && wind_speed > strong_wind;
+        result.append(wind ? blown : text).append("\n");
+    }
     return result;
+}
+
+float speed_of(const Wind& wind) {
+    return (1 + wind.gust) * std::hypot(wind.velocity.x, wind.velocity.y, wind.velocity.z);
 }
 
 }  // namespace weft::demo

@@ -4,10 +4,15 @@
 #include <string>
 
 #include "weft/report.h"
+#include "weft/settings.h"
 
 namespace weft::demo {
 
 /// One line for each flag that is set: what happened and the setting to change. Empty if none is.
-[[nodiscard]] std::string flags_text(StepFlags flags);
+/// `wind_speed` [m/s]: a strong wind is a cause, too.
+[[nodiscard]] std::string flags_text(StepFlags flags, float wind_speed = 0);
+
+/// The fastest that its gusts blow [m/s].
+[[nodiscard]] float speed_of(const Wind& wind);
 
 }  // namespace weft::demo

@@ -57,6 +57,8 @@ class Scene {
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);
+    /// Then: cuts cloth, in the content as well. True: it did.
+    virtual bool cut_before_step(World& world, SceneContent& content);
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }

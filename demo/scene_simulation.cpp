@@ -64,7 +64,32 @@ Result<Simulation> Simulation::create(const SceneEntry& entry, const SceneOption
     if (auto built = simulation.build(); !built) return built.error();
     if (auto set = apply_to_cloths(simulation.world_, simulation.content_, overrides); !set)
         return set.error();
+    simulation.remember_defaults();
     return simulation;
+}
+
+void Simulation::remember_defaults() {
+    first_settings_ = world_.settings();
+    first_cloths_.clear();
+    for (const SceneCloth& cloth : content_.cloths) first_cloths_.push_back(*world_.cloth_settings(cloth.id));
+}
+
+Result<void> Simulation::restore_defaults() {
+    if (auto set = world_.set_settings(first_settings_); !set) return set;
+    for (std::size_t i = 0; i < content_.cloths.size(); ++i)
+        if (auto set = world_.set_cloth_settings(content_.cloths[i].id, first_cloths_[i]); !set) return set;
+    return {};
+}
+
+void Simulation::weave(const render::FabricLook& look) {
+    for (SceneCloth& cloth : content_.cloths) {
+        const render::FabricLook before = cloth.look;
+        cloth.look = look;
+        cloth.look.front = before.front;
+        cloth.look.back = before.back;
+        cloth.look.stripe = before.stripe;
+        cloth.look.stripe_width = before.stripe_width;
+    }
 }
 
 Result<void> Simulation::build() {
@@ -86,12 +111,25 @@ Result<void> Simulation::restart() {
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
+    fresh.cuts_ = cuts_ + 1;  // its meshes are whole again
+    for (std::size_t i = 0; i < content_.cloths.size(); ++i)
+        fresh.content_.cloths[i].look = content_.cloths[i].look;
+    fresh.first_settings_ = first_settings_;
+    fresh.first_cloths_ = first_cloths_;
     *this = std::move(fresh);
+    return {};
+}
+
+Result<void> Simulation::cut(std::size_t cloth, std::span<const MeshEdge> edges) {
+    const auto done = cut_cloth(world_, content_.cloths[cloth], edges);
+    if (!done) return done.error();
+    if (*done) ++cuts_;
     return {};
 }
 
 void Simulation::before_step(float dt) {
     scene_->before_step(world_, time_, dt);
+    if (scene_->cut_before_step(world_, content_)) ++cuts_;
     time_ += static_cast<double>(dt);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "demo/cutting/cut_scene.h"
 #include "demo/rung.h"
 #include "demo/scene.h"
 
@@ -42,15 +43,24 @@ class Simulation {
     /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is
     /// of.
     [[nodiscard]] Result<void> restart();
+    /// The settings that the world and the cloths started with; what moves goes on.
+    [[nodiscard]] Result<void> restore_defaults();
+    /// Gives all cloths a fabric's threads, shine and light; their colours stay.
+    void weave(const render::FabricLook& look);
 
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
     [[nodiscard]] Scene& scene() { return *scene_; }
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }
+    /// Parts edges of a cloth of the content, if they are more than the inside of a cut.
+    Result<void> cut(std::size_t cloth, std::span<const MeshEdge> edges);
+    /// How often cloth was cut: with each, a mesh of the content is another.
+    [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
     [[nodiscard]] double time() const { return time_; }  ///< [s]
 
   private:
+    void remember_defaults();
     Simulation(const SceneEntry& entry, const SceneOptions& options, std::unique_ptr<Scene> scene,
                World world);
     Result<void> build();
@@ -60,7 +70,10 @@ class Simulation {
     std::unique_ptr<Scene> scene_;
     World world_;
     SceneContent content_;
+    WorldSettings first_settings_;
+    std::vector<ClothSettings> first_cloths_;  // in the order of content_.cloths
     double time_ = 0;
+    std::uint32_t cuts_ = 0;
 };
 
 /// All cloths of a scene as one mesh, as they are drawn now.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
+#include "cloth/frame/recut/copies.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -66,6 +67,9 @@ Result<RestNeighbours> find_rest_neighbours(const ClothModel& model, const SelfC
         }
         graph = {offsets, neighbours, lengths};
     }
+    std::optional<JoinsWithCopies> joins;
+    if (!has_features(settings) && model.rows == 0) joins = joins_with_copies(model);
+    if (joins) graph = joins->graph();
     return RestNeighbours::find(graph, distance_of(model, settings));
 }
 

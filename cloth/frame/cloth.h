@@ -163,6 +163,12 @@ struct Cloth {
         whole = std::move(made.whole);
     }
 
+    /// A cloth that takes the place of another, `sources` naming for each of its particles the one there. Its
+    /// maps first: what they change a World prepares for. Then, once it did, all that it has as state. Either
+    /// may run out of memory; then it is of no use.
+    void take_maps(const Cloth& before, std::span<const std::uint32_t> sources);
+    void go_on_from(const Cloth& before, std::span<const std::uint32_t> sources, std::size_t colliders);
+
     /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
     /// May run out of memory; then nothing has changed.
     void prepare_restore(std::span<const Pin> pins);
@@ -291,6 +297,12 @@ struct Cloth {
     [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
     void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
     void set_masses(AlignedBuffer<float>&& values);
+    void set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map);
+    void take_areas(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_pins(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_contact(const ClothState& before, std::span<const std::uint32_t> sources);
+    void take_rest(const Cloth& before, bool is_split);
+    void part_copies(std::span<const std::uint32_t> sources);
     void set_stiffness(AlignedBuffer<float>&& values);
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;

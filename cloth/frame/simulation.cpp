@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
 #include "cloth/surface/air_sources.h"
+#include "engine/platform.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -21,7 +21,7 @@ bool varies(const Wind& wind) {
 
 Parallel make_parallel(const WorldSettings& settings) {
     if (settings.executor.run != nullptr) return Parallel(settings.executor);
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int cores = hardware_threads();
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 

@@ -68,6 +68,8 @@ struct Simulation {
     void expect_colliders(std::size_t count);
     /// Takes a cloth over, with what no step may make.
     ClothId add(std::unique_ptr<Cloth>&& cloth);
+    /// Has `next` in the cloth's place.
+    void replace(ClothId id, std::unique_ptr<Cloth>&& next);
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
     /// drawn before its first step.
     void prepare(Cloth& cloth);

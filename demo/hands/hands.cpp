@@ -21,7 +21,7 @@ Vec3 looking_along(const render::OrbitCamera& camera) {
 
 Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulation& simulation,
                            const render::OrbitCamera& camera, const WindControl& wind) {
-    if (pointer.over_panel || pointer.other_button) return Holding::other;
+    if (pointer.over_panel || pointer.other_button || pointer.has_knife) return Holding::other;
     if (arrow_.is_under({aspect * pointer.x, pointer.y}, wind)) return Holding::arrow;
     const render::Ray ray = camera.ray(pointer.x, pointer.y, aspect);
     const auto cloth = pointed_cloth(simulation, ray);
@@ -117,7 +117,7 @@ void Hands::begin(const Simulation& simulation) {
     balls.forget();
     air.forget();
     const render::OrbitCamera& camera = simulation.content().camera;
-    streaks.begin(camera.target, 0.45f * camera.distance);
+    streaks.begin(camera.target, 0.38f * camera.distance);
 }
 
 }  // namespace weft::demo

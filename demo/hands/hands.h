@@ -1,6 +1,8 @@
 #pragma once
 // All that hands do to a scene, besides its panels.
 
+#include <string>
+
 #include "demo/hands/balls.h"
 #include "demo/hands/hand_air.h"
 #include "demo/hands/held_collider.h"
@@ -53,6 +55,8 @@ class Hands {
     [[nodiscard]] bool holds_arrow() const { return holding_ == Holding::arrow; }
     [[nodiscard]] const HeldCollider& held_collider() const { return collider_; }
     [[nodiscard]] const Interaction& interaction() const { return interaction_; }
+    /// Why cloth could not be cut, told once; empty: it could.
+    [[nodiscard]] std::string take_complaint() { return interaction_.take_complaint(); }
 
   private:
     enum class Holding { nothing, arrow, collider, other };

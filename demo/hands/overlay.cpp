@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "demo/hands/project.h"
+#include "demo/panels/column.h"
 #include "demo/panels/widgets.h"
 #include "engine/vector.h"
 
@@ -137,7 +138,6 @@ void draw_overlay(const Hands& hands, const Simulation& simulation, const render
 }
 
 void hands_controls(Hands& hands) {
-    ImGui::PushItemWidth(130);
     ImGui::Checkbox("streaks of air", &hands.streaks.visible);
     tooltip("Motes that drift with the air and show where it goes, and its gusts.");
     ImGui::Checkbox("balls stir the air", &hands.air.wakes);
@@ -145,16 +145,13 @@ void hands_controls(Hands& hands) {
     slider("fan", hands.air.fan_speed, 2, 40, "%.0f m/s", "Hold F: a fan blows where the pointer is.");
     slider("blast", hands.air.blast_speed, 5, 80, "%.0f m/s", "B: air bursts from where the pointer is.");
     slider("throw", hands.balls.speed, 2, 25, "%.0f m/s", "T: throws a ball to where the pointer is.");
-    ImGui::PopItemWidth();
     ImGui::TextDisabled("Drag the arrow: wind. P: pin or let go.");
     ImGui::TextDisabled("T: throw. Hold F: fan. B: blast.");
     ImGui::TextDisabled("Drag a ball: moves it; wheel: its size.");
 }
 
 void hands_panel(Hands& hands) {
-    begin_panel("Hands", {panel_margin, 562}, {300, 226});
-    hands_controls(hands);
-    ImGui::End();
+    if (const Section section("Hands"); section) hands_controls(hands);
 }
 
 }  // namespace weft::demo

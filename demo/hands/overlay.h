@@ -11,7 +11,7 @@ void draw_overlay(const Hands& hands, const Simulation& simulation, const render
 
 /// The controls of hands, in whatever panel is open, and a line for each of their keys.
 void hands_controls(Hands& hands);
-/// A panel of them.
+/// A section of the column with them.
 void hands_panel(Hands& hands);
 
 }  // namespace weft::demo

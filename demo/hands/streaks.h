@@ -12,7 +12,7 @@ namespace weft::demo {
 
 class Streaks {
   public:
-    static constexpr std::size_t count = 150, length = 10;  ///< motes, and places of each that are kept
+    static constexpr std::size_t count = 120, length = 10;  ///< motes, and places of each that are kept
 
     bool visible = true;
 

@@ -2,6 +2,8 @@
 #include <array>
 #include <thread>
 
+#include "demo/look/materials.h"
+#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 #include "demo/rung.h"
@@ -9,23 +11,39 @@
 namespace weft::demo {
 namespace {
 
-/// Fabrics by name; "own" where the sliders have made another.
-bool fabric_menu(Fabric& fabric) {
-    const auto present = std::ranges::find(fabrics(), fabric, &NamedFabric::fabric);
+/// What people know by name, then what was measured; "own" where the sliders have made another.
+const char* material_name(const Fabric& fabric) {
+    for (const Material& each : materials())
+        if (each.fabric == fabric) return each.name;
+    const auto measured = std::ranges::find(fabrics(), fabric, &NamedFabric::fabric);
+    return measured == fabrics().end() ? "own" : measured->name;
+}
+
+bool choice(const char* name, const char* note, const Fabric& offered, Fabric& fabric) {
+    const bool chosen = offered == fabric;
+    const bool taken = ImGui::Selectable(name, chosen) && !chosen;
+    tooltip(note);
+    if (taken) fabric = offered;
+    return taken;
+}
+
+/// A new material gives the cloth its threads, too.
+bool material_menu(Fabric& fabric, const Material*& woven) {
     bool changed = false;
-    if (ImGui::BeginCombo("fabric", present == fabrics().end() ? "own" : present->name)) {
-        for (const NamedFabric& each : fabrics()) {
-            const bool chosen = each.fabric == fabric;
-            if (ImGui::Selectable(each.name, chosen) && !chosen) {
-                fabric = each.fabric;
-                changed = true;
-            }
-            tooltip(each.source);
+    if (ImGui::BeginCombo("material", material_name(fabric))) {
+        for (const Material& each : materials()) {
+            if (!choice(each.name, each.note, each.fabric, fabric)) continue;
+            woven = &each;
+            changed = true;
         }
+        ImGui::Separator();
+        for (const NamedFabric& each : fabrics())
+            if (std::ranges::find(materials(), std::string_view(each.name), &Material::name) ==
+                materials().end())
+                changed |= choice(each.name, each.source, each.fabric, fabric);
         ImGui::EndCombo();
     }
-    tooltip(present == fabrics().end() ? "Measured fabrics; each tells where its figures are from."
-                                       : present->source);
+    tooltip("What the cloth is made of: how it moves and how it looks. Each says what one will see.");
     return changed;
 }
 
@@ -35,27 +53,55 @@ bool can_stiffen(const ClothSettings& settings) {
            !std::holds_alternative<Fibres>(settings.method);
 }
 
-bool fabric_sliders(ClothSettings& settings) {
-    constexpr ImGuiSliderFlags log = ImGuiSliderFlags_Logarithmic;
-    Fabric& fabric = settings.fabric;
-    bool changed = fabric_menu(fabric);
-    changed |= slider("warp", fabric.warp, 1, 1e5f, "%.0f N/m",
-                      "Tension over strain along the rows, or along the pattern's first axis.", log);
-    changed |= slider("weft", fabric.weft, 1, 1e5f, "%.0f N/m", "The same across them.", log);
-    changed |= slider("shear", fabric.shear, 0.1f, 1e5f, "%.1f N/m", "Stiffness in shear.", log);
+constexpr ImGuiSliderFlags by_factors = ImGuiSliderFlags_Logarithmic;
+
+bool plain_sliders(Fabric& fabric) {
+    float stiffness = stiffness_of(fabric);
+    bool changed =
+        slider("stiffness", stiffness, 30, 10000, "%.0f N/m",
+               "How hard it is to stretch: below 100 it sags like a net, above 1000 it keeps its length.",
+               by_factors);
+    if (changed) set_stiffness(fabric, stiffness);
     float micro = 1e6f * fabric.bending;
-    if (slider("bending", micro, 0.1f, 1e4f, "%.1f uN m", "Flexural rigidity: moment over curvature.", log)) {
+    if (slider("bending", micro, 0.5f, 500, "%.1f uN m",
+               "How hard it is to fold: 2 falls in small wrinkles, 20 in wide folds, 300 is leather.",
+               by_factors)) {
         fabric.bending = 1e-6f * micro;
         changed = true;
     }
-    changed |= slider("damping", fabric.damping, 0, 0.1f, "%.5f s",
-                      "Time constant with which a strain that is let go decays.", log);
-    if (can_stiffen(settings))
-        changed |= slider("stiffening", fabric.stiffening, 0, 200, fabric.stiffening > 0 ? "%.1f" : "none",
-                          "Growth of stiffness per strain: wovens 2, knits up to 116.", log);
-    changed |= slider("weight", fabric.areal_density, 0.02f, 2, "%.2f kg/m2", "Mass of a square metre.", log);
     changed |=
-        slider("air damping", settings.air_damping, 0, 10, "%.2f /s", "Rate at which velocity decays.", log);
+        slider("weight", fabric.areal_density, 0.04f, 1, "%.2f kg/m2",
+               "Of a square metre: light cloth follows the wind, heavy cloth hangs and swings.", by_factors);
+    float milliseconds = 1e3f * fabric.damping;
+    if (slider("damping", milliseconds, 0, 50, "%.2f ms",
+               "How soon trembling dies: 0 rustles like paper, 50 moves like wet cloth.", by_factors)) {
+        fabric.damping = 1e-3f * milliseconds;
+        changed = true;
+    }
+    return changed;
+}
+
+bool further_sliders(ClothSettings& settings) {
+    Fabric& fabric = settings.fabric;
+    bool changed = slider("warp", fabric.warp, 20, 20000, "%.0f N/m",
+                          "Stiffness along the rows alone: how little it stretches that way.", by_factors);
+    changed |= slider("weft", fabric.weft, 20, 20000, "%.0f N/m",
+                      "Stiffness along the columns alone: how little it stretches down.", by_factors);
+    changed |= slider("shear", fabric.shear, 2, 3000, "%.0f N/m",
+                      "How hard squares become diamonds: low drapes round shapes, high creases.", by_factors);
+    if (can_stiffen(settings))
+        changed |= slider("stiffening", fabric.stiffening, 0, 120, fabric.stiffening > 0 ? "%.1f" : "none",
+                          "How much stiffer it is when stretched: wovens 2, knits up to 116.", by_factors);
+    changed |= slider("air drag", settings.air_damping, 0, 10, "%.2f /s",
+                      "How fast any motion dies, as in thick air: at 10 it sinks as in water.", by_factors);
+    float skin = 1e3f * settings.thickness;
+    if (slider("gap to bodies", skin, 1, 30, "%.1f mm",
+               "How far from balls, bodies and the floor the cloth stays.", by_factors)) {
+        settings.thickness = 1e-3f * skin;
+        changed = true;
+    }
+    changed |= slider("friction", settings.friction, 0, 2, "%.2f",
+                      "How well it holds on what it lies on: 0 slides off, 1 lies still.");
     return changed;
 }
 
@@ -71,42 +117,52 @@ bool self_collision_controls(ClothSettings& settings) {
         "lets nothing through, and costs most.");
     if (changed) set_rung(self, static_cast<Rung>(rung));
     float millimetres = 1e3f * self.distance;
-    if (slider("distance", millimetres, 0, 60, millimetres > 0 ? "%.1f mm" : "from the mesh",
-               "How far apart layers are kept; 0 takes 0.75 of the mean edge by avoidance, else 0.3.")) {
+    if (slider("layers apart", millimetres, 0, 30, millimetres > 0 ? "%.1f mm" : "from the mesh",
+               "How far apart layers lie: more looks thicker. 0 takes 0.75 of an edge by avoidance, else "
+               "0.3.")) {
         self.distance = 1e-3f * millimetres;
         changed = true;
     }
     if (rung_of(self) == Rung::impact_zones)
         changed |= slider("restitution", self.restitution, 0, 1, "%.2f",
-                          "Of layers that meet: relative velocity after over before.");
+                          "How layers bounce off each other: 0 not at all, 1 as fast as they came.");
     return changed;
 }
 
 bool world_sliders(WorldSettings& settings) {
-    bool changed = slider("substeps", settings.substeps, 1, 256, "%d", "Steps of the solver in each 1/60 s.",
+    bool changed = slider("substeps", settings.substeps, 1, 32, "%d",
+                          "Steps in each 1/60 s: more follow fast wind and hands better, and take longer.",
                           ImGuiSliderFlags_Logarithmic);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    changed |= slider("threads", settings.threads, 0, std::max(cores, settings.threads),
-                      settings.threads > 0 ? "%d" : "one per core", "The result does not depend on it.");
+    changed |=
+        slider("threads", settings.threads, 0, std::max(cores, settings.threads),
+               settings.threads > 0 ? "%d" : "one per core",
+               "Processors that work on the cloth: its motion is the same by any number, the time is not.");
     return changed;
 }
 
 }  // namespace
 
 Result<void> cloth_panel(Simulation& simulation) {
-    begin_panel("Cloth", {-panel_margin, panel_margin}, {340, 370});
+    const Section section("Material", true);
+    if (!section) return {};
     World& world = simulation.world();
-    ImGui::PushItemWidth(190);
     auto cloth = world.cloth_settings(simulation.content().cloths.front().id);
-    bool cloth_changed = fabric_sliders(*cloth);
-    ImGui::Separator();
-    cloth_changed |= self_collision_controls(*cloth);
-    ImGui::Separator();
+    const Material* woven = nullptr;
+    bool cloth_changed = material_menu(cloth->fabric, woven);
+    if (woven != nullptr) simulation.weave(woven->look);
+    cloth_changed |= plain_sliders(cloth->fabric);
+    const bool defaults = ImGui::Button("Restore defaults");
+    tooltip("The scene's own material, wind and way of computing, as they were at first.");
+    if (defaults) return simulation.restore_defaults();
+    bool world_changed = false;
     WorldSettings settings = world.settings();
-    const bool world_changed = world_sliders(settings);
-    ImGui::PopItemWidth();
-    ImGui::End();
-
+    if (ImGui::TreeNode("More")) {
+        cloth_changed |= further_sliders(*cloth);
+        cloth_changed |= self_collision_controls(*cloth);
+        world_changed = world_sliders(settings);
+        ImGui::TreePop();
+    }
     if (world_changed)
         if (auto set = world.set_settings(settings); !set) return set;
     return cloth_changed ? set_all_cloths(simulation, *cloth) : Result<void>();

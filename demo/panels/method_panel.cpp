@@ -1,4 +1,5 @@
 #include "demo/method_table.h"
+#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 
@@ -41,25 +42,34 @@ bool mean_motion_box(bool& exact) {
 }
 
 bool own_controls(Jacobi& method) {
-    const bool changed = iterations_slider(method.iterations, 0, "Odd counts never over-correct.");
+    const bool changed = iterations_slider(
+        method.iterations, 0,
+        "Steps towards the solution: few, and cloth sags and lags. Odd counts tremble less.");
     return mean_motion_box(method.exact_mean_motion) || changed;
 }
 
 bool own_controls(Chebyshev& method) {
-    const bool changed = iterations_slider(method.iterations, 1, "Of each substep.");
+    const bool changed = iterations_slider(
+        method.iterations, 1, "Steps towards the solution in each substep: few, and cloth sags and lags.");
     return mean_motion_box(method.exact_mean_motion) || changed;
 }
 
 bool own_controls(ConjugateGradient& method) {
-    return iterations_slider(method.iterations, 1, "Of each substep.");
+    return iterations_slider(method.iterations, 1,
+                             "Steps towards the solution in each substep: few, and cloth sags and lags.");
 }
 
 bool own_controls(Multilevel& method) {
-    bool changed =
-        iterations_slider(method.iterations, 1, "Conjugate gradient steps, a multigrid cycle each.");
-    changed |= slider("passes", method.passes, 1, 20, "%d", "Linearisations of each substep.");
-    return slider("effort", method.effort, 1, 8, "%.2f",
-                  "Most work where the equation is hard, over the usual; 1: never more.", logarithmic) ||
+    bool changed = iterations_slider(
+        method.iterations, 1,
+        "Steps towards the solution in the last pass: more, and stiff cloth hangs straighter.");
+    changed |=
+        slider("passes", method.passes, 1, 20, "%d",
+               "How often a substep starts anew from where it has come: more, and fast motion is truer.");
+    return slider(
+               "effort", method.effort, 1, 8, "%.2f",
+               "How much more time than usual may be taken where cloth is pressed or pulled hard; 1: none.",
+               logarithmic) ||
            changed;
 }
 
@@ -76,7 +86,8 @@ bool set_solver_choice(const char* label, Fibres::SetSolver& solver) {
 }
 
 bool own_controls(Fibres& method) {
-    bool changed = iterations_slider(method.iterations, 1, "Sweeps over all sets of fibres.");
+    bool changed =
+        iterations_slider(method.iterations, 1, "Rounds over all fibres: few, and cloth stretches.");
     changed |= set_solver_choice("vertical", method.vertical);
     changed |= set_solver_choice("horizontal", method.horizontal);
     changed |= set_solver_choice("shear", method.shear);
@@ -88,8 +99,9 @@ bool own_controls(SymplecticEuler& /*method*/) {
 }
 
 bool time_controls(ClothSettings& settings) {
-    bool changed = slider("cloth substeps", settings.substeps, 1, 1024, "%d",
-                          "Steps of the method within each substep of the world.", logarithmic);
+    bool changed = slider(
+        "cloth substeps", settings.substeps, 1, 1024, "%d",
+        "Shorter steps for the cloth alone: motion is livelier and truer, and takes longer.", logarithmic);
     if (!has_time_scheme(settings.method)) return changed;
     bool second_order = resolved(settings.time_scheme, settings.method) == TimeScheme::bdf2;
     const bool clicked = ImGui::Checkbox("second order in time", &second_order);
@@ -121,12 +133,10 @@ bool method_controls(ClothSettings& settings) {
 }
 
 Result<void> method_panel(Simulation& simulation) {
-    begin_panel("Method", {panel_margin, 560}, {300, 228});
-    ImGui::PushItemWidth(170);
+    const Section section("How it is computed");
+    if (!section) return {};
     auto settings = simulation.world().cloth_settings(simulation.content().cloths.front().id);
     const bool changed = method_controls(*settings);
-    ImGui::PopItemWidth();
-    ImGui::End();
     return changed ? set_all_cloths(simulation, *settings) : Result<void>();
 }
 

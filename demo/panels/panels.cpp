@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include "demo/hands/overlay.h"
+#include "demo/panels/column.h"
+#include "demo/panels/widgets.h"
+#include "demo/report_text.h"
+
 namespace weft::demo {
 
 void StageHistory::add(std::span<const StageTime> stages) {
@@ -31,18 +36,61 @@ void Panels::forget() {
 
 void Panels::record(const World& world) {
     history_.add(world.profile());
+    look.times.add_step(world.report().milliseconds);
 }
 
-PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& playback,
-                           const render::OrbitCamera& camera) {
+PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands,
+                           const Playback& playback, const render::OrbitCamera& camera) {
     PanelRequests requests;
-    if (!visible) return requests;
-    scene_panel(simulation, pictures_, message, playback, requests);
-    note(wind_panel(simulation, wind, camera));
-    note(method_panel(simulation));
-    note(cloth_panel(simulation));
-    profiler_panel(simulation, history_, playback);
+    ImGui::GetIO().FontGlobalScale = look.text_size;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    room_ = window.x;
+    if (visible) {
+        if (begin_column(collapsed)) {
+            room_ -= column_width(window, ImGui::GetFontSize());
+            draw_column(simulation, wind, hands, playback, camera, requests);
+        }
+        ImGui::End();
+    }
+    if (help) help_window(help, room_);
     return requests;
+}
+
+void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+                         const render::OrbitCamera& camera, PanelRequests& requests) {
+    if (ImGui::Button(">")) collapsed = true;
+    tooltip("Folds the panels away. F2 hides them altogether.");
+    ImGui::SameLine();
+    if (ImGui::Button("Help")) help = !help;
+    tooltip("F1. Keys and mouse.");
+    ImGui::SameLine();
+    ImGui::Text("%.0f pictures a second", static_cast<double>(ImGui::GetIO().Framerate));
+    show_troubles(simulation, playback);
+    scene_panel(simulation, pictures_, requests);
+    note(wind_panel(simulation, wind, camera));
+    hands_panel(hands);
+    note(cloth_panel(simulation));
+    picture_panel(look);
+    note(inside_panel(simulation, look.inside));
+    note(times_panel(simulation, history_, look));
+    note(method_panel(simulation));
+}
+
+void Panels::show_troubles(const Simulation& simulation, const Playback& playback) {
+    const StepReport& report = simulation.world().report();
+    const WorldSettings& settings = simulation.world().settings();
+    const ImVec4 warning{0.98f, 0.72f, 0.40f, 1};
+    ImGui::PushStyleColor(ImGuiCol_Text, warning);
+    ImGui::PushTextWrapPos(0);
+    if (!message.empty()) ImGui::TextUnformatted(message.c_str());
+    if (playback.behind_real_time)
+        ImGui::TextUnformatted(
+            what_is_slow(look.times.percentile(0.5f),
+                         look.quality.level() + 1 == static_cast<int>(quality_levels().size())));
+    if (report.flags != StepFlags::none)
+        ImGui::TextUnformatted(flags_text(report.flags, speed_of(settings.wind)).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
 }
 
 void Panels::note(const Result<void>& set) {

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "demo/look/look.h"
 #include "demo/scene_simulation.h"
 #include "demo/wind_control.h"
 #include "weft/render/camera.h"
 #include "weft/render/shown_image.h"
 
 namespace weft::demo {
+
+class Hands;
 
 /// How time passes in the window.
 struct Playback {
@@ -59,32 +62,44 @@ class ScenePictures {
 class Panels {
   public:
     bool visible = true;
-    std::string message;  ///< why the last request could not be met
+    bool collapsed = false;  ///< to a tab
+    bool help = false;
+    std::string message;  ///< why the last request could not be met, or what came of it
+    Look look;
 
     /// Keeps the times of the step just taken.
     void record(const World& world);
     /// A new world: its times start afresh.
     void forget();
     /// Between ImGuiLayer's begin() and end(). Applies what is changed to the simulation.
-    [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Playback& playback,
-                                     const render::OrbitCamera& camera);
+    [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Hands& hands,
+                                     const Playback& playback, const render::OrbitCamera& camera);
+    /// What they leave of the window's width, from its left edge on [pixels].
+    [[nodiscard]] float room() const { return room_; }
 
   private:
     void note(const Result<void>& set);
+    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+                     const render::OrbitCamera& camera, PanelRequests& requests);
+    void show_troubles(const Simulation& simulation, const Playback& playback);
 
+    float room_ = 0;
     StageHistory history_;
     ScenePictures pictures_;
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
 // goes on as it was.
-void scene_panel(const Simulation& simulation, ScenePictures& pictures, const std::string& message,
-                 Playback& playback, PanelRequests& requests);
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
-void profiler_panel(const Simulation& simulation, const StageHistory& history, const Playback& playback);
+void picture_panel(Look& look);
+[[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
+[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
+/// Keys and mouse, within the `room` left of the column [pixels].
+void help_window(bool& shown, float room);
 
 /// What the method panel shows. True if something was changed.
 bool method_controls(ClothSettings& settings);

@@ -11,16 +11,9 @@ namespace weft::demo {
 
 inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
 
-/// Begins a panel with its corner `from_left`, `from_top` away from that of the picture; negative values
-/// count from the opposite edge. Close with ImGui::End(), whatever this returns.
-inline bool begin_panel(const char* title, ImVec2 corner, ImVec2 size) {
-    const ImVec2 picture = ImGui::GetIO().DisplaySize;
-    const ImVec2 place(corner.x < 0 ? picture.x + corner.x - size.x : corner.x,
-                       corner.y < 0 ? picture.y + corner.y - size.y : corner.y);
-    ImGui::SetNextWindowPos(place, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-    return ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoSavedSettings);
-}
+/// Somebody who looks at every slider and may move it: a test. Returns true if it has.
+using SliderProbe = std::function<bool(const char* label, float& value, float least, float most)>;
+inline SliderProbe slider_probe;
 
 /// Explains the widget before, when the pointer rests on it.
 inline void tooltip(const char* text) {
@@ -60,7 +53,7 @@ inline bool slider(const char* label, float& value, float least, float most, con
     const bool moved =
         ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
-    return moved;
+    return (slider_probe && slider_probe(label, value, least, most)) || moved;
 }
 inline bool slider(const char* label, int& value, int least, int most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
@@ -69,7 +62,11 @@ inline bool slider(const char* label, int& value, int least, int most, const cha
     const bool moved =
         ImGui::SliderInt(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     tooltip(explanation);
-    return moved;
+    auto number = static_cast<float>(value);
+    if (!slider_probe || !slider_probe(label, number, static_cast<float>(least), static_cast<float>(most)))
+        return moved;
+    value = static_cast<int>(number);
+    return true;
 }
 
 }  // namespace weft::demo

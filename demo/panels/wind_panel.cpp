@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 #include "engine/vector.h"
@@ -8,7 +9,12 @@
 namespace weft::demo {
 namespace {
 
-constexpr float dial_size = 128;  // [pixels]
+constexpr float strongest_wind = 40;  // to be had by the slider [m/s]
+
+/// Of the dial, with the text [pixels].
+float dial_size() {
+    return 7.5f * ImGui::GetFontSize();
+}
 
 /// Where the wind blows, in the dial's plane: away from the viewer is up, whichever way the camera has
 /// turned.
@@ -42,10 +48,10 @@ void draw_arrow(ImDrawList& draw, ImVec2 centre, ImVec2 along, float length, ImU
 
 /// True while it is dragged: the wind then blows from the centre towards the pointer.
 bool wind_dial(WindControl& wind, const DialFrame& frame) {
-    const float radius = 0.5f * dial_size;
+    const float radius = 0.5f * dial_size();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 centre(corner.x + radius, corner.y + radius);
-    ImGui::InvisibleButton("dial", {dial_size, dial_size});
+    ImGui::InvisibleButton("dial", {2 * radius, 2 * radius});
     const bool dragged = ImGui::IsItemActive();
     tooltip(
         "Drag: where the wind blows, seen from above; up is away from you. Left and right arrow keys turn "
@@ -77,24 +83,28 @@ bool wind_dial(WindControl& wind, const DialFrame& frame) {
 }  // namespace
 
 Result<void> wind_panel(Simulation& simulation, WindControl& wind, const render::OrbitCamera& camera) {
-    begin_panel("Wind", {panel_margin, 286}, {300, 264});
+    const Section section("Wind", true);
+    if (!section) return {};
     WorldSettings settings = simulation.world().settings();
 
-    ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - dial_size));
+    ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - dial_size()));
     bool changed = wind_dial(wind, DialFrame(camera));
-    ImGui::PushItemWidth(180);
     float speed = wind.speed();
-    if (slider("speed", speed, 0, WindControl::max_speed, "%.1f m/s",
-               "Mean speed along the ground. Up and down arrow keys.", ImGuiSliderFlags_Logarithmic)) {
+    if (slider("speed", speed, 0, strongest_wind, "%.1f m/s",
+               "How fast the air moves: 3 stirs a curtain, 8 flies a flag, 20 is a gale. Up and down arrow "
+               "keys.",
+               ImGuiSliderFlags_Logarithmic)) {
         wind.set_speed(speed);
         changed = true;
     }
-    changed |= slider("gusts", settings.wind.gust, 0, 2, "%.2f",
-                      "Strength of the gusts relative to the mean speed; 0.3 is a gusty day.");
-    changed |= slider("eddies", settings.wind.gust_length, 0.1f, 5, "%.2f m", "Size of an eddy.",
-                      ImGuiSliderFlags_Logarithmic);
-    ImGui::PopItemWidth();
-    ImGui::End();
+    changed |=
+        slider("gusts", settings.wind.gust, 0, 2, "%.2f",
+               "How much the wind comes and goes, over its speed: 0 blows evenly, 0.3 is a gusty day, 1 a "
+               "stormy one.");
+    changed |=
+        slider("air swirl size", settings.wind.gust_length, 0.1f, 5, "%.2f m",
+               "How large the swirls of a gust are: small ones make the cloth flutter, large ones swing it.",
+               ImGuiSliderFlags_Logarithmic);
 
     if (!changed) return {};
     settings.wind.velocity = wind.velocity();

@@ -32,7 +32,8 @@
     SCENE(rag, "a rag on a ball that goes to and fro")                                                      \
     SCENE(bar, "a wall hanging whose lower edge is fixed to a bar with mass")                               \
     SCENE(release, "a strip is twisted twice round, and let go")                                            \
-    SCENE(stack10, "ten sheets are laid on one another")
+    SCENE(stack10, "ten sheets are laid on one another")                                                            \
+    SCENE(tear, "a sheet is drawn apart till it tears in two")
 // clang-format on
 
 namespace weft::demo {

@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float widest_bar = 640;  // [pixels]
+constexpr float widest_bar = 592;  // [pixels]
 
 /// The scrubber.
 void show_moments(const Timeline& timeline, Playback& playback, TimeRequests& requests) {
@@ -54,7 +54,7 @@ void show_buttons(const Timeline& timeline, Playback& playback, TimeRequests& re
     requests.restart = ImGui::Button("Reset");
     tooltip("R. The scene from its start, with the settings as they are.");
     ImGui::SameLine();
-    requests.defaults = ImGui::Button("Restore defaults");
+    requests.defaults = ImGui::Button("Defaults");
     tooltip("The scene from its start, with all settings as they were.");
 }
 
@@ -76,13 +76,13 @@ std::string words_of(const RepeatCheck& check) {
     return text;
 }
 
-TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check) {
+TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check, float room) {
     TimeRequests requests;
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
     const float rows = check.enabled ? 3 : 2;
-    const ImVec2 size(std::min(widest_bar, picture.x - 2 * panel_margin),
+    const ImVec2 size(std::min(widest_bar, room - 2 * panel_margin),
                       rows * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y);
-    ImGui::SetNextWindowPos({0.5f * (picture.x - size.x), picture.y - panel_margin - size.y});
+    ImGui::SetNextWindowPos({0.5f * (room - size.x), picture.y - panel_margin - size.y});
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("Time", nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |

@@ -16,7 +16,9 @@ struct TimeRequests {
     bool defaults = false;             ///< likewise, with the scene's own
 };
 
-[[nodiscard]] TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check);
+/// At the bottom, within `room` from the left edge on [pixels].
+[[nodiscard]] TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check,
+                                    float room);
 
 /// What the check has found, in words.
 [[nodiscard]] std::string words_of(const RepeatCheck& check);

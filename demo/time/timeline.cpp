@@ -20,6 +20,7 @@ Result<void> Timeline::keep(const Simulation& simulation, const HandMark& mark) 
         bytes_ -= moments_.back().save.size();
         moments_.pop_back();
     }
+    if (std::exchange(cuts_, simulation.cuts()) != simulation.cuts()) clear();
     Moment moment;
     if (!make_room(simulation.world().save_size(), moment)) {
         clear();

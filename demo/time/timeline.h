@@ -12,7 +12,8 @@
 namespace weft::demo {
 
 /// A ring of saves, one after each step, in bounded memory: the oldest make room. Settings are not in them:
-/// what goes on from an earlier moment goes on with those that are set now.
+/// what goes on from an earlier moment goes on with those that are set now. A save does not fit cloth that was
+/// cut since: a cut begins the ring anew.
 class Timeline {
   public:
     static constexpr std::size_t usual_room = std::size_t{256} << 20;  ///< [bytes]
@@ -44,6 +45,7 @@ class Timeline {
     bool make_room(std::size_t size, Moment& moment);
 
     std::size_t room_, bytes_ = 0, here_ = 0;
+    std::uint32_t cuts_ = 0;
     std::deque<Moment> moments_;
 };
 

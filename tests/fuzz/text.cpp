@@ -275,6 +275,9 @@ static std::string text_of(const SetFrame& call) {
 static std::string text_of(const LeaveFrame&) {
     return "leave_frame()";
 }
+static std::string text_of(const Recut& call) {
+    return "recut_cloth(" + std::to_string(call.cut.added_particles) + " particles more)";
+}
 static std::string text_of(const SetMap& call) {
     return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";
 }

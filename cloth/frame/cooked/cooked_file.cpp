@@ -239,6 +239,7 @@ Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const Cl
         if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model))
             return refused("is not whole, though its checksum is right: cook the mesh again");
         model.info = info[0];
+        model.fingerprint = fingerprint_of(model);
         if (auto valid = validate_neighbours(model, settings); !valid) return valid.error();
         return CookedCloth(std::make_shared<const Impl>(std::move(model), std::move(report), settings));
     });

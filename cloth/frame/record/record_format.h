@@ -113,6 +113,7 @@ class RecordWriter {
         put(std::span(mesh.texcoords));
         put(mesh.rows);
         put(mesh.columns);
+        put(std::span(mesh.welds));
     }
     void put(const TriangleMesh& mesh) {
         put(mesh.vertices);

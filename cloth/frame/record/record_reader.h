@@ -91,6 +91,7 @@ class RecordReader {
         mesh.texcoords = get_list<Vec2>();
         get(mesh.rows);
         get(mesh.columns);
+        mesh.welds = get_list<std::uint32_t>();
     }
     void get(TriangleMesh& mesh) {
         get(mesh.vertices);

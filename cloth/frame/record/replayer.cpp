@@ -135,6 +135,10 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
             return with<ClothId, ClothSettings>(reader, [&](ClothId id, const auto& settings) {
                 return world.set_cloth_settings(id, settings);
             });
+        case Call::recut_cloth:
+            return with<ClothId, Mesh, Vertices>(reader, [&](ClothId id, const Mesh& mesh, Vertices from) {
+                return world.recut_cloth(id, mesh, from);
+            });
         case Call::set_enabled:
             return with<ClothId, bool>(reader,
                                        [&](ClothId id, bool on) { return world.set_enabled(id, on); });

@@ -44,9 +44,13 @@ void Cloth::set_masses(AlignedBuffer<float>&& values) {
         std::ranges::copy(before, kept.data());
         for (std::uint32_t i = 0; i < model.particle_count; ++i) areas[i] *= values[i];
     }
+    set_areas(std::move(areas), std::move(kept));
+}
+
+void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map) {
     std::swap(model.rest_area, areas);
     or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.rest_area, areas); });
-    areas_without_map = std::move(kept);
+    areas_without_map = std::move(without_map);
 }
 
 void Cloth::set_stiffness(AlignedBuffer<float>&& values) {

@@ -37,6 +37,11 @@ struct Mesh {
     /// triangles, cut along either diagonal, and springs run along the threads (structural, shear, bend). 0:
     /// a general mesh, with springs on edges and across shared edges.
     std::uint32_t rows = 0, columns = 0;
+
+    /// Optional: for each vertex the first of those that are one particle with it, itself if it is that; they
+    /// lie at one position. Others at that position are particles of their own, as along a cut (cut_mesh).
+    /// Empty: vertices at the same position are welded.
+    std::vector<std::uint32_t> welds{};
 };
 
 /// A rectangular sheet of particles in rows and columns.

@@ -20,6 +20,7 @@
 #include "weft/collider.h"
 #include "weft/contact.h"
 #include "weft/cooked_cloth.h"
+#include "weft/cutting.h"
 #include "weft/debug_draw.h"
 #include "weft/drawn_mesh.h"
 #include "weft/error.h"

@@ -150,9 +150,18 @@ struct EveryCall {
         EXPECT_TRUE(world.wake(cloths[1]));
         EXPECT_TRUE(world.set_importance(cloths[1], 2, 30));
         EXPECT_TRUE(world.unpin(cloths[0], 8));
+        cut();
         EXPECT_TRUE(world.shift_origin({1, 0, 2}));
         EXPECT_TRUE(world.place_collider(
             colliders[7], {.shape = TaperedCapsule{{-1, 1, -2}, {-0.9f, 1, -2}, 0.1f, 0.05f}}));
+    }
+    void cut() {
+        const Mesh whole = small_sheet(0.5f);
+        std::vector<MeshEdge> across;
+        for (std::uint32_t k = 0; k + 1 < whole.columns; ++k)
+            across.push_back({2 * whole.columns + k, 2 * whole.columns + k + 1});
+        const MeshCut parted = cut_mesh(whole, across).value();
+        EXPECT_TRUE(world.recut_cloth(cloths[0], parted.mesh, parted.from));
     }
     void go_back() {
         Bytes saved(world.save_size());

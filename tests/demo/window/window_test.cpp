@@ -31,16 +31,18 @@ class Window : public testing::Test {
         if (!screen()) GTEST_SKIP() << "Xvfb or xdotool is missing; tests/run installs them";
     }
 
-    void play(const char* scene, std::vector<Act> acts, int most_frames = 600) {
+    void play(const char* scene, std::vector<Act> acts, int most_frames = 250,
+              std::uint32_t particles = 300) {
         Options options;
         options.width = across;
         options.height = down;
-        options.scene_options.particles = 300;
+        options.scene_options.particles = particles;
         options.frames = most_frames;
         Overrides overrides;
         overrides.threads = 1;
         auto simulation = Simulation::create(*find_scene(scene), options.scene_options, overrides);
         ASSERT_TRUE(simulation) << simulation.error().message;
+        point({0.75f, 0.4f});  // keys go to the window that the pointer is in
         std::size_t act = 0;
         const int status = run_app(options, std::move(*simulation), [&](const AppFrame& frame) {
             if (acts[act](frame)) ++act;
@@ -158,7 +160,8 @@ TEST_F(Window, OpensEveryScene) {
         SCOPED_TRACE(entry.name);
         int drawn = 0;
         play(entry.name,
-             {[&](const AppFrame& frame) { return ++drawn == 2 && &frame.simulation.entry() == &entry; }}, 3);
+             {[&](const AppFrame& frame) { return ++drawn == 2 && &frame.simulation.entry() == &entry; }}, 3,
+             1000);
     }
 }
 

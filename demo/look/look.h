@@ -1,0 +1,21 @@
+#pragma once
+// How things look and are looked into, as the panels set it and the program draws it.
+
+#include "demo/look/inside.h"
+#include "demo/look/picture_times.h"
+#include "demo/look/quality_choice.h"
+#include "demo/look/recorder.h"
+
+namespace weft::demo {
+
+struct Look {
+    QualityChoice quality;
+    Inside inside;
+    Recorder recorder;
+    PictureTimes times;
+    bool wants_picture = false;  ///< to be saved
+    bool wants_film = false;     ///< recording is to begin or to end
+    float text_size = 1;         ///< over the display's own
+};
+
+}  // namespace weft::demo

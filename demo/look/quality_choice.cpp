@@ -1,0 +1,102 @@
+#include "demo/look/quality_choice.h"
+
+#include <algorithm>
+
+namespace weft::demo {
+namespace {
+
+// Costs by llvmpipe at 1280 x 800, the flag: 200 ms at best.
+constexpr QualityLevel ladder[] = {
+    {"best", {}, "", true, 1},
+    {"good",
+     {.sun_map = 1024, .blocker_taps = 6, .sun_taps = 8, .sky_taps = 6},
+     "shadows and dark folds are grainier",
+     true,
+     0.75f},
+    {"fair",
+     {.samples = 1, .sun_map = 1024, .blocker_taps = 4, .sun_taps = 6, .sky_taps = 5},
+     "edges are not smoothed (one sample a pixel), shadows are grainier",
+     true,
+     0.38f},
+    {"fast",
+     {.samples = 1, .sun_map = 512, .blocker_taps = 0, .sun_taps = 4, .sky_taps = 0, .weave = false},
+     "no smoothed edges, threads, dark folds or soft shadows",
+     false,
+     0.30f},
+    {"faster",
+     {.samples = 1,
+      .sun_map = 512,
+      .blocker_taps = 0,
+      .sun_taps = 4,
+      .sky_taps = 0,
+      .weave = false,
+      .resolution = 0.7f},
+     "half of the pixels; no smoothed edges, threads, dark folds or soft shadows",
+     false,
+     0.20f},
+    {"fastest",
+     {.samples = 1,
+      .sun_map = 512,
+      .blocker_taps = 0,
+      .sun_taps = 4,
+      .sky_taps = 0,
+      .weave = false,
+      .resolution = 0.5f},
+     "a quarter of the pixels; no smoothed edges, threads, dark folds or soft shadows",
+     false,
+     0.13f},
+};
+
+}  // namespace
+
+std::span<const QualityLevel> quality_levels() {
+    return ladder;
+}
+
+void QualityChoice::add(float milliseconds) {
+    static_assert(std::size(ladder) == levels);
+    if (waiting_ > 0) {
+        --waiting_;
+        return;
+    }
+    times_[count_++] = milliseconds;
+    if (count_ < sample) return;
+    count_ = 0;
+    std::ranges::nth_element(times_, times_.begin() + sample / 2);
+    const float now = times_[sample / 2];
+    measured_[static_cast<std::size_t>(level_)] = now;
+    if (!automatic) return;
+    if (now > limit()) {
+        int next = level_ + 1;
+        while (next < static_cast<int>(levels) - 1 && expected(next, now) > limit()) ++next;
+        return move_to(std::min(next, static_cast<int>(levels) - 1));
+    }
+    if (level_ > 0 && expected(level_ - 1, now) < 0.8f * limit()) move_to(level_ - 1);
+}
+
+/// What a level will take: what it took, by how the present one has changed since; else by the ladder's cost.
+float QualityChoice::expected(int level, float now) const {
+    const auto there = static_cast<std::size_t>(level), here = static_cast<std::size_t>(level_);
+    const float by_cost = now * ladder[there].cost / ladder[here].cost;
+    return measured_[there] > 0 ? std::max(measured_[there], by_cost) : by_cost;
+}
+
+void QualityChoice::move_to(int level) {
+    if (level == level_) return;
+    level_ = level;
+    waiting_ = settling;
+    count_ = 0;
+}
+
+void QualityChoice::choose(int level) {
+    automatic = false;
+    move_to(std::clamp(level, 0, static_cast<int>(levels) - 1));
+}
+
+void QualityChoice::forget() {
+    measured_ = {};
+    waiting_ = settling;
+    count_ = 0;
+}
+
+}  // namespace weft::demo

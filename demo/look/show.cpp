@@ -1,0 +1,89 @@
+#include "demo/look/show.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <utility>
+
+
+namespace weft::demo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+float milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<float, std::milli>(Clock::now() - start).count();
+}
+
+/// Where a point is in the picture, from its upper left corner; false behind the eye.
+bool project(const render::OrbitCamera& camera, const Vec3& point, ImVec2 size, ImVec2& place) {
+    const render::Matrix4 view = camera.view(), projection = camera.projection(size.x / size.y);
+    const auto row = [](const render::Matrix4& m, std::size_t r, const Vec3& p) {
+        return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
+    };
+    const Vec3 seen{row(view, 0, point), row(view, 1, point), row(view, 2, point)};
+    if (seen.z > -0.01f) return false;
+    const float depth = -seen.z;
+    place = {0.5f * size.x * (1 + projection[0] * seen.x / depth),
+             0.5f * size.y * (1 - projection[5] * seen.y / depth)};
+    return true;
+}
+
+std::string told(const Result<std::filesystem::path>& saved) {
+    return saved ? "saved " + saved->string() : saved.error().message;
+}
+
+std::string begin_or_end_film(Recorder& recorder) {
+    if (!recorder.recording()) {
+        const auto started = recorder.start();
+        return started ? std::string() : started.error().message;
+    }
+    const auto stopped = recorder.stop();
+    return stopped ? "recorded " + *stopped : stopped.error().message;
+}
+
+}  // namespace
+
+void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look) {
+    const Clock::time_point start = Clock::now();
+    picture.renderer().draw(view, width, height);
+    // A processor that draws works while it is asked to, too; a graphics card does not.
+    const float asking = milliseconds_since(start), drawing = picture.renderer().draw_times().total();
+    const float took = asking + drawing;
+    look.quality.add(took);
+    look.times.add_picture(took, 1000 * ImGui::GetIO().DeltaTime);
+}
+
+void draw_words(const Picture& picture, const render::OrbitCamera& camera) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    for (const ShownWords& each : picture.words()) {
+        ImVec2 place;
+        if (!project(camera, each.at, size, place)) continue;
+        draw.AddText({place.x + 1, place.y + 1}, IM_COL32(0, 0, 0, 160), each.words.c_str());
+        draw.AddText(place, ImGui::ColorConvertFloat4ToU32({each.colour.x, each.colour.y, each.colour.z, 1}),
+                     each.words.c_str());
+    }
+}
+
+std::string save_pictures(Picture& picture, const render::View& view, int width, int height, Look& look) {
+    std::string words;
+    if (std::exchange(look.wants_film, false)) words = begin_or_end_film(look.recorder);
+    const bool one = std::exchange(look.wants_picture, false);
+    if (!one && !look.recorder.recording()) return words;
+    render::View best = view;
+    best.quality = {};
+    const render::Image image = picture.renderer().capture(best, width, height);
+    if (one) words = told(look.recorder.save(image));
+    if (const auto added = look.recorder.add(image); !added) words = added.error().message;
+    return words;
+}
+
+bool read_look_keys(const KeyTaps& keys, Look& look) {
+    look.wants_picture |= keys.count(GLFW_KEY_F5) > 0;
+    look.wants_film |= keys.count(GLFW_KEY_F6) % 2 == 1;
+    return keys.count(GLFW_KEY_F2) % 2 == 1;
+}
+
+}  // namespace weft::demo

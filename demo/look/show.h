@@ -1,0 +1,24 @@
+#pragma once
+// The look's part of a picture in the window.
+
+#include "demo/hands/key_taps.h"
+#include "demo/look/look.h"
+#include "demo/picture.h"
+
+namespace weft::demo {
+
+/// Draws the view, and chooses the quality of the next picture by what this one took.
+void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look);
+
+/// Words of the inside over the picture, between the panels' begin() and end().
+void draw_words(const Picture& picture, const render::OrbitCamera& camera);
+
+/// Saves and records what the look asks for, of the view as it is shown. What came of it, in words; empty:
+/// nothing.
+[[nodiscard]] std::string save_pictures(Picture& picture, const render::View& view, int width, int height,
+                                        Look& look);
+
+/// F2, F5 and F6; true if panels are to be shown or hidden.
+[[nodiscard]] bool read_look_keys(const KeyTaps& keys, Look& look);
+
+}  // namespace weft::demo
