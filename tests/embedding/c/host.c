@@ -137,11 +137,6 @@ static WeftClothId add_cloths(WeftWorld* world, const WeftMesh* mesh, const Weft
     settings.time_scheme = 9;
     REFUSES(WEFT_INVALID_ARGUMENT, "time_scheme", weft_world_add_cloth(world, mesh, &settings, &cloth));
     settings.time_scheme = WEFT_TIME_OF_METHOD;
-    settings.self_collision.enabled = 1;
-    settings.self_collision.distance = 5;
-    REFUSES(WEFT_INVALID_ARGUMENT, "distance", weft_world_add_cloth(world, mesh, &settings, &cloth));
-    settings.self_collision.enabled = 0;
-    settings.self_collision.distance = 0;
     TAKES(weft_fabric_named("denim", &settings.fabric));
     REFUSES(WEFT_INVALID_ARGUMENT, "denim", weft_fabric_named("tin", &settings.fabric));
     weft_method_init(&settings.method, WEFT_METHOD_JACOBI);
@@ -223,7 +218,7 @@ static void air(const WeftWorld* world) {
 
 static void solids(WeftWorld* world, WeftClothId other) {
     static const WeftVec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-    static const uint32_t faces[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     const WeftInput vertices = {corners, 4, 0}, triangles = {faces, 4, 0};
     const WeftVec3 far_away = {3, 0.7f, -1};
     const uint32_t corner = 0;
@@ -307,7 +302,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     for (i = 0; i < steps; ++i) TAKES(weft_world_step(world, 1.0f / 60));
-    CHECK(executor_calls == steps);
+    CHECK(executor_calls == steps + 2); /* and once to move the cloth, once to shift the origin */
     look_at(world, cloth, folder);
     hash = weft_world_state_hash(world);
     go_back(world);
