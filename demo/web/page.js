@@ -201,6 +201,7 @@ async function main() {
         }
         const body = document.body.dataset;
         body.steps = steps, body.crossings = cloth.crossings(), body.glError = gl.getError();
+        body.tip = new Float32Array(cloth.memory.buffer, cloth.vertices() + 24 * (cloth.vertex_count() - 1), 3).join(' ');
         input('report').textContent = `${cloth.vertex_count()} particles, ${mean.toFixed(2)} ms a step`;
         requestAnimationFrame(frame);
     }
