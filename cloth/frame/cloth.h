@@ -32,6 +32,8 @@
 
 namespace weft {
 
+struct SavedLevels;
+
 /// Memory for the air at the particles.
 struct AirBuffers {
     AlignedBuffer<Vec4> forces;      ///< see ExternalForces; empty without air
@@ -117,6 +119,8 @@ struct ShownCloth {
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
     Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress = {});
+    /// `saved`: levels of this model, or null. They are used up.
+    Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress, SavedLevels* saved);
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
