@@ -13,6 +13,8 @@
 #include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
+#include "demo/look/dropped.h"
+#include "demo/look/settings_file.h"
 #include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
@@ -73,6 +75,7 @@ class App {
             if (const auto started = simulation_.world().start_trace(); !started) complain(started.error());
         }
         GLFWwindow* const window = context_.window_handle();
+        remember_dropped_files(window);
         for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
             if (options_.frames && frame == *options_.frames) break;
             glfwPollEvents();
@@ -93,7 +96,9 @@ class App {
     void draw_frame(PictureSize size) {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
+        for (const auto& file : take_dropped_files()) take_file(file);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
+        make_room();
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         keys_.forget();
@@ -114,11 +119,13 @@ class App {
         draw_overlay(hands_, simulation_, camera_, wind_);
         const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
-        if (panels_.visible) time = time_bar(timeline_, playback_, repeat_, panels_.room());
+        if (panels_.visible)
+            time = time_bar(timeline_, playback_, repeat_, ImGui::GetIO().DisplaySize.x - panels_.covered());
         layer_.end();
         if (time.go_to) go_to(*time.go_to);
-        if (requests.restart || time.restart) restart();
+        if (requests.restart || requests.reload || time.restart) restart();
         if (time.defaults) change_scene(simulation_.entry());
+        keep_settings();
         if (requests.scene != nullptr) change_scene(*requests.scene);
     }
 
@@ -255,6 +262,38 @@ class App {
         begin_anew();
         camera_ = simulation_.content().camera;
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
+    }
+
+    /// The scene stands in what the panels leave of the window, and is all seen there.
+    void make_room() {
+        const ImVec2 window = ImGui::GetIO().DisplaySize;
+        if (window.x <= 0 || window.y <= 0) return;
+        constexpr float wide_enough = 1.15f;
+        camera_.shift = panels_.covered() / window.x;
+        camera_.shrink = std::min(1.0f, (window.x - panels_.covered()) / window.y / wide_enough);
+    }
+
+    void take_file(const std::filesystem::path& file) {
+        const FileKind kind = kind_of(file);
+        if (kind == FileKind::settings) return take_settings(file);
+        if (kind == FileKind::unknown)
+            return complain({ErrorCode::invalid_argument, file.string() + " is no OBJ, glTF or JSON file"});
+        options_.scene_options.garment = file;
+        change_scene(*find_scene(kind == FileKind::garment ? "garment" : "character"));
+    }
+
+    void take_settings(const std::filesystem::path& file) {
+        if (auto loaded = load_settings(file, simulation_); !loaded) return complain(loaded.error());
+        wind_ = WindControl(simulation_.world().settings().wind.velocity);
+        panels_.message = "loaded " + file.string();
+    }
+
+    void keep_settings() {
+        Look& look = panels_.look;
+        if (std::exchange(look.wants_load, false)) take_settings(look.settings_file);
+        if (!std::exchange(look.wants_save, false)) return;
+        const auto saved = save_settings(look.settings_file, simulation_);
+        panels_.message = saved ? "saved " + look.settings_file : saved.error().message;
     }
 
     void note(const Result<void>& done) {

@@ -15,12 +15,17 @@
 
 namespace weft::demo {
 
+/// What of a garment stays where it is.
+enum class Hold { highest_opening, top, border, nothing };
+
 struct SceneOptions {
-    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
-    std::filesystem::path garment{};  ///< OBJ file, for scenes that take one
-    std::filesystem::path motion{};   ///< BVH file or pipe, likewise
-    double speed = 1;                 ///< of the motion, times its own
-    bool skin = false;                ///< what is worn meets the body's skin, not capsules
+    std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
+    std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
+    std::filesystem::path motion{};     ///< BVH file or pipe, likewise
+    double speed = 1;                   ///< of the motion, times its own
+    bool skin = false;                  ///< what is worn meets the body's skin, not capsules
+    Hold hold = Hold::highest_opening;  ///< of the scene garment
+    bool y_is_up = false;               ///< in the garment's file; else +Z
 };
 
 /// A cloth of the scene with what drawing it needs.

@@ -21,6 +21,7 @@ struct SimulationOptions {
     std::string scene;  ///< empty: the first, or the garment scene where a garment is given
     SceneOptions scene_options;
     Overrides overrides;
+    std::filesystem::path settings;  ///< JSON file; empty: none
 };
 
 /// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad

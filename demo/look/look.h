@@ -1,6 +1,8 @@
 #pragma once
 // How things look and are looked into, as the panels set it and the program draws it.
 
+#include <string>
+
 #include "demo/look/inside.h"
 #include "demo/look/picture_times.h"
 #include "demo/look/quality_choice.h"
@@ -13,9 +15,11 @@ struct Look {
     Inside inside;
     Recorder recorder;
     PictureTimes times;
-    bool wants_picture = false;  ///< to be saved
-    bool wants_film = false;     ///< recording is to begin or to end
-    float text_size = 1;         ///< over the display's own
+    bool wants_picture = false;                   ///< to be saved
+    bool wants_film = false;                      ///< recording is to begin or to end
+    bool wants_save = false, wants_load = false;  ///< of settings, as settings_file says
+    std::string settings_file = "weft-settings.json";
+    float text_size = 1;  ///< over the display's own
 };
 
 }  // namespace weft::demo

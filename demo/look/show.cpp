@@ -25,7 +25,7 @@ bool project(const render::OrbitCamera& camera, const Vec3& point, ImVec2 size, 
     const Vec3 seen{row(view, 0, point), row(view, 1, point), row(view, 2, point)};
     if (seen.z > -0.01f) return false;
     const float depth = -seen.z;
-    place = {0.5f * size.x * (1 + projection[0] * seen.x / depth),
+    place = {0.5f * size.x * (1 + projection[0] * seen.x / depth - projection[8]),
              0.5f * size.y * (1 - projection[5] * seen.y / depth)};
     return true;
 }
