@@ -26,7 +26,7 @@
     SCENE(ball, "a ball falls into a hammock")                                                              \
     SCENE(trampoline, "a box on a trampoline")                                                              \
     SCENE(shapes, "a sheet over each kind of shape")                                                        \
-    SCENE(runner, "the same runs", .takes_garment = true)                                                   \
+    SCENE(runner, "somebody runs", .takes_garment = true)                                                   \
     SCENE(banner, "a banner held at both ends, across a gusty wind")                                        \
     SCENE(flags, "a hundred flags, made of one cooked cloth")                                               \
     SCENE(capes, "five figures in capes turn to and fro in the wind")                                       \

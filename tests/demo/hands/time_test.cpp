@@ -96,6 +96,28 @@ TEST(Timeline, KnowsBallsThatWereNotThereYet) {
     EXPECT_EQ(simulation.world().state_hash(), after);
 }
 
+TEST(Timeline, BeginsAnewWithACut) {
+    Simulation simulation = small_scene("flag");
+    Timeline timeline;
+    for (int k = 0; k < 3; ++k) {
+        simulation.step(dt);
+        ASSERT_TRUE(timeline.keep(simulation));
+    }
+    const Mesh& mesh = simulation.content().cloths.front().mesh;
+    const std::uint32_t border = 4 * mesh.columns - 1;
+    const MeshEdge edges[] = {{border, border - 1}, {border - 1, border - 2}};
+    ASSERT_TRUE(simulation.cut(0, edges));
+    ASSERT_EQ(simulation.cuts(), 1u);
+    simulation.step(dt);
+    ASSERT_TRUE(timeline.keep(simulation));
+    EXPECT_EQ(timeline.size(), 1u);
+    EXPECT_EQ(timeline.bytes(), simulation.world().save_size());
+    const std::uint64_t hash = simulation.world().state_hash();
+    simulation.step(dt);
+    ASSERT_TRUE(timeline.go_to(0, simulation));
+    EXPECT_EQ(simulation.world().state_hash(), hash);
+}
+
 TEST(RepeatCheck, FindsNothingWhereNothingDiffers) {
     Simulation simulation = small_scene("curtain"), once = small_scene("curtain");
     RepeatCheck check;

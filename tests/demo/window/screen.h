@@ -25,6 +25,8 @@ class Screen {
     void press() const { run("mousedown 1"); }
     void release() const { run("mouseup 1"); }
     void key(const std::string& name) const { run("key " + name); }
+    void hold(const std::string& name) const { run("keydown " + name); }
+    void let_go(const std::string& name) const { run("keyup " + name); }
 
   private:
     explicit Screen(int process) : process_(process) {}

@@ -79,7 +79,7 @@ float heading_of_flag(const Simulation& simulation) {
 
 TEST_F(Window, ADraggedArrowTurnsTheWindAndTheFlag) {
     float wanted = 0;
-    play("flag", {wait(3), key("F1"), wait(2),
+    play("flag", {wait(3), key("F2"), wait(2),
                   at_once([](const AppFrame& frame) { point(frame.hands.arrow().tip(frame.wind)); }), wait(2),
                   at_once([](const AppFrame&) { screen()->press(); }),
                   [](const AppFrame& frame) { return frame.hands.holds_arrow(); },
@@ -140,7 +140,7 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
     };
     std::ptrdiff_t before = 0;
     play("sheet",
-         {wait(2), key("F1"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
+         {wait(2), key("F2"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
           at_once([&](const AppFrame& frame) {
               before = pins(frame);
               const auto positions =
@@ -152,6 +152,35 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
           wait(2), key("p"), [&](const AppFrame& frame) { return pins(frame) == before + 1; }, key("p"),
           [&](const AppFrame& frame) { return pins(frame) == before; }, key("t"),
           [](const AppFrame& frame) { return frame.hands.balls.are_there(); }});
+}
+
+TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
+    std::size_t particles = 0;
+    const auto count = [](const AppFrame& frame) {
+        return frame.simulation.world().cloth(frame.simulation.content().cloths.front().id)->positions.size();
+    };
+    const auto point_at = [](const AppFrame& frame, const Vec3& place) {
+        point(*project(frame.camera, place, static_cast<float>(across) / static_cast<float>(down)));
+    };
+    play("flag",
+         {wait(2), key("F2"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
+          at_once([&](const AppFrame& frame) {
+              particles = count(frame);
+              EXPECT_GT(frame.timeline.size(), 0u);
+              point_at(frame, {0.5f, 2.7f, 0});
+              screen()->hold("shift");
+          }),
+          wait(2), at_once([](const AppFrame&) { screen()->press(); }), wait(2),
+          at_once([&](const AppFrame& frame) {
+              point_at(frame, {0.5f, 2.1f, 0});
+          }),
+          wait(2), at_once([](const AppFrame&) {
+              screen()->release();
+              screen()->let_go("shift");
+          }),
+          [&](const AppFrame& frame) { return count(frame) > particles; }, key("n"),
+          // What was saved of the whole flag is of no use.
+          [](const AppFrame& frame) { return frame.simulation.cuts() > 0 && frame.timeline.size() == 1; }});
 }
 
 TEST_F(Window, OpensEveryScene) {
