@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "cloth/frame/advance/history.h"
+#include "cloth/frame/advance/survey.h"
 #include "cloth/frame/budget/budgeted.h"
-#include "cloth/frame/feature_contact.h"
-#include "cloth/frame/history.h"
+#include "cloth/frame/contact/feature_contact.h"
 #include "cloth/frame/state.h"
-#include "cloth/frame/survey.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "cloth/frame/worn/rigid_motion.h"
 #include "cloth/limits/limit.h"
@@ -111,8 +111,8 @@ struct ShownCloth {
     return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
-/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where nothing can
-/// be thrown this is asked before, else it is passed over.
+/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where
+/// nothing can be thrown this is asked before, else it is passed over.
 [[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over

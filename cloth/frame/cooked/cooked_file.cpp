@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cloth/frame/cooked/cooked_cloth.h"
-#include "cloth/frame/validate.h"
+#include "cloth/frame/settings/validate.h"
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/state_hash.h"

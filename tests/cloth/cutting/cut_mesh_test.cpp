@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "../meshes.h"
+#include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
 namespace weft::test {
