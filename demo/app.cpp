@@ -6,14 +6,21 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "demo/interaction.h"
+#include "demo/hands/gamepad.h"
+#include "demo/hands/hands.h"
+#include "demo/hands/key_taps.h"
+#include "demo/hands/overlay.h"
 #include "demo/keys.h"
 #include "demo/look/dropped.h"
 #include "demo/look/settings_file.h"
 #include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
+#include "demo/time/repeat_check.h"
+#include "demo/time/time_bar.h"
+#include "demo/time/timeline.h"
 #include "weft/render/context.h"
 #include "weft/render/imgui_layer.h"
 
@@ -41,7 +48,8 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .left_button = io.MouseDown[ImGuiMouseButton_Left],
             .other_button = io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle],
             .wheel = io.MouseWheel,
-            .over_panel = layer.wants_mouse()};
+            .over_panel = layer.wants_mouse(),
+            .has_knife = io.KeyShift};
 }
 
 /// 1, 0 or -1: which of two opposite keys is held.
@@ -56,12 +64,13 @@ class App {
           simulation_(std::move(simulation)),
           context_(std::move(context)),
           picture_(std::move(picture)),
-          layer_(context_),
+          layer_(heard(context_)),
           last_(glfwGetTime()) {
+        picture_.shows_wind = false;  // the hands' arrow does
         arrive();
     }
 
-    [[nodiscard]] int run() {
+    [[nodiscard]] int run(const AppLook& look) {
         if (!options_.trace.empty()) {
             if (const auto started = simulation_.world().start_trace(); !started) complain(started.error());
         }
@@ -73,40 +82,77 @@ class App {
             glfwPollEvents();
             draw_frame(framebuffer_size(window));
             glfwSwapBuffers(window);
+            if (look && !look({frame, simulation_, wind_, hands_, timeline_, playback_, camera_})) break;
         }
         return write_trace();
     }
 
   private:
+    /// The layer passes on what keys_ hear.
+    render::Context& heard(render::Context& context) {
+        keys_.listen_to(context.window_handle());
+        return context;
+    }
+
     void draw_frame(PictureSize size) {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
         for (const auto& file : take_dropped_files()) take_file(file);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
         make_room();
-        if (!size.empty()) interaction_.update(read_pointer(layer_), size.aspect(), simulation_, camera_);
+        if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
+        keys_.forget();
         advance(seconds);
 
         Look& look = panels_.look;
         picture_.set_look(look.quality.now(), look.inside);
         picture_.update(simulation_);
-        const render::View& view = picture_.view(simulation_, camera_, alpha_);
+        const render::View& view =
+            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
         draw_picture(picture_, view, size.width, size.height, look);
         if (!size.empty()) tell(save_pictures(picture_, view, size.width, size.height, look));
+        draw_panels();
+    }
+
+    void draw_panels() {
         draw_words(picture_, camera_);
-        const PanelRequests requests = panels_.draw(simulation_, wind_, playback_, camera_);
+        draw_overlay(hands_, simulation_, camera_, wind_);
+        const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
+        TimeRequests time;
+        if (panels_.visible)
+            time = time_bar(timeline_, playback_, repeat_, ImGui::GetIO().DisplaySize.x - panels_.covered());
         layer_.end();
-        if (requests.restart || requests.reload) restart();
+        if (time.go_to) go_to(*time.go_to);
+        if (requests.restart || requests.reload || time.restart) restart();
+        if (time.defaults) change_scene(simulation_.entry());
         keep_settings();
         if (requests.scene != nullptr) change_scene(*requests.scene);
+    }
+
+    /// The mouse and the gamepad.
+    void use_hands(float aspect, float seconds) {
+        const Pointer pointer = read_pointer(layer_);
+        pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
+        const Vec3 before = wind_.velocity();
+        hands_.update(pointer, aspect, simulation_, camera_, wind_);
+        if (std::string complaint = hands_.take_complaint(); !complaint.empty())
+            panels_.message = std::move(complaint);
+        const Gamepad pad = read_gamepad();
+        steer_by(pad, camera_.yaw, seconds, wind_);
+        if (pad.throws && !pad_.throws) note(hands_.throw_ball(simulation_, camera_.ray(0.5f, 0.5f, aspect)));
+        if (pad.blasts && !pad_.blasts) hands_.blast(simulation_, camera_, camera_.ray(0.5f, 0.5f, aspect));
+        pad_ = pad;
+        const Vec3 after = wind_.velocity();
+        if (after.x != before.x || after.z != before.z) apply_wind();
     }
 
     /// As many whole steps as the real time asks for.
     void advance(double seconds) {
         if (panels_.look.recorder.recording())
             seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
-        const FixedStepFrame frame = clock_.advance(playback_.paused ? 0 : seconds);
+        const FixedStepFrame frame =
+            clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
         for (int i = 0; i < frame.steps; ++i) step();
         alpha_ = frame.alpha;
@@ -115,30 +161,72 @@ class App {
 
     void step() {
         const auto dt = static_cast<float>(clock_.settings().step);
-        interaction_.before_step(simulation_, dt);
-        simulation_.step(dt);
+        hands_.before_step(simulation_, dt);
+        simulation_.before_step(dt);
+        repeat_.step(simulation_.world(), cloths_, dt);
+        hands_.after_step(simulation_, dt);
         panels_.record(simulation_.world());
+        note(timeline_.keep(simulation_, hands_.mark()));
+    }
+
+    /// To a moment of the timeline.
+    void go_to(std::size_t which) {
+        if (which >= timeline_.size()) return;
+        const HandMark mark = timeline_.mark_of(which);
+        note(hands_.prepare(simulation_, mark));
+        if (auto gone = timeline_.go_to(which, simulation_); !gone) return complain(gone.error());
+        hands_.arrive_in(simulation_, mark);
+        clock_.reset();
+        alpha_ = 1;
     }
 
     void read_keys(float seconds) {
         const float turn = held(key::left, key::right), faster = held(key::up, key::down);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
-        if (ImGui::IsKeyPressed(key::space, false)) playback_.paused = !playback_.paused;
-        if (ImGui::IsKeyPressed(key::f1, false)) panels_.help = !panels_.help;
-        if (read_look_keys(panels_.look)) panels_.visible = !panels_.visible;
-        if (ImGui::IsKeyPressed(key::r, false)) restart();
-        if (ImGui::IsKeyPressed(key::n)) {
+        if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
+        if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
+        if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
+        if (keys_.count(GLFW_KEY_R) > 0) restart();
+        if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
             playback_.paused = true;
-            ++playback_.single_steps;
+            playback_.single_steps += steps;
         }
+        for (int k = keys_.count(GLFW_KEY_COMMA, true); k > 0; --k) step_back();
+        for (int k = keys_.count(GLFW_KEY_PERIOD, true); k > 0; --k) step_on();
+        read_keys_of_hands();
         const std::span<const SceneEntry> scenes = all_scenes();
         for (std::size_t k = 0; k < std::min<std::size_t>(scenes.size(), 9); ++k)
-            if (ImGui::IsKeyPressed(key::digit(static_cast<int>(k) + 1), false))
-                return change_scene(scenes[k]);
+            if (keys_.count(GLFW_KEY_1 + static_cast<int>(k)) > 0) return change_scene(scenes[k]);
+    }
+
+    void step_back() {
+        playback_.paused = true;
+        if (timeline_.here() > 0) go_to(timeline_.here() - 1);
+    }
+    void step_on() {
+        playback_.paused = true;
+        if (timeline_.here() + 1 < timeline_.size())
+            go_to(timeline_.here() + 1);
+        else
+            ++playback_.single_steps;
+    }
+
+    void read_keys_of_hands() {
+        if (keys_.count(GLFW_KEY_P) % 2 == 1) note(hands_.pin_or_unpin(simulation_, pointed_));
+        for (int k = keys_.count(GLFW_KEY_T); k > 0; --k) note(hands_.throw_ball(simulation_, pointed_));
+        if (keys_.count(GLFW_KEY_B) > 0) hands_.blast(simulation_, camera_, pointed_);
+        if (ImGui::IsKeyDown(key::f))
+            hands_.blow(simulation_, camera_, pointed_);
+        else
+            hands_.air.put_fan_away();
     }
 
     void steer_wind(float turn, float faster, float seconds) {
         wind_.steer(turn, faster, seconds);
+        apply_wind();
+    }
+
+    void apply_wind() {
         WorldSettings settings = simulation_.world().settings();
         settings.wind.velocity = wind_.velocity();
         (void)simulation_.world().set_settings(settings);  // a WindControl's wind is always in range
@@ -161,8 +249,13 @@ class App {
     /// What was about the world before is of no use any more.
     void begin_anew() {
         picture_.show(simulation_);
-        interaction_.forget();
+        cloths_.clear();
+        for (const SceneCloth& cloth : simulation_.content().cloths) cloths_.push_back(cloth.id);
+        hands_.begin(simulation_);
         panels_.forget();
+        repeat_.forget();
+        timeline_.clear();
+        note(timeline_.keep(simulation_));
         clock_.reset();
     }
 
@@ -204,6 +297,9 @@ class App {
         panels_.message = saved ? "saved " + look.settings_file : saved.error().message;
     }
 
+    void note(const Result<void>& done) {
+        if (!done) complain(done.error());
+    }
     void complain(const Error& error) { panels_.message = error.message; }
     void tell(const std::string& words) {
         if (!words.empty()) panels_.message = words;
@@ -221,12 +317,18 @@ class App {
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;
     Picture picture_;
+    KeyTaps keys_;
     render::ImGuiLayer layer_;
 
     FixedStep clock_;
     double last_;      // time of the last picture [s]
     float alpha_ = 1;  // between the last two steps
-    Interaction interaction_;
+    Hands hands_;
+    Gamepad pad_;
+    render::Ray pointed_{};  // through the pointer
+    std::vector<ClothId> cloths_;
+    Timeline timeline_;
+    RepeatCheck repeat_;
     Panels panels_;
     Playback playback_;
     WindControl wind_;
@@ -235,7 +337,7 @@ class App {
 
 }  // namespace
 
-int run_app(const Options& options, Simulation simulation) {
+int run_app(const Options& options, Simulation simulation, const AppLook& look) {
     if (auto writable = check_writable("--trace", options.trace); !writable) {
         std::fprintf(stderr, "weft_demo: %s\n", writable.error().message.c_str());
         return 2;
@@ -248,7 +350,7 @@ int run_app(const Options& options, Simulation simulation) {
     if (!context) return fail(context.error());
     auto picture = Picture::create();
     if (!picture) return fail(picture.error());
-    return App(options, std::move(simulation), std::move(*context), std::move(*picture)).run();
+    return App(options, std::move(simulation), std::move(*context), std::move(*picture)).run(look);
 }
 
 }  // namespace weft::demo

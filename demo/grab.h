@@ -24,10 +24,14 @@ class Grab {
     void before_step(World& world, float dt);
     /// Lets go. A particle that the scene had pinned stays pinned.
     void end(World& world);
+    /// It will stay pinned when it is let go, as though the scene had pinned it.
+    void leave_pinned() { was_pinned_ = true; }
     /// Forgets the particle: its world is gone.
     void forget() { active_ = false; }
 
     [[nodiscard]] bool active() const { return active_; }
+    [[nodiscard]] bool was_pinned() const { return was_pinned_; }
+    [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] std::uint32_t vertex() const { return vertex_; }
     [[nodiscard]] Vec3 hand() const { return hand_; }  ///< where the particle is at the end of the step [m]
 

@@ -21,6 +21,10 @@ Interaction::Drag Interaction::begin_drag(const Pointer& pointer, float aspect, 
     if (pointer.over_panel) return Drag::panel;
     if (pointer.other_button) return Drag::pan;
     const render::Ray ray = camera.ray(pointer.x, pointer.y, aspect);
+    if (pointer.has_knife) {
+        knife_.begin(simulation, ray);
+        return Drag::cut;
+    }
     const bool held =
         grab_.begin(simulation.world(), simulation.content().cloths, ray, looking_direction(camera));
     return held ? Drag::grab : Drag::orbit;
@@ -39,6 +43,10 @@ void Interaction::update(const Pointer& pointer, float aspect, Simulation& simul
     switch (drag_) {
         case Drag::grab:
             grab_.aim(camera.ray(pointer.x, pointer.y, aspect));
+            break;
+        case Drag::cut:
+            if (auto cut = knife_.draw_to(camera.ray(pointer.x, pointer.y, aspect), simulation); !cut)
+                complaint_ = cut.error().message;
             break;
         case Drag::orbit:
             camera.orbit(-radians_per_height * pointer.right, radians_per_height * pointer.down);

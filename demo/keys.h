@@ -1,5 +1,5 @@
 #pragma once
-// The keys that the window listens to, as Dear ImGui numbers them.
+// The keys that are held down, as Dear ImGui numbers them; those that are tapped KeyTaps hears.
 
 #include <imgui.h>
 
@@ -15,9 +15,7 @@ using Key = ImGuiKey;
 namespace key {
 constexpr Key left = ImGuiKey_LeftArrow, right = ImGuiKey_RightArrow;
 constexpr Key up = ImGuiKey_UpArrow, down = ImGuiKey_DownArrow;
-constexpr Key space = ImGuiKey_Space, f1 = ImGuiKey_F1, r = ImGuiKey_R, n = ImGuiKey_N;
-constexpr Key first_digit = ImGuiKey_1;
-constexpr Key f2 = ImGuiKey_F2, f5 = ImGuiKey_F5, f6 = ImGuiKey_F6;
+constexpr Key f = ImGuiKey_F;
 }  // namespace key
 
 #else  // keys have the numbers of the window system
@@ -26,18 +24,9 @@ using Key = int;
 namespace key {
 constexpr Key left = GLFW_KEY_LEFT, right = GLFW_KEY_RIGHT;
 constexpr Key up = GLFW_KEY_UP, down = GLFW_KEY_DOWN;
-constexpr Key space = GLFW_KEY_SPACE, f1 = GLFW_KEY_F1, r = GLFW_KEY_R, n = GLFW_KEY_N;
-constexpr Key first_digit = GLFW_KEY_1;
-constexpr Key f2 = GLFW_KEY_F2, f5 = GLFW_KEY_F5, f6 = GLFW_KEY_F6;
+constexpr Key f = GLFW_KEY_F;
 }  // namespace key
 
 #endif
-
-namespace key {
-/// Of a number from 1 to 9.
-constexpr Key digit(int number) {
-    return static_cast<Key>(first_digit + number - 1);
-}
-}  // namespace key
 
 }  // namespace weft::demo

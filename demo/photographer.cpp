@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "demo/hands/hands.h"
+
 namespace weft::demo {
 namespace {
 
@@ -50,9 +52,10 @@ Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::
 
 void Photographer::build_panels(Simulation& simulation) {
     WindControl wind(simulation.world().settings().wind.velocity);
-    Playback playback;
+    const Playback playback;
+    Hands hands;
     panels_->layer.begin(width_, height_, 1.0f / 60.0f);
-    (void)panels_->panels.draw(simulation, wind, playback, simulation.content().camera);
+    (void)panels_->panels.draw(simulation, wind, hands, playback, simulation.content().camera);
 }
 
 }  // namespace weft::demo

@@ -45,6 +45,7 @@ void Picture::show(const Simulation& simulation) {
     shown_rounded_ = rounded_;
     for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
     for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
+    cuts_ = simulation.cuts();
     update(simulation);
 }
 
@@ -75,9 +76,7 @@ void Picture::show_cloth(const SceneCloth& cloth, const World& world) {
 }
 
 void Picture::show_solid(const SceneSolid& solid) {
-    std::vector<Vec4> positions;
-    for (const Vec3& p : solid.mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
-    std::vector<std::uint32_t> each(positions.size());
+    std::vector<std::uint32_t> each(solid.mesh.positions.size());
     std::iota(each.begin(), each.end(), 0u);
     const render::ClothHandle drawn = renderer_.add_cloth({.triangles = solid.mesh.triangles,
                                                            .vertex_to_particle = each,
@@ -88,10 +87,17 @@ void Picture::show_solid(const SceneSolid& solid) {
                                                                     .sheen = 0,
                                                                     .thread_width = 0,
                                                                     .translucency = 0}});
-    renderer_.update_cloth(
-        drawn,
-        {.positions = positions, .previous_positions = positions, .normals = vertex_normals(solid.mesh)});
     solids_.push_back(drawn);
+    update_solid(solid, drawn);
+}
+
+void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
+    Mesh mesh{.positions = solid.moving ? *solid.moving : solid.mesh.positions,
+              .triangles = solid.mesh.triangles};
+    std::vector<Vec4> positions;
+    for (const Vec3& p : mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
+    renderer_.update_cloth(
+        drawn, {.positions = positions, .previous_positions = positions, .normals = vertex_normals(mesh)});
 }
 
 void Picture::set_look(const QualityLevel& level, const Inside& inside) {
@@ -101,7 +107,10 @@ void Picture::set_look(const QualityLevel& level, const Inside& inside) {
 }
 
 void Picture::update(const Simulation& simulation) {
-    if (rounded_ != shown_rounded_) return show(simulation);  // which updates
+    if (cuts_ != simulation.cuts() || rounded_ != shown_rounded_) return show(simulation);  // which updates
+    const std::vector<SceneSolid>& solids = simulation.content().solids;
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+        if (solids[i].moving) update_solid(solids[i], solids_[i]);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);
@@ -145,25 +154,28 @@ void Picture::update_fine(const SceneCloth& cloth, const ClothView& view, std::s
                                             .normals = fine.normals});
 }
 
+void Picture::add_collider(const World& world, ColliderId id) {
+    const auto collider = world.collider(id);
+    if (!collider) return;
+    if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
+        spheres_.push_back({sphere->center, sphere->radius});
+    } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
+        capsules_.push_back({capsule->a, capsule->b, capsule->radius});
+    } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
+        tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
+    } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
+        boxes_.push_back(drawn(*box));
+    }
+}
+
 const render::View& Picture::view(const Simulation& simulation, const render::OrbitCamera& camera,
-                                  float alpha) {
+                                  float alpha, std::span<const ColliderId> thrown) {
     spheres_.clear();
     capsules_.clear();
     tapered_capsules_.clear();
     boxes_.clear();
-    for (const ColliderId id : simulation.content().drawn_colliders) {
-        const auto collider = simulation.world().collider(id);
-        if (!collider) continue;
-        if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
-            spheres_.push_back({sphere->center, sphere->radius});
-        } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
-            capsules_.push_back({capsule->a, capsule->b, capsule->radius});
-        } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
-            tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
-        } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
-            boxes_.push_back(drawn(*box));
-        }
-    }
+    for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
+    for (const ColliderId id : thrown) add_collider(simulation.world(), id);
     view_.camera = camera;
     view_.quality = quality_;
     view_.wireframe = inside_.wireframe;
@@ -173,7 +185,7 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     view_.capsules = capsules_;
     view_.tapered_capsules = tapered_capsules_;
     view_.boxes = boxes_;
-    view_.wind = simulation.world().settings().wind.velocity;
+    view_.wind = shows_wind ? simulation.world().settings().wind.velocity : Vec3{};
     return view_;
 }
 

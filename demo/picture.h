@@ -1,6 +1,7 @@
 #pragma once
 // Shows a Simulation through render's SceneRenderer.
 
+#include <span>
 #include <vector>
 
 #include "demo/look/inside.h"
@@ -18,11 +19,13 @@ class Picture {
 
     /// Takes over the cloths of a simulation that was just built, in place of those shown so far.
     void show(const Simulation& simulation);
-    /// Streams the particles as they are now.
+    /// Streams the particles as they are now, and takes over what was cut.
     void update(const Simulation& simulation);
-    /// What to draw. Valid until the next call.
+    /// What to draw, with what was thrown into the scene. Valid until the next call.
     [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
-                                           float alpha);
+                                           float alpha, std::span<const ColliderId> thrown = {});
+
+    bool shows_wind = true;  ///< as an arrow on the ground
 
     /// How good, and what of the inside is shown; looks and triangles of cloth follow at the next update().
     void set_look(const QualityLevel& level, const Inside& inside);
@@ -39,12 +42,15 @@ class Picture {
         std::vector<Vec4> positions, previous_positions, normals, colours;
         RoundedMesh rounded;  ///< where the cloth's own triangles are drawn by more
     };
+    void add_collider(const World& world, ColliderId id);
     void show_cloth(const SceneCloth& cloth, const World& world);
     void update_rounded(const ClothView& view, std::size_t index);
     void show_solid(const SceneSolid& solid);
+    void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
+    std::uint32_t cuts_ = 0;                   // that are shown
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
     std::vector<render::ClothHandle> solids_;
     std::vector<Fine> fine_;  // likewise; empty where the cloth itself is drawn

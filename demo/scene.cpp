@@ -6,6 +6,10 @@ namespace weft::demo {
 
 void Scene::before_step(World& /*world*/, double /*time*/, float /*dt*/) {}
 
+bool Scene::cut_before_step(World& /*world*/, SceneContent& /*content*/) {
+    return false;
+}
+
 const SceneEntry* find_scene(std::string_view name) {
     const std::span<const SceneEntry> scenes = all_scenes();
     const auto found =

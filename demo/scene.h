@@ -21,7 +21,9 @@ enum class Hold { highest_opening, top, border, nothing };
 struct SceneOptions {
     std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
     std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
-    std::filesystem::path motion{};     ///< BVH file, likewise
+    std::filesystem::path motion{};     ///< BVH file or pipe, likewise
+    double speed = 1;                   ///< of the motion, times its own
+    bool skin = false;                  ///< what is worn meets the body's skin, not capsules
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< in the garment's file; else +Z
 };
@@ -35,10 +37,11 @@ struct SceneCloth {
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how it follows the cloth
 };
 
-/// What stands in the scene, of triangles, and does not move.
+/// What stands in the scene, of triangles.
 struct SceneSolid {
     Mesh mesh;  ///< where it stands; vertices that triangles share are drawn smooth
     Vec3 colour;
+    std::shared_ptr<const std::vector<Vec3>> moving{};  ///< where its vertices are, if they move
 };
 
 /// What build() leaves behind for the program that shows the scene.
@@ -59,6 +62,8 @@ class Scene {
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);
+    /// Then: cuts cloth, in the content as well. True: it did.
+    virtual bool cut_before_step(World& world, SceneContent& content);
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }
@@ -73,7 +78,7 @@ struct SceneEntry {
     std::unique_ptr<Scene> (*make)();
     bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
     bool takes_garment = needs_garment;  ///< can be built with one
-    bool takes_motion = false;           ///< likewise of SceneOptions::motion
+    bool takes_motion = false;           ///< likewise of SceneOptions::motion, speed and skin
 };
 
 /// All scenes, in the order in which they are listed. scenes/registry.cpp holds one line for each.

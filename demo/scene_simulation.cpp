@@ -111,6 +111,7 @@ Result<void> Simulation::restart() {
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
+    fresh.cuts_ = cuts_ + 1;  // its meshes are whole again
     for (std::size_t i = 0; i < content_.cloths.size(); ++i)
         fresh.content_.cloths[i].look = content_.cloths[i].look;
     fresh.first_settings_ = first_settings_;
@@ -119,10 +120,17 @@ Result<void> Simulation::restart() {
     return {};
 }
 
-const StepReport& Simulation::step(float dt) {
+Result<void> Simulation::cut(std::size_t cloth, std::span<const MeshEdge> edges) {
+    const auto done = cut_cloth(world_, content_.cloths[cloth], edges);
+    if (!done) return done.error();
+    if (*done) ++cuts_;
+    return {};
+}
+
+void Simulation::before_step(float dt) {
     scene_->before_step(world_, time_, dt);
+    if (scene_->cut_before_step(world_, content_)) ++cuts_;
     time_ += static_cast<double>(dt);
-    return world_.step(dt);
 }
 
 Mesh current_mesh(const World& world, const SceneContent& content) {

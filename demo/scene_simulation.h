@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "demo/cutting/cut_scene.h"
 #include "demo/rung.h"
 #include "demo/scene.h"
 
@@ -29,7 +30,14 @@ class Simulation {
                                                    const Overrides& overrides);
 
     /// Moves the scene's pins and colliders, then the world, by dt [s].
-    const StepReport& step(float dt);
+    const StepReport& step(float dt) {
+        before_step(dt);
+        return world_.step(dt);
+    }
+    /// The scene's part of it alone: the World's own step has to follow.
+    void before_step(float dt);
+    /// The World was put back to where it was at that time [s].
+    void set_time(double seconds) { time_ = seconds; }
 
     /// The scene from its start, with the settings that the world and the cloths have now. Error: it cannot
     /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is
@@ -47,6 +55,10 @@ class Simulation {
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }
+    /// Parts edges of a cloth of the content, if they are more than the inside of a cut.
+    Result<void> cut(std::size_t cloth, std::span<const MeshEdge> edges);
+    /// How often cloth was cut: with each, a mesh of the content is another.
+    [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
     [[nodiscard]] double time() const { return time_; }  ///< [s]
 
   private:
@@ -63,6 +75,7 @@ class Simulation {
     WorldSettings first_settings_;
     std::vector<ClothSettings> first_cloths_;  // in the order of content_.cloths
     double time_ = 0;
+    std::uint32_t cuts_ = 0;
 };
 
 /// All cloths of a scene as one mesh, as they are drawn now.

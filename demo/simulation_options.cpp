@@ -48,7 +48,8 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
     app.add_option("--scene", options.scene, "Scene to start, one of --list");
     app.add_option(
            "--garment", options.scene_options.garment,
-           "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres")
+           "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres; for "
+           "character and crowd an OBJ or glTF file, see demo/README.md")
         ->type_name("FILE.obj");
     const std::map<std::string, Hold> holds{{"opening", Hold::highest_opening},
                                             {"top", Hold::top},
@@ -60,8 +61,14 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
                    "JSON file of scene, wind, material and method, as the panels save it")
         ->type_name("FILE.json");
     app.add_option("--motion", options.scene_options.motion,
-                   "BVH file for the scene character (default: a walk that ships)")
+                   "BVH file for the scene character (default: a walk that ships), or a pipe of joints")
         ->type_name("FILE.bvh");
+    app.add_option("--speed", options.scene_options.speed, "Of the motion, times its own")
+        ->check(CLI::Range(0.0, 10.0));
+    app.add_option_function<std::string>(
+           "--body", [&options](const std::string& name) { options.scene_options.skin = name == "skin"; },
+           "What of the body cloth meets: capsules of limbs (default), or skin, triangles that follow them")
+        ->check(CLI::IsMember({"capsules", "skin"}));
     app.add_option("--particles", options.scene_options.particles,
                    "About this many particles (default: the scene's own number)")
         ->check(CLI::Range(9u, 4u << 20));
@@ -169,6 +176,11 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
         return Error{ErrorCode::invalid_argument,
                      "scene " + name + " has nobody to move; leave out --motion " +
                          options.scene_options.motion.string() + ", or name the scene character"};
+    }
+    if (!scene->takes_motion && (options.scene_options.skin || options.scene_options.speed != 1)) {
+        return Error{ErrorCode::invalid_argument, "scene " + name +
+                                                      " has nobody to move; leave out --body and --speed, or "
+                                                      "name the scene character"};
     }
     return scene;
 }

@@ -6,6 +6,9 @@
 #include <map>
 #include <string>
 
+#include "engine/platform.h"
+#include "engine/without_exceptions.h"
+
 namespace weft {
 
 namespace {
@@ -44,11 +47,17 @@ std::map<std::uint32_t, std::string> names_of_threads(std::span<const TraceEvent
 
 Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<const TraceEvent> events,
                                 const char* driver) {
+#ifdef WEFT_WITHOUT_FILES
+    (void)write_event, (void)names_of_threads, (void)write_name, (void)events, (void)driver;
+    return Error{ErrorCode::unsupported,
+                 "the trace " + file.string() + " cannot be written: there are no files here"};
+#else
     const auto first = std::ranges::min_element(events, {}, &TraceEvent::begin);
     const std::map<std::uint32_t, std::string> names = names_of_threads(events, driver);
     std::ofstream out(file);
-    try {
-        out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+    ignoring<std::ios_base::failure>([&] {
+        if constexpr (has_exceptions)
+            out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
         out << std::fixed << std::setprecision(3) << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n";
         write_name(out, "process_name", 0, "weft");
         for (const auto& [thread, name] : names) {
@@ -61,10 +70,10 @@ Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<con
         }
         out << "\n]}\n";
         out.close();
-    } catch (const std::ios_base::failure&) {
-    }
+    });
     if (!out) return Error{ErrorCode::file_not_found, "the trace " + file.string() + " cannot be written"};
     return {};
+#endif
 }
 
 }  // namespace weft

@@ -2,16 +2,13 @@
 
 #include <utility>
 
+#include "engine/without_exceptions.h"
+
 namespace weft {
 
 HelperThreads::HelperThreads(std::shared_ptr<LoopTeam> team, int threads, LoopTeam::Duration patience)
     : team_(std::move(team)) {
-    try {
-        start(threads, patience);
-    } catch (...) {
-        stop();
-        throw;
-    }
+    or_undo([&] { start(threads, patience); }, [&] { stop(); });
 }
 
 void HelperThreads::start(int threads, LoopTeam::Duration patience) {

@@ -50,7 +50,7 @@ void* take_memory(std::size_t bytes) {
     void* memory = nullptr;
     if (the_hooks.allocate != nullptr) {
         memory = the_hooks.allocate(the_hooks.user, bytes, memory_alignment);
-        if (memory == nullptr) throw std::bad_alloc();
+        if (memory == nullptr) refuse_memory();
     } else {
         memory = ::operator new[](bytes, std::align_val_t{memory_alignment});
     }

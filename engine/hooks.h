@@ -9,7 +9,7 @@ namespace weft {
 
 inline constexpr std::size_t memory_alignment = 64;
 
-/// Aligned memory; counted. Throws std::bad_alloc.
+/// Aligned memory; counted. Or refuse_memory().
 [[nodiscard]] void* take_memory(std::size_t bytes);
 void give_memory_back(void* memory, std::size_t bytes) noexcept;
 

@@ -1,9 +1,12 @@
 #include "engine/loop_team.h"
 
 #include <chrono>
-#include <thread>
 
-#if defined(__x86_64__) || defined(__i386__)
+#include "engine/platform.h"
+
+#if defined(_MSC_VER)
+#include <intrin.h>
+#elif defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
 #endif
 
@@ -15,7 +18,9 @@ namespace {
 constexpr std::chrono::microseconds watching{20};
 
 void pause() {
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(_M_ARM64)
+    __yield();
+#elif defined(__x86_64__) || defined(__i386__) || defined(_M_X64)
     _mm_pause();
 #elif defined(__aarch64__)
     asm volatile("yield");
@@ -70,7 +75,7 @@ void LoopTeam::await_end(std::uint32_t block_count) const {
         if (spins < 2000)
             pause();
         else
-            std::this_thread::yield();
+            yield_thread();
     }
 }
 
@@ -89,7 +94,7 @@ void LoopTeam::help(std::uint32_t place, Duration patience) {
         for (int spin = 0; spin < 16 && begun_.load(std::memory_order_relaxed) == seen; ++spin) pause();
         const Clock::duration idle = Clock::now() - last;
         if (idle > patience) break;
-        if (idle > watching) std::this_thread::yield();
+        if (idle > watching) yield_thread();
     }
     places_[place].is_taken.store(false, std::memory_order_release);
 }

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "engine/host_team.h"
 #include "engine/loop_team.h"
+#include "engine/platform.h"
 #include "engine/tracy_zones.h"
+#include "engine/without_exceptions.h"
 
-#ifdef WEFT_STD_THREADS
+#if defined(WEFT_STD_THREADS) && !defined(WEFT_WITHOUT_THREADS)
 #include "engine/helper_threads.h"
-#else
+#elif !defined(WEFT_STD_THREADS)
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
@@ -21,12 +22,21 @@ namespace weft {
 
 namespace {
 
-constexpr int max_threads = 256;
+[[maybe_unused]] constexpr int max_threads = 256;
 
 // Of a helper that waits for the next loop. Between steps it leaves, so that oneTBB's threads can sleep.
 constexpr std::chrono::microseconds patience{200};
 
-#ifdef WEFT_STD_THREADS
+#if defined(WEFT_WITHOUT_THREADS)
+struct Helpers {
+    Helpers(const std::shared_ptr<LoopTeam>&, int, LoopTeam::Duration) {}
+    bool send(std::uint32_t) noexcept { return false; }
+};
+
+int available_threads() {
+    return 1;
+}
+#elif defined(WEFT_STD_THREADS)
 using Helpers = HelperThreads;
 
 int available_threads() {
@@ -45,18 +55,15 @@ class Helpers {
         using Clock = std::chrono::steady_clock;
         const Clock::time_point limit = Clock::now() + std::chrono::seconds(1);
         constexpr long own = 2;  // holders of the team: this and the arena; each task is one more
-        while (team_.use_count() > own && Clock::now() < limit) std::this_thread::yield();
+        while (team_.use_count() > own && Clock::now() < limit) yield_thread();
     }
     Helpers(const Helpers&) = delete;
     Helpers& operator=(const Helpers&) = delete;
 
     bool send(std::uint32_t place) noexcept {
-        try {
+        return comes_through([&] {
             arena_.enqueue([team = team_, place, waiting = waiting_] { team->help(place, waiting); });
-        } catch (const std::bad_alloc&) {
-            return false;
-        }
-        return true;
+        });
     }
 
   private:

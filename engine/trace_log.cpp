@@ -1,9 +1,10 @@
 #include "engine/trace_log.h"
 
 #include <algorithm>
-#include <new>
 #include <string>
 #include <utility>
+
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -23,12 +24,9 @@ Result<void> TraceLog::start(std::size_t max_events) {
     if (max_events < 1 || max_events > most_events)
         return Error{ErrorCode::invalid_argument, "max_events is " + std::to_string(max_events) +
                                                       "; it must be 1 to " + std::to_string(most_events)};
-    try {
-        events_ = std::vector<TraceEvent>(max_events);
-    } catch (const std::bad_alloc&) {
+    if (!comes_through([&] { events_ = std::vector<TraceEvent>(max_events); }))
         return Error{ErrorCode::out_of_memory,
                      "no memory for " + std::to_string(max_events) + " events of a trace; ask for fewer"};
-    }
     appended_ = 0;
     return {};
 }

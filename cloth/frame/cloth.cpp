@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/make_solver.h"
+#include "cloth/frame/recut/copies.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -20,6 +21,11 @@ std::vector<std::uint32_t> particles_of(std::span<const Pin> pins) {
 // Features are never let nearer than this part of the radius. Smaller gaps would go on shrinking until
 // rounding crosses them.
 constexpr float floor_per_radius = 2e-3f / 0.3f;
+
+float distance_of(const ClothModel& model, const SelfCollision& of) {
+    const float part = of.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
+    return of.distance > 0 ? of.distance : part * model.info.mean_edge;
+}
 
 bool has_avoidance(const SelfCollision& settings) {
     return settings.enabled && settings.method == SelfCollisionMethod::avoidance;
@@ -45,7 +51,7 @@ std::shared_ptr<const ContactMesh> mesh_of_features(const ClothModel& model) {
 
 /// Springs, or their part that are edges of triangles or cross a grid's cells: contact bends cloth round as
 /// far as these let it.
-RestNeighbours find_rest_neighbours(const ClothModel& model, const SelfCollision& settings, float distance) {
+Result<RestNeighbours> find_rest_neighbours(const ClothModel& model, const SelfCollision& settings) {
     std::vector<std::uint32_t> offsets, neighbours;
     std::vector<float> lengths;
     RestGraph graph{model.spring_offsets.span(), model.neighbours.span(), model.rest_lengths.span()};
@@ -61,14 +67,25 @@ RestNeighbours find_rest_neighbours(const ClothModel& model, const SelfCollision
         }
         graph = {offsets, neighbours, lengths};
     }
-    auto found = RestNeighbours::find(graph, distance);
-    if (!found) throw Refusal{found.error()};
-    return std::move(found).value();
+    std::optional<JoinsWithCopies> joins;
+    if (!has_features(settings) && model.rows == 0) joins = joins_with_copies(model);
+    if (joins) graph = joins->graph();
+    return RestNeighbours::find(graph, distance_of(model, settings));
 }
 
 }  // namespace
 
+Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings) {
+    if constexpr (has_exceptions) return {};
+    if (!settings.self_collision.enabled) return {};
+    if (auto found = find_rest_neighbours(model, settings.self_collision); !found) return found.error();
+    return {};
+}
+
 Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress)
+    : Cloth(std::move(cooked), initial, progress, nullptr) {}
+
+Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress, SavedLevels* saved)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
@@ -79,7 +96,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& pr
     std::ranges::copy(model.positions.span(), state.positions.data());
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
     set_inverse_masses();
-    solver = make_solver(model, initial, state.positions.span());
+    solver = make_solver(model, initial, state.positions.span(), saved);
     progress.reach(Progress::solvable);
     limits = make_limits(model, initial, {});
     progress.reach(Progress::limited);
@@ -120,8 +137,11 @@ void Cloth::apply(const ClothSettings& changed) {
     const float distance = distance_of(self_collision);
     const bool same_method = self_collision.method == settings.self_collision.method;
     if (self_collision.enabled &&
-        (!rest_neighbours || rest_neighbours->distance() != distance || !same_method))
-        new_rest_neighbours = find_rest_neighbours(model, self_collision, distance);
+        (!rest_neighbours || rest_neighbours->distance() != distance || !same_method)) {
+        Result<RestNeighbours> found = find_rest_neighbours(model, self_collision);
+        if (!found) refuse(found.error());
+        new_rest_neighbours = std::move(found).value();
+    }
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
     if (has_features(self_collision) && !has_zones(self_collision))
         reserve_pairs(other_solver ? *other_solver : *solver);
@@ -196,12 +216,10 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
 
 /// All or none.
 void Cloth::reserve_pairs(Solver& with) const {
-    try {
-        with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
-    } catch (...) {
-        if (!features || has_zones(settings.self_collision)) with.reserve_pairs(0);
-        throw;
-    }
+    or_undo([&] { with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count)); },
+            [&] {
+                if (!features || has_zones(settings.self_collision)) with.reserve_pairs(0);
+            });
 }
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
@@ -265,9 +283,9 @@ ColliderBuffers Cloth::make_collider_buffers(bool any_colliders) const {
     return made;
 }
 
-AirBuffers Cloth::make_air(bool on, bool gusts) const {
+AirBuffers Cloth::make_air(bool on, bool air_varies) const {
     const auto sized = [&](bool needed) { return AlignedBuffer<Vec4>(needed ? model.particle_count : 0); };
-    return {.forces = sized(on), .velocities = sized(on && gusts)};
+    return {.forces = sized(on), .velocities = sized(on && air_varies)};
 }
 
 float Cloth::inverse_mass_when_free(std::uint32_t particle) const {
@@ -356,7 +374,7 @@ void Cloth::commit_restore(Parallel& parallel) {
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
     solver->inverse_masses_changed(state.positions.span());
     // A step begins with the triangles' normals that the last one ended with.
-    surface.compute_normals(parallel, state.positions.span(), state.normals.span());
+    surface.resume(parallel, state.positions.span());
 }
 
 void Cloth::restore_start_of_step() {
@@ -371,8 +389,7 @@ void Cloth::restore_start_of_step() {
 }
 
 float Cloth::distance_of(const SelfCollision& self_collision) const {
-    const float part = self_collision.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
-    return self_collision.distance > 0 ? self_collision.distance : part * model.info.mean_edge;
+    return weft::distance_of(model, self_collision);
 }
 
 }  // namespace weft

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "cloth/frame/advance/history.h"
+#include "cloth/frame/advance/survey.h"
 #include "cloth/frame/budget/budgeted.h"
-#include "cloth/frame/feature_contact.h"
-#include "cloth/frame/history.h"
+#include "cloth/frame/contact/feature_contact.h"
 #include "cloth/frame/state.h"
-#include "cloth/frame/survey.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "cloth/frame/worn/rigid_motion.h"
 #include "cloth/limits/limit.h"
@@ -31,6 +31,8 @@
 #include "weft/world.h"
 
 namespace weft {
+
+struct SavedLevels;
 
 /// Memory for the air at the particles.
 struct AirBuffers {
@@ -109,10 +111,16 @@ struct ShownCloth {
     return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
+/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where
+/// nothing can be thrown this is asked before, else it is passed over.
+[[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
+
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
     Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress = {});
+    /// `saved`: levels of this model, or null. They are used up.
+    Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress, SavedLevels* saved);
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
@@ -145,7 +153,7 @@ struct Cloth {
         in_triggers = std::move(made.in_triggers);
     }
 
-    [[nodiscard]] AirBuffers make_air(bool on, bool gusts) const;
+    [[nodiscard]] AirBuffers make_air(bool on, bool air_varies) const;
     void take_air(AirBuffers&& made) noexcept { air = std::move(made); }
     /// None if the cloth needs no such buffers, or has them.
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders) const {
@@ -158,6 +166,12 @@ struct Cloth {
         part_start = std::move(made.part_start);
         whole = std::move(made.whole);
     }
+
+    /// A cloth that takes the place of another, `sources` naming for each of its particles the one there. Its
+    /// maps first: what they change a World prepares for. Then, once it did, all that it has as state. Either
+    /// may run out of memory; then it is of no use.
+    void take_maps(const Cloth& before, std::span<const std::uint32_t> sources);
+    void go_on_from(const Cloth& before, std::span<const std::uint32_t> sources, std::size_t colliders);
 
     /// Before a state of this cloth that was saved is copied over its own: makes what the saved pins need.
     /// May run out of memory; then nothing has changed.
@@ -287,6 +301,12 @@ struct Cloth {
     [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
     void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
     void set_masses(AlignedBuffer<float>&& values);
+    void set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map);
+    void take_areas(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_pins(const Cloth& before, std::span<const std::uint32_t> sources);
+    void take_contact(const ClothState& before, std::span<const std::uint32_t> sources);
+    void take_rest(const Cloth& before, bool is_split);
+    void part_copies(std::span<const std::uint32_t> sources);
     void set_stiffness(AlignedBuffer<float>&& values);
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;

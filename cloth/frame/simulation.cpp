@@ -3,21 +3,25 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
+
+#include "cloth/surface/air_sources.h"
+#include "engine/platform.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
 namespace {
 
-bool has_gusts(const Wind& wind) {
-    return wind.gust > 0;
+/// From place to place.
+bool varies(const Wind& wind) {
+    return wind.gust > 0 || has_sources(wind);
 }
 
 Parallel make_parallel(const WorldSettings& settings) {
     if (settings.executor.run != nullptr) return Parallel(settings.executor);
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int cores = hardware_threads();
     return Parallel(settings.threads > 0 ? settings.threads : std::clamp(cores, 1, 256));
 }
 
@@ -32,7 +36,8 @@ bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
 
 /// Whether cloth at rest feels no difference.
 bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
-    static_assert(std::is_trivially_copyable_v<Wind> && sizeof(Wind) == 9 * sizeof(float));
+    static_assert(std::is_trivially_copyable_v<Wind> && sizeof(AirSource) == 8 * sizeof(float) &&
+                  sizeof(Wind) == 9 * sizeof(float) + sizeof(Wind::sources));
     return std::memcmp(&a.wind, &b.wind, sizeof a.wind) == 0 && to_vector(a.gravity) == to_vector(b.gravity);
 }
 
@@ -76,12 +81,12 @@ void Simulation::apply(const WorldSettings& changed) {
         });
         reserve_collider_ids(reported);
     }
-    const bool on = changed.wind.air_density > 0, gusts = has_gusts(changed.wind);
+    const bool on = changed.wind.air_density > 0, air_varies = varies(changed.wind);
     ForCloths<AirBuffers> air;
-    if (on != air_is_on() || gusts != has_gusts(settings.wind)) {
+    if (on != air_is_on() || air_varies != varies(settings.wind)) {
         air.reserve(cloths.size());
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-            air.emplace_back(cloth.get(), cloth->make_air(on, gusts));
+            air.emplace_back(cloth.get(), cloth->make_air(on, air_varies));
         });
     }
 
@@ -125,14 +130,13 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
     if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
     std::optional<Together> together;
-    try {
-        if (!cloth.features) cloth.make_contact_mesh();
-        together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
-        cloth.apply(changed);
-    } catch (...) {
-        cloth.drop_contact_mesh();
-        throw;
-    }
+    or_undo(
+        [&] {
+            if (!cloth.features) cloth.make_contact_mesh();
+            together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
+            cloth.apply(changed);
+        },
+        [&] { cloth.drop_contact_mesh(); });
     if (together) together_ = *std::move(together);
 }
 
@@ -212,7 +216,7 @@ void Simulation::prepare(Cloth& cloth) {
     const bool any_colliders = state.colliders.size() > 0 || state.bodies.size() > 0;
     prepare_for_bodies(cloth);
     cloth.take_budget(cloth.make_budget(settings.budget > 0));
-    cloth.take_air(cloth.make_air(air_is_on(), has_gusts(settings.wind)));
+    cloth.take_air(cloth.make_air(air_is_on(), varies(settings.wind)));
     cloth.take_impulses(cloth.make_impulses(reports_contacts()));
     cloth.take_contacts(cloth.make_contacts(any_colliders), any_colliders);
     cloth.take_collider_buffers(cloth.make_collider_buffers(any_colliders));

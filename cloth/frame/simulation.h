@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "cloth/frame/advance/schedule.h"
 #include "cloth/frame/bodies/body_stage.h"
 #include "cloth/frame/budget/allotment.h"
 #include "cloth/frame/cloth.h"
-#include "cloth/frame/contact_log.h"
-#include "cloth/frame/islands.h"
-#include "cloth/frame/schedule.h"
+#include "cloth/frame/contact/contact_log.h"
+#include "cloth/frame/contact/islands.h"
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "cloth/solvers/stages.h"
 #include "collision/collider_contacts.h"
@@ -68,6 +68,8 @@ struct Simulation {
     void expect_colliders(std::size_t count);
     /// Takes a cloth over, with what no step may make.
     ClothId add(std::unique_ptr<Cloth>&& cloth);
+    /// Has `next` in the cloth's place.
+    void replace(ClothId id, std::unique_ptr<Cloth>&& next);
     /// Gives a new cloth its bounds, its normals and what it needs of air and colliders, so that it can be
     /// drawn before its first step.
     void prepare(Cloth& cloth);
@@ -129,6 +131,9 @@ struct Simulation {
     void wake_all() noexcept;
     void wake_near(const Collider& collider) noexcept;
     void wake_near(const Cloth& gone) noexcept;
+
+    /// The air's velocities at points [m/s]; both have room for whole groups of 16.
+    void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;

@@ -10,6 +10,7 @@
 #include "cloth/mesh/linear_bending.h"
 #include "cloth/mesh/ordering.h"
 #include "cloth/mesh/topology.h"
+#include "engine/state_hash.h"
 
 namespace weft {
 
@@ -368,8 +369,16 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     const std::vector<BendingElement> bending = linear_bending(cloth);
     cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
     store_bending(bending, cloth);
+    cloth.fingerprint = fingerprint_of(cloth);
     progress.reach(Progress::modelled);
     return cloth;
+}
+
+std::uint32_t fingerprint_of(const ClothModel& model) {
+    StateHash hash;
+    hash.add(model.triangles.span());
+    hash.add(model.vertex_to_particle.span());
+    return static_cast<std::uint32_t>(hash.value());
 }
 
 std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {

@@ -56,7 +56,11 @@ struct ClothModel {
     /// number.
     SharedBuffer<Triangle> vertex_triangles;
     ClothInfo info;  ///< mass and bytes are filled in by the cloth
+    std::uint32_t fingerprint = 0;  ///< of which triangles there are, and how particles are numbered
 };
+
+/// Of the lists of a model that has them all.
+[[nodiscard]] std::uint32_t fingerprint_of(const ClothModel& model);
 
 /// Precondition: i and j have a half-edge.
 [[nodiscard]] std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -133,18 +134,20 @@ Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, 
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return unreadable(name);
-    try {
-        if (stream.rdbuf()->sgetc() == std::ifstream::traits_type::eof())
-            return Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"};
-        Result<ObjContent> content = parse_obj(stream, name, options.texcoords_are_pattern);
-        if (!content) return content.error();
-        const ObjReport noticed{content->ignored_lines, content->triangulated_faces};
-        Mesh mesh = build_mesh(*std::move(content), options.texcoords_are_pattern);
-        if (report != nullptr) *report = noticed;
-        return mesh;
-    } catch (const std::ios_base::failure&) {  // what the stream's buffer throws where reading fails
-        return unreadable(name);
-    }
+    std::optional<Result<ObjContent>> read;
+    // What the stream's buffer throws where reading fails.
+    ignoring<std::ios_base::failure>([&] {
+        read = stream.rdbuf()->sgetc() == std::ifstream::traits_type::eof()
+            ? Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"}
+            : parse_obj(stream, name, options.texcoords_are_pattern);
+    });
+    if (!read) return unreadable(name);
+    Result<ObjContent>& content = *read;
+    if (!content) return content.error();
+    const ObjReport noticed{content->ignored_lines, content->triangulated_faces};
+    Mesh mesh = build_mesh(*std::move(content), options.texcoords_are_pattern);
+    if (report != nullptr) *report = noticed;
+    return mesh;
 }
 
 /// Nine significant digits tell any two floats apart.
@@ -187,11 +190,11 @@ Result<void> save(const std::filesystem::path& file, const Mesh& mesh) {
     const std::string text = obj_text(mesh);
     errno = 0;
     std::ofstream stream(file, std::ios::binary);
-    try {
-        stream.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+    ignoring<std::ios_base::failure>([&] {
+        // Else a stream keeps to itself that memory ran out.
+        if constexpr (has_exceptions) stream.exceptions(std::ios_base::badbit);
         stream << text << std::flush;
-    } catch (const std::ios_base::failure&) {
-    }
+    });
     if (!stream)
         return Error{ErrorCode::file_not_found, file.string() + ": cannot be written: " + system_message() +
                                                     "; name a file in a folder that exists"};

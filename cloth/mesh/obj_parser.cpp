@@ -1,8 +1,11 @@
 #include "cloth/mesh/obj_parser.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <span>
@@ -36,10 +39,35 @@ std::string quoted(std::string_view token) {
     return std::string("\"").append(token.substr(0, longest)) + (token.size() > longest ? "...\"" : "\"");
 }
 
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
+/// std::from_chars, which libc++ before 20 does not have for floats: by strtod, which reads the decimal point of
+/// the process's locale.
+std::from_chars_result parse_double(std::string_view token, double& value) {
+    const bool is_plain = token.find_first_not_of("0123456789.eE+-") == token.npos && !token.starts_with('+');
+    if (!is_plain || token.empty()) return {token.data(), std::errc::invalid_argument};
+    std::string text(token);
+    if (const auto point = text.find('.'); point != text.npos)
+        text.replace(point, 1, std::localeconv()->decimal_point);
+    const std::size_t longer = text.size() - token.size();
+    char* end = nullptr;
+    errno = 0;
+    value = std::strtod(text.c_str(), &end);
+    const auto used = static_cast<std::size_t>(end - text.c_str());
+    if (used == 0) return {token.data(), std::errc::invalid_argument};
+    const bool is_whole = used == text.size(), is_denormal = value != 0 && std::isfinite(value);
+    return {token.data() + (is_whole ? used - longer : 0),
+            errno == ERANGE && !is_denormal ? std::errc::result_out_of_range : std::errc{}};
+}
+#else
+std::from_chars_result parse_double(std::string_view token, double& value) {
+    return std::from_chars(token.data(), token.data() + token.size(), value);
+}
+#endif
+
 std::optional<float> parse_coordinate(std::string_view token) {
     if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1);
     double value = 0;
-    const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
+    const auto [end, code] = parse_double(token, value);
     if (code != std::errc{} || end != token.data() + token.size()) return std::nullopt;
     if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) return std::nullopt;
     return static_cast<float>(value);

@@ -15,14 +15,23 @@ class Progress {
     Progress() = default;
     explicit Progress(const CookProgress& host) : host_(host) {}
 
-    /// Throws a Refusal where the host cancels.
-    void reach(float part) const {
-        if (host_.report == nullptr || host_.report(host_.user, part) || part >= done) return;
-        throw Refusal{{ErrorCode::cancelled, "cooking was cancelled by CookProgress::report"}};
+    [[nodiscard]] static Error cancelled() {
+        return {ErrorCode::cancelled, "cooking was cancelled by CookProgress::report"};
     }
+
+    /// Refuses where the host cancels. Without exceptions cooking goes on, and whoever asked for it drops
+    /// what it made.
+    void reach(float part) const {
+        if (host_.report == nullptr || is_cancelled_ || host_.report(host_.user, part) || part >= done)
+            return;
+        if constexpr (has_exceptions) refuse(cancelled());
+        is_cancelled_ = true;
+    }
+    [[nodiscard]] bool is_cancelled() const { return is_cancelled_; }
 
   private:
     CookProgress host_;
+    mutable bool is_cancelled_ = false;
 };
 
 }  // namespace weft

@@ -78,6 +78,8 @@ Result<void> check_sizes(const Mesh& mesh) {
         return wrong_size("pattern", mesh.pattern.size(), vertices);
     if (!mesh.texcoords.empty() && mesh.texcoords.size() != vertices)
         return wrong_size("texcoords", mesh.texcoords.size(), vertices);
+    if (!mesh.welds.empty() && mesh.welds.size() != vertices)
+        return wrong_size("welds", mesh.welds.size(), vertices);
     const std::uint64_t grid = std::uint64_t{mesh.rows} * mesh.columns;
     if ((mesh.rows != 0 || mesh.columns != 0) && grid != vertices)
         return invalid_mesh("Mesh::rows x Mesh::columns is " + text(mesh.rows) + " x " + text(mesh.columns) +
@@ -115,6 +117,30 @@ Result<void> check_indices(const Mesh& mesh) {
         }
     }
     return {};
+}
+
+Result<void> check_welds(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.welds.size(); ++i) {
+        const std::uint32_t first = mesh.welds[i];
+        if (first > i || mesh.welds[first] != first)
+            return invalid_mesh("Mesh::welds[" + text(i) + "] is " + text(first) +
+                                "; it must be the first vertex of its particle, itself or one before it");
+        const Vec3 &p = mesh.positions[i], &q = mesh.positions[first];
+        if (!(p.x == q.x && p.y == q.y && p.z == q.z))
+            return invalid_mesh("Mesh::welds makes vertex " + text(i) + " one with vertex " + text(first) +
+                                ", which lies elsewhere; vertices of one particle have one position");
+    }
+    return {};
+}
+
+/// One number per vertex: see weld().
+std::vector<std::uint32_t> particles_of(const Mesh& mesh) {
+    if (mesh.welds.empty()) return weld(mesh.positions);
+    std::vector<std::uint32_t> numbers(mesh.welds.size());
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = mesh.welds[i] == i ? next++ : numbers[mesh.welds[i]];
+    return numbers;
 }
 
 bool has_area(const Mesh& mesh, const Triangle& vertices) {
@@ -198,6 +224,7 @@ void build_components(Topology& topology) {
 Result<void> check_mesh(const Mesh& mesh) {
     if (Result<void> sizes = check_sizes(mesh); !sizes) return sizes;
     if (Result<void> points = check_points(mesh); !points) return points;
+    if (Result<void> welds = check_welds(mesh); !welds) return welds;
     return check_indices(mesh);
 }
 
@@ -236,11 +263,17 @@ std::vector<std::uint32_t> weld(std::span<const Vec3> positions) {
     return numbers;
 }
 
+const Edge* find_edge(const Topology& topology, std::uint32_t a, std::uint32_t b) {
+    const std::array<std::uint32_t, 2> ends{std::min(a, b), std::max(a, b)};
+    const auto at = std::ranges::lower_bound(topology.edges, ends, {}, &Edge::particles);
+    return at != topology.edges.end() && at->particles == ends ? &*at : nullptr;
+}
+
 Result<Topology> build_topology(const Mesh& mesh) {
     if (Result<void> check = check_mesh(mesh); !check) return check.error();
 
     Topology topology;
-    topology.vertex_to_particle = weld(mesh.positions);
+    topology.vertex_to_particle = particles_of(mesh);
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
         if (topology.vertex_to_particle[i] == topology.particle_count()) topology.first_vertices.push_back(i);
 

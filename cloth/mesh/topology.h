@@ -73,4 +73,7 @@ void build_components(Topology& topology);
 /// vertex.
 [[nodiscard]] std::vector<std::uint32_t> weld(std::span<const Vec3> positions);
 
+/// The edge of two particles; null: they have none.
+[[nodiscard]] const Edge* find_edge(const Topology& topology, std::uint32_t a, std::uint32_t b);
+
 }  // namespace weft

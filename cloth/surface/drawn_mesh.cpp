@@ -11,7 +11,7 @@
 
 namespace weft {
 
-struct DrawnMesh::Bonds {
+struct WEFT_LOCAL DrawnMesh::Bonds {
     std::vector<DrawnBond> of_vertex;
     float rounding = 0;
 };

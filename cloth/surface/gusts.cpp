@@ -83,11 +83,13 @@ constexpr float to_unit_variance = 2.2333f;
 
 void sample_block(const WindField& field, const BlockRange& range, const Vec4* points, Vec4* velocities) {
     const Lanes3 mean = set(field.mean), middle = set(Vector3::Constant(-1023.0f / 2));
+    std::span<const WindField::Octave> octaves = field.octaves;
+    if (field.amplitude == 0) octaves = {};
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 point = unpacked(load_packed(points + i));
         Lanes3 velocity = mean;
         float amplitude = field.amplitude * to_unit_variance * (2.0f / 1024);
-        for (const WindField::Octave& octave : field.octaves) {
+        for (const WindField::Octave& octave : octaves) {
             const Lanes3 place = mul_add(set(octave.scale), point, set(octave.offset));
             velocity = mul_add(set(amplitude), value_noise(place, octave.seed) + middle, velocity);
             amplitude *= 0.5f;

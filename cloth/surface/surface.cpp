@@ -20,6 +20,10 @@ void Surface::compute_normals(Parallel& parallel, std::span<const Vec4> position
     weft::compute_normals(parallel, groups_, rows_.span(), normals);
 }
 
+void Surface::resume(Parallel& parallel, std::span<const Vec4> positions) {
+    if (cells_.empty()) compute_area_normals(parallel, groups_, positions, rows_.span());
+}
+
 void Surface::compute_air_forces(Parallel& parallel, const InAir& cloth, std::span<Vec4> forces) {
     if (!cells_.empty()) {
         weft::compute_air_forces(parallel, cells_, cloth.positions, cloth.velocities, cloth.wind,

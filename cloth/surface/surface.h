@@ -20,6 +20,9 @@ class Surface {
     /// Of particles: means of the triangles' normals, weighted by area; +Y where they cancel out.
     void compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals);
 
+    /// Makes what steps begin with, where normals were computed at these positions before.
+    void resume(Parallel& parallel, std::span<const Vec4> positions);
+
     /// What the air does to a moving cloth.
     struct InAir {
         const Wind& wind;

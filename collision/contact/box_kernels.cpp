@@ -1,10 +1,10 @@
 // Boxes of patches and features over their motion.
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 
 #include "collision/contact/pair_kernels.h"
+#include "engine/platform.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/contact/box_kernels.cpp"
@@ -228,7 +228,7 @@ bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     bool any = false;
     const auto add = [&](const SearchedPatch& patch) {  // by any thread, but always the same
         std::uint8_t& wanted = boxes.wanted[patch.body.first_block * PatchBlock::most + patch.number];
-        std::atomic_ref<std::uint8_t>(wanted).store(1, std::memory_order_relaxed);
+        store_relaxed(wanted, 1);
     };
     for_each_near_patch(search, block, [&](const SearchedPatch& a, const SearchedPatch& b, bool) HWY_ATTR {
         add(a);

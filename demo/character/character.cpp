@@ -1,9 +1,11 @@
 #include "demo/character/character.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "demo/character/garment/fitting.h"
 #include "demo/character/garment/garment_file.h"
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_file.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
@@ -16,8 +18,10 @@ namespace {
 constexpr double growing = 1.0;                      // into a garment that has to be fitted [s]
 constexpr double standing = 0.3, blending_in = 0.9;  // [s]
 
-Result<std::unique_ptr<Motion>> make_motion(const std::filesystem::path& file) {
-    if (file.empty()) return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>());
+Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
+    const std::filesystem::path& file = settings.motion;
+    if (file.empty())
+        return std::unique_ptr<Motion>(std::make_unique<GeneratedWalk>(settings.runs ? running : Gait{}));
     if (std::filesystem::is_fifo(file)) {
         auto live = LiveMotion::open(file);
         if (!live) return live.error();
@@ -49,7 +53,8 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
         return Error{
             ErrorCode::invalid_argument,
             settings.garment.string() + " has a motion of its own; leave out " + settings.motion.string()};
-    auto read = read_gltf(settings.garment);
+    const bool has_skin = settings.surface == BodySurface::skin;
+    auto read = read_gltf(settings.garment, has_skin);
     if (!read) return read.error();
     auto body = Body::create(read->recording.skeleton);
     if (!body) return Error{body.error().code, settings.garment.string() + ": " + body.error().message};
@@ -63,21 +68,33 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     }
     Pose pose;
     place_joints(read->recording.skeleton, read->rest, pose);
+    const auto in_file = [&](const char* what, const Error& error) {
+        return Error{error.code, settings.garment.string() + ": " + what + error.message};
+    };
     auto binding = Binding::by_weights(pose, fit.held, joints, weights);
-    if (!binding)
-        return Error{binding.error().code, settings.garment.string() + ": fixed " + binding.error().message};
+    if (!binding) return in_file("fixed ", binding.error());
+    auto all = Binding::by_weights(pose, read->garment.mesh.positions, read->joints, read->weights);
+    if (!all) return in_file("", all.error());
+    Skin skin;
+    if (has_skin) {
+        auto made = Skin::by_weights(read->body.mesh, pose, read->body.joints, read->body.weights);
+        if (!made) return in_file("the body's ", made.error());
+        skin = std::move(*made);
+    }
     Performance performance(std::make_unique<RecordedMotion>(std::move(read->recording)), read->rest,
                             standing, blending_in, settings.speed, settings.ahead);
     Character character(std::move(*body), std::move(performance), std::move(read->garment), std::move(fit),
                         settings);
     character.binding_ = std::move(*binding);
+    character.bind_limits(pose, &*all);
+    character.take_skin(std::move(skin));
     character.follow(0);
     return character;
 }
 
 Result<Character> Character::create(const CharacterSettings& settings) {
     if (is_gltf(settings.garment)) return create_skinned(settings);
-    auto motion = make_motion(settings.motion);
+    auto motion = make_motion(settings);
     if (!motion) return motion.error();
     const Skeleton& skeleton = (*motion)->skeleton();
     auto body = Body::create(skeleton);
@@ -105,10 +122,33 @@ Character::Character(Body body, Performance performance, Garment garment, Fit fi
     Pose stance;
     place_joints(performance_.skeleton(), performance_.stance(), stance);
     binding_ = Binding::to_nearest(body_, stance, fit_.held);
+    bind_limits(stance, nullptr);
+    if (settings_.surface == BodySurface::skin && !is_gltf(settings_.garment))
+        take_skin(Skin::round_limbs(body_, performance_.skeleton(), fit_.girth));
     for (std::vector<Vec3>* positions : {&garment_.mesh.positions, &garment_.fine.positions}) {
         for (Vec3& p : *positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
     }
     follow(0);
+}
+
+void Character::take_skin(Skin skin) {
+    skin_ = std::move(skin);
+    skin_places_ = std::make_shared<std::vector<Vec3>>(skin_.size());
+}
+
+/// Of garments that have neither leashes nor backstops nothing. `own`: weights that a file has.
+void Character::bind_limits(const Pose& stance, const Binding* own) {
+    const auto limits = [](const PaintedMap& painted) {
+        return painted.map == Map::leash || painted.map == Map::backstop;
+    };
+    if (std::ranges::none_of(garment_.maps, limits)) return;
+    const std::vector<Vec3>& positions = garment_.mesh.positions;
+    limits_ = own != nullptr ? *own : Binding::to_nearest(body_, stance, positions);
+    limits_bound_ = stance;
+    normals_.clear();
+    for (const Vector3& normal : outward_normals(garment_.mesh)) normals_.push_back(to_vec3(normal));
+    limit_places_.resize(positions.size());
+    limit_normals_.resize(positions.size());
 }
 
 void Character::follow(double time) {
@@ -118,6 +158,9 @@ void Character::follow(double time) {
     const float growth = growth_at(time, fitting_);
     body_.place(pose_, fit_.girth * growth, capsules_);
     binding_.place(pose_, targets_);
+    limits_.place(pose_, limit_places_);
+    limits_.turn(limits_bound_, pose_, normals_, limit_normals_);
+    if (skin_places_) skin_.place(pose_, capsules_, growth, *skin_places_);
     if (growth == 1) return;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         const Vector3 start = to_vector(garment_.mesh.positions[garment_.fixed[i]]);
@@ -125,11 +168,17 @@ void Character::follow(double time) {
     }
 }
 
-Result<void> Character::enter(World& world) {
-    const auto cloth = world.add_cloth(garment_.mesh, settings_.cloth);
-    if (!cloth) return cloth.error();
-    cloth_ = *cloth;
-    if (auto pinned = world.pin(cloth_, garment_.fixed); !pinned) return pinned;
+Result<void> Character::add_body(World& world) {
+    if (skin_places_) {
+        const auto shape =
+            world.add_shape(TriangleMesh{.vertices = *skin_places_, .triangles = skin_.triangles()});
+        if (!shape) return Error{shape.error().code, "the body's skin: " + shape.error().message};
+        skin_shape_ = *shape;
+        const auto collider = world.add_collider({.shape = PlacedShape{.shape = *shape}});
+        if (!collider) return collider.error();
+        colliders_.push_back(*collider);
+        return {};
+    }
     for (const TaperedCapsule& capsule : capsules_) {
         const auto collider = world.add_collider({.shape = capsule});
         if (!collider) return collider.error();
@@ -138,11 +187,32 @@ Result<void> Character::enter(World& world) {
     return {};
 }
 
+Result<void> Character::add_maps(World& world) {
+    for (const PaintedMap& painted : garment_.maps)
+        if (auto set = world.set_map(cloth_, painted.map, painted.values); !set) return set;
+    if (limits_.size() > 0) return world.set_skin(cloth_, limit_places_, limit_normals_);
+    return {};
+}
+
+Result<void> Character::enter(World& world) {
+    const auto cloth = world.add_cloth(garment_.mesh, settings_.cloth);
+    if (!cloth) return cloth.error();
+    cloth_ = *cloth;
+    if (auto pinned = world.pin(cloth_, garment_.fixed); !pinned) return pinned;
+    if (auto painted = add_maps(world); !painted) return painted;
+    return add_body(world);
+}
+
 void Character::before_step(World& world, double time, float dt) {
     follow(time + static_cast<double>(dt));
-    for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
-        (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
+    if (skin_places_) {
+        (void)world.deform_shape(skin_shape_, *skin_places_);
+    } else {
+        for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
+            (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
+    }
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
+    if (limits_.size() > 0) (void)world.set_skin(cloth_, limit_places_, limit_normals_);
 }
 
 void Character::write_back(const World& world, std::span<Vec3> vertices) const {

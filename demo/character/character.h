@@ -6,31 +6,42 @@
 #include <vector>
 
 #include "demo/character/body/binding.h"
+#include "demo/character/body/skin.h"
 #include "demo/character/garment/fitting.h"
 #include "demo/character/motion/motion.h"
 #include "weft/world.h"
 
 namespace weft::demo {
 
+/// What of the body cloth meets.
+enum class BodySurface : std::uint8_t {
+    capsules,  ///< of limbs, on their way: whatever moves fast
+    skin,      ///< triangles that follow the skeleton, where they are at the end of each step
+};
+
 struct CharacterSettings {
     std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
+    bool runs = false;              ///< without a motion file: the run that ships
     std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
     std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
     std::uint32_t drawn = 0;        ///< vertices of a finer dress to draw over it, about; 0: none
     double speed = 1;               ///< of the motion, times its own
     Vec3 place{};                   ///< on the ground [m]
     double ahead = 0;               ///< how far into the motion it starts [s]
+    BodySurface surface = BodySurface::capsules;
     ClothSettings cloth{};
 };
 
 class Character {
   public:
-    /// Reads what the settings name. Error: what cannot be read, or who cannot be dressed, and why.
+    /// Reads what the settings name. Error: what cannot be read, or who cannot be dressed, and why; of a glTF
+    /// file, whose own body is the skin, also that it has none.
     [[nodiscard]] static Result<Character> create(const CharacterSettings& settings);
 
-    /// Adds cloth, pins and colliders. Error: the World's; what was added before it stays.
+    /// Adds cloth, pins, maps and colliders. Error: the World's; what was added before it stays.
     [[nodiscard]] Result<void> enter(World& world);
-    /// Moves colliders and pins to where they are at the end of the step from `time` to `time + dt` [s].
+    /// Moves colliders, pins and, where the garment has leashes or backstops, the places they are about, to
+    /// where they are at the end of the step from `time` to `time + dt` [s].
     void before_step(World& world, double time, float dt);
 
     /// The garment's vertices as they are drawn and written: those that are simulated from the World, fixed
@@ -42,6 +53,9 @@ class Character {
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
     /// As they are at the end of the step that before_step prepared.
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
+    /// Likewise, of BodySurface::skin. The same memory as long as somebody holds it.
+    [[nodiscard]] const std::shared_ptr<std::vector<Vec3>>& skin_places() const { return skin_places_; }
+    [[nodiscard]] const Skin& skin() const { return skin_; }
     [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const Pose& pose() const { return pose_; }
@@ -52,6 +66,10 @@ class Character {
               const CharacterSettings& settings);
     static Result<Character> create_skinned(const CharacterSettings& settings);
     void follow(double time);
+    [[nodiscard]] Result<void> add_body(World& world);
+    [[nodiscard]] Result<void> add_maps(World& world);
+    void bind_limits(const Pose& stance, const Binding* own);
+    void take_skin(Skin skin);
 
     Body body_;
     Performance performance_;
@@ -64,6 +82,12 @@ class Character {
     JointAngles angles_;
     std::vector<TaperedCapsule> capsules_;
     std::vector<Vec3> targets_;
+    Skin skin_;
+    std::shared_ptr<std::vector<Vec3>> skin_places_;
+    ShapeId skin_shape_;
+    Binding limits_;  // all vertices, where leashes and backstops are about them
+    Pose limits_bound_;
+    std::vector<Vec3> normals_, limit_places_, limit_normals_;
     ClothId cloth_;
     std::vector<ColliderId> colliders_;
 };

@@ -1,11 +1,12 @@
 #include "demo/look/show.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <chrono>
 #include <utility>
 
-#include "demo/keys.h"
+#include "demo/hands/project.h"
 
 namespace weft::demo {
 namespace {
@@ -14,20 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 float milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<float, std::milli>(Clock::now() - start).count();
-}
-
-/// Where a point is in the picture, from its upper left corner; false behind the eye.
-bool project(const render::OrbitCamera& camera, const Vec3& point, ImVec2 size, ImVec2& place) {
-    const render::Matrix4 view = camera.view(), projection = camera.projection(size.x / size.y);
-    const auto row = [](const render::Matrix4& m, std::size_t r, const Vec3& p) {
-        return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
-    };
-    const Vec3 seen{row(view, 0, point), row(view, 1, point), row(view, 2, point)};
-    if (seen.z > -0.01f) return false;
-    const float depth = -seen.z;
-    place = {0.5f * size.x * (1 + projection[0] * seen.x / depth - projection[8]),
-             0.5f * size.y * (1 - projection[5] * seen.y / depth)};
-    return true;
 }
 
 std::string told(const Result<std::filesystem::path>& saved) {
@@ -66,8 +53,9 @@ void draw_words(const Picture& picture, const render::OrbitCamera& camera) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const ShownWords& each : picture.words()) {
-        ImVec2 place;
-        if (!project(camera, each.at, size, place)) continue;
+        const auto seen = project(camera, each.at, size.x / size.y);  // in heights
+        if (!seen) continue;
+        const ImVec2 place(size.y * seen->x, size.y * seen->y);
         draw.AddText({place.x + 1, place.y + 1}, IM_COL32(0, 0, 0, 160), each.words.c_str());
         draw.AddText(place, ImGui::ColorConvertFloat4ToU32({each.colour.x, each.colour.y, each.colour.z, 1}),
                      each.words.c_str());
@@ -87,10 +75,10 @@ std::string save_pictures(Picture& picture, const render::View& view, int width,
     return words;
 }
 
-bool read_look_keys(Look& look) {
-    look.wants_picture |= ImGui::IsKeyPressed(key::f5, false);
-    look.wants_film |= ImGui::IsKeyPressed(key::f6, false);
-    return ImGui::IsKeyPressed(key::f2, false);
+bool read_look_keys(const KeyTaps& keys, Look& look) {
+    look.wants_picture |= keys.count(GLFW_KEY_F5) > 0;
+    look.wants_film |= keys.count(GLFW_KEY_F6) % 2 == 1;
+    return keys.count(GLFW_KEY_F2) % 2 == 1;
 }
 
 }  // namespace weft::demo

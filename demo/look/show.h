@@ -1,6 +1,7 @@
 #pragma once
 // The look's part of a picture in the window.
 
+#include "demo/hands/key_taps.h"
 #include "demo/look/look.h"
 #include "demo/picture.h"
 
@@ -21,6 +22,6 @@ void draw_words(const Picture& picture, const render::OrbitCamera& camera);
                                         Look& look);
 
 /// F2, F5 and F6; true if panels are to be shown or hidden.
-[[nodiscard]] bool read_look_keys(Look& look);
+[[nodiscard]] bool read_look_keys(const KeyTaps& keys, Look& look);
 
 }  // namespace weft::demo

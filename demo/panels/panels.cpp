@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "demo/hands/overlay.h"
 #include "demo/panels/column.h"
 #include "demo/panels/widgets.h"
 #include "demo/report_text.h"
@@ -39,8 +40,8 @@ void Panels::record(const World& world) {
     look.times.add_step(world.report().milliseconds);
 }
 
-PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& playback,
-                           const render::OrbitCamera& camera) {
+PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands,
+                           const Playback& playback, const render::OrbitCamera& camera) {
     PanelRequests requests;
     ImGui::GetIO().FontGlobalScale = look.text_size;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -48,7 +49,7 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& 
     if (visible) {
         if (begin_column(collapsed)) {
             covered_ = column_width(window, ImGui::GetFontSize());
-            draw_column(simulation, wind, playback, camera, requests);
+            draw_column(simulation, wind, hands, playback, camera, requests);
         }
         ImGui::End();
     }
@@ -57,7 +58,7 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Playback& 
     return requests;
 }
 
-void Panels::draw_column(Simulation& simulation, WindControl& wind, Playback& playback,
+void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
                          const render::OrbitCamera& camera, PanelRequests& requests) {
     if (ImGui::Button(">")) collapsed = true;
     tooltip("Folds the panels away. F2 hides them altogether.");
@@ -66,8 +67,9 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Playback& pl
     tooltip("F1. Keys and mouse.");
     ImGui::SameLine();
     ImGui::Text("%.0f pictures a second", static_cast<double>(ImGui::GetIO().Framerate));
-    scene_panel(simulation, playback, requests);
+    scene_panel(simulation, pictures_, requests);
     note(wind_panel(simulation, wind, camera));
+    hands_panel(hands);
     note(cloth_panel(simulation));
     picture_panel(look);
     files_panel(simulation, look, requests);

@@ -1,6 +1,8 @@
 #pragma once
 // The panels: everything that can be turned while the cloth moves, and what it costs.
 
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,14 +11,18 @@
 #include "demo/scene_simulation.h"
 #include "demo/wind_control.h"
 #include "weft/render/camera.h"
+#include "weft/render/shown_image.h"
 
 namespace weft::demo {
+
+class Hands;
 
 /// How time passes in the window.
 struct Playback {
     bool paused = false;
     int single_steps = 0;           ///< to take while paused
     bool behind_real_time = false;  ///< the last frame had more time than it could simulate
+    float speed = 1;                ///< seconds of the scene in a second
 };
 
 /// What a panel asks of the program.
@@ -44,6 +50,16 @@ class StageHistory {
     std::vector<float> times_;  // length rows of stages_
 };
 
+/// Pictures of scenes, by name: NAME.png in a folder that `demo/pictures/scenes/make` fills.
+class ScenePictures {
+  public:
+    /// Null: there is none. Precondition: a render::Context is current.
+    [[nodiscard]] const render::ShownImage* of(const char* scene);
+
+  private:
+    std::map<std::string, std::optional<render::ShownImage>> pictures_;
+};
+
 class Panels {
   public:
     bool visible = true;
@@ -59,17 +75,18 @@ class Panels {
     /// A new world: its times start afresh.
     void forget();
     /// Between ImGuiLayer's begin() and end(). Applies what is changed to the simulation.
-    [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Playback& playback,
-                                     const render::OrbitCamera& camera);
+    [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Hands& hands,
+                                     const Playback& playback, const render::OrbitCamera& camera);
 
   private:
     void note(const Result<void>& set);
-    void draw_column(Simulation& simulation, WindControl& wind, Playback& playback,
+    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
                      const render::OrbitCamera& camera, PanelRequests& requests);
     void show_messages(const Simulation& simulation, const Playback& playback, float room);
     void note_troubles(const Simulation& simulation, const Playback& playback);
 
     StageHistory history_;
+    ScenePictures pictures_;
     std::string troubles_;  // of the last steps, in words
     float covered_ = 0;
     double troubled_until_ = 0;  // they are shown [s]
@@ -77,7 +94,7 @@ class Panels {
 
 // One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
 // goes on as it was.
-void scene_panel(const Simulation& simulation, Playback& playback, PanelRequests& requests);
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);

@@ -11,17 +11,6 @@ namespace weft::demo {
 
 inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
 
-/// Begins a panel with its corner `from_left`, `from_top` away from that of the picture; negative values
-/// count from the opposite edge. Close with ImGui::End(), whatever this returns.
-inline bool begin_panel(const char* title, ImVec2 corner, ImVec2 size) {
-    const ImVec2 picture = ImGui::GetIO().DisplaySize;
-    const ImVec2 place(corner.x < 0 ? picture.x + corner.x - size.x : corner.x,
-                       corner.y < 0 ? picture.y + corner.y - size.y : corner.y);
-    ImGui::SetNextWindowPos(place, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-    return ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoSavedSettings);
-}
-
 /// Somebody who looks at every slider and may move it: a test. Returns true if it has.
 using SliderProbe = std::function<bool(const char* label, float& value, float least, float most)>;
 inline SliderProbe slider_probe;

@@ -25,7 +25,16 @@
     SCENE(crossed, "two sheets that start through each other come apart")                                   \
     SCENE(ball, "a ball falls into a hammock")                                                              \
     SCENE(trampoline, "a box on a trampoline")                                                              \
-    SCENE(shapes, "a sheet over each kind of shape")
+    SCENE(shapes, "a sheet over each kind of shape")                                                        \
+    SCENE(runner, "somebody runs", .takes_garment = true)                                                   \
+    SCENE(banner, "a banner held at both ends, across a gusty wind")                                        \
+    SCENE(flags, "a hundred flags, made of one cooked cloth")                                               \
+    SCENE(capes, "five figures in capes turn to and fro in the wind")                                       \
+    SCENE(rag, "a rag on a ball that goes to and fro")                                                      \
+    SCENE(bar, "a wall hanging whose lower edge is fixed to a bar with mass")                               \
+    SCENE(release, "a strip is twisted twice round, and let go")                                            \
+    SCENE(stack10, "ten sheets are laid on one another")                                                            \
+    SCENE(tear, "a sheet is drawn apart till it tears in two")
 // clang-format on
 
 namespace weft::demo {

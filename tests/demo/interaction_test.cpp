@@ -113,5 +113,40 @@ TEST_F(Mouse, LeavesToPanelsWhatBeginsOnThem) {
     EXPECT_FALSE(interaction.grab().active());
 }
 
+TEST_F(Mouse, CutsWithTheKnifeAllAlongItsWay) {
+    const render::OrbitCamera before = camera;
+    const ClothId cloth = simulation.content().cloths.front().id;
+    const std::size_t vertices = simulation.content().cloths.front().mesh.positions.size();
+    for (int i = 0; i < 60; ++i) simulation.step(1.0f / 60.0f);
+    // From above the cloth to below it, while it flies.
+    Pointer pointer;
+    pointer.left_button = pointer.has_knife = true;
+    for (int i = 0; i <= 40; ++i) {
+        pointer.x = 0.5f;
+        pointer.y = static_cast<float>(i) / 40;
+        pointer.down = 1.0f / 40;
+        interaction.update(pointer, aspect, simulation, camera);
+        interaction.before_step(simulation, 1.0f / 60.0f);
+        simulation.step(1.0f / 60.0f);
+        EXPECT_TRUE(interaction.cuts());
+    }
+    EXPECT_TRUE(interaction.take_complaint().empty());
+    release();
+    EXPECT_FALSE(interaction.cuts());
+    EXPECT_EQ(simulation.world().cloth_info(cloth)->components, 2u);
+    EXPECT_GT(simulation.content().cloths.front().mesh.positions.size(), vertices + 5);
+    EXPECT_GT(simulation.cuts(), 3u) << "it cuts while it is drawn";
+    EXPECT_EQ(camera.yaw, before.yaw);
+    EXPECT_FALSE(interaction.grab().active());
+    for (int i = 0; i < 60; ++i)
+        EXPECT_FALSE(has(simulation.step(1.0f / 60.0f).flags, StepFlags::state_restored));
+
+    // Whole again from the start, and drawn so.
+    const std::uint32_t cuts = simulation.cuts();
+    ASSERT_TRUE(simulation.restart());
+    EXPECT_NE(simulation.cuts(), cuts);
+    EXPECT_EQ(simulation.content().cloths.front().mesh.positions.size(), vertices);
+}
+
 }  // namespace
 }  // namespace weft::demo

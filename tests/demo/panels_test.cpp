@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "demo/hands/hands.h"
 #include "demo/method_table.h"
 #include "demo/panels/widgets.h"
 #include "demo/report_text.h"
@@ -104,9 +105,10 @@ TEST_F(Widgets, PanelsLeaveAloneWhatTheCommandLineAskedFor) {
     WindControl wind(*overrides.wind);
     wind.steer(0, 0, 1);
     Playback playback;
+    Hands hands;
     Panels panels;
     for (int i = 0; i < 3; ++i)
-        frame([&] { (void)panels.draw(*simulation, wind, playback, simulation->content().camera); });
+        frame([&] { (void)panels.draw(*simulation, wind, hands, playback, simulation->content().camera); });
     EXPECT_EQ(panels.message, "");
     EXPECT_NEAR(wind.velocity().x, 60, 1e-3);
     EXPECT_NEAR(wind.velocity().z, -70, 1e-3);

@@ -25,11 +25,13 @@ endfunction()
 
 # Configures, builds and runs demo/embed, given how it finds Weft, and checks what it prints.
 function(run_embedding_host)
+  set(warnings "-Wall -Wextra -Wpedantic -Wconversion -Werror")
   run(${CMAKE_COMMAND} -S ${weft_source}/demo/embed -B ${folder}/build -G ${generator}
     -D CMAKE_C_COMPILER=${c_compiler}
     -D CMAKE_CXX_COMPILER=${cxx_compiler}
     -D CMAKE_CXX_COMPILER_LAUNCHER=${compiler_launcher}
     -D CMAKE_BUILD_TYPE=${build_type}
+    "-DCMAKE_C_FLAGS=${warnings}"
     ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder}/build)
   run(${folder}/build/weft_embed)
@@ -37,4 +39,19 @@ function(run_embedding_host)
     fail("weft_embed ran, but did not report its last step:\n${output}")
   endif()
   message(STATUS "${output}")
+  run(${folder}/build/weft_embed_c)
+  if(NOT output MATCHES "after 2 s the flag's far corner is at \\([01]\\.")
+    fail("weft_embed_c ran, but its flag does not wave:\n${output}")
+  endif()
+  message(STATUS "${output}")
+endfunction()
+
+# Sets `symbols` to what a shared library shows, by its names in the source.
+function(list_symbols library)
+  run(nm --dynamic --defined-only --demangle --format=posix ${library})
+  string(REGEX REPLACE "\n$" "" output "${output}")
+  string(REGEX REPLACE "[;\\[]" "" output "${output}")  # which would make or join items of a list
+  string(REPLACE "]" "" output "${output}")
+  string(REPLACE "\n" ";" symbols "${output}")
+  set(symbols ${symbols} PARENT_SCOPE)
 endfunction()

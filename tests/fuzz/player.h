@@ -62,6 +62,7 @@ class Player {
     Answered make(const Operation& operation, const AddCloth& call);
     Answered make(const Operation&, const MeasureCloth& call);
     Answered make(const Operation& operation, const RemoveCloth&);
+    Answered make(const Operation& operation, const Recut& call);
     Answered make(const Operation& operation, const SetClothSettings& call);
     Answered make(const Operation& operation, const Pin& call);
     Answered make(const Operation& operation, const MovePin& call);
@@ -165,11 +166,13 @@ class Player {
         std::uint64_t hash;
         std::vector<std::map<std::uint32_t, Vec3>> pins;
         std::uint64_t steps;
-        std::vector<bool> cloths;  ///< that were there
+        std::vector<std::size_t> cloths;  ///< vertices of those that were there, else 0
     };
-    [[nodiscard]] std::vector<bool> cloths_there() const {
-        std::vector<bool> there;
-        for (std::size_t i = 0; i < cloths_.size(); ++i) there.push_back(is_there(i));
+    /// A cloth that is cut gets more vertices.
+    [[nodiscard]] std::vector<std::size_t> cloths_there() const {
+        std::vector<std::size_t> there;
+        for (std::size_t i = 0; i < cloths_.size(); ++i)
+            there.push_back(is_there(i) ? world_.cloth_info(*cloths_[i])->vertices : 0);
         return there;
     }
     std::vector<Kept> saves_;

@@ -136,12 +136,18 @@ void spoil(Random& random, WorldSettings& s) {
     float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
                              &s.wind.drag, &s.wind.lift,        &s.max_speed,
                              &s.budget};
-    const std::uint32_t choice = random.below(std::size(fields) + 5);
+    const std::uint32_t choice = random.below(std::size(fields) + 7);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
         return;
     }
     switch (choice - std::size(fields)) {
+        case 5:
+            s.wind.sources[3] = {.kind = AirSourceKind::jet, .radius = bad};
+            break;
+        case 6:
+            s.wind.sources[7] = {.kind = static_cast<AirSourceKind>(4)};
+            break;
         case 0:
             s.gravity.y = not_a_number;
             break;
@@ -322,6 +328,16 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     return drawn;
 }
 
+static void draw_sources(Random& random, Fields& fields, Wind& wind) {
+    for (AirSource& source : wind.sources) {
+        if (random.chance(0.6)) continue;
+        source = {.kind = static_cast<AirSourceKind>(random.below(4)),
+                  .position = random.point(random.chance(0.1) ? 1e4f : 2.0f),
+                  .velocity = random.chance(0.1) ? Vec3{} : fields.vector(20),
+                  .radius = fields.positive(1e-2f, 10)};
+    }
+}
+
 Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
     Drawn<WorldSettings> drawn;
     drawn.answer = random_answer(random);
@@ -335,6 +351,7 @@ Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
     s.wind.drag = fields.zero_or_more(0.1f, 3);
     s.wind.lift = fields.zero_or_more(0.1f, 3);
     s.wind.seed = static_cast<std::uint32_t>(random.next());
+    if (random.chance(0.3)) draw_sources(random, fields, s.wind);
     s.max_speed = fields.positive(0.1f, 1000);
     s.substeps = random.whole(1, std::clamp(most_substeps, 1, 256));
     s.contact_reports = random.one_of({0, 0, 1, 100, 10000});

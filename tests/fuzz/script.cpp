@@ -61,6 +61,7 @@ class Author {
     void add_cloth();
     void measure_cloth();
     void remove_cloth();
+    void recut();
     void set_cloth_settings();
     void pin();
     void move_pin();
@@ -133,6 +134,7 @@ void Author::add_operation() {
         {6, &Author::add_cloth},
         {1, &Author::measure_cloth},
         {2, &Author::remove_cloth},
+        {5, &Author::recut},
         {9, &Author::pin},
         {12, &Author::move_pin},
         {4, &Author::unpin},
@@ -244,6 +246,25 @@ void Author::remove_cloth() {
     const std::size_t cloth = any_of(cloths_);
     cloths_[cloth].removed = true;
     add(RemoveCloth{}, Answer::accepted, cloth);
+}
+
+/// Along edges at random: few, or most. In some draws what is told of where vertices come from is wrong.
+void Author::recut() {
+    const std::size_t chosen = any_of(cloths_);
+    PlannedCloth& cloth = cloths_[chosen];
+    std::vector<MeshEdge> edges;
+    const double part = random_.chance(0.2) ? 0.0 : random_.chance(0.8) ? 0.1 : 0.8;
+    for (const Triangle& t : cloth.mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (random_.chance(part)) edges.push_back({t[k], t[(k + 1) % 3]});
+    auto cut = cut_mesh(cloth.mesh, edges);
+    if (!cut) return;  // of a mesh that was refused, or edges of triangles that cooking leaves out
+    const bool is_wrong = random_.chance(0.05);
+    if (is_wrong)
+        cut->from[random_.below(cut->from.size())] = static_cast<std::uint32_t>(cloth.mesh.positions.size());
+    else
+        cloth.mesh = cut->mesh;
+    add(Recut{*std::move(cut)}, is_wrong ? Answer::refused : Answer::accepted, chosen);
 }
 
 void Author::set_cloth_settings() {

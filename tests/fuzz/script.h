@@ -24,6 +24,9 @@ struct MeasureCloth {
     ClothSettings settings;
 };
 struct RemoveCloth {};
+struct Recut {
+    MeshCut cut;  ///< of the mesh that it has
+};
 struct SetClothSettings {
     ClothSettings settings;
 };
@@ -129,7 +132,7 @@ struct Operation {
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
                  Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, SetFrame,
                  LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape, Save,
-                 Restore>
+                 Restore, Recut>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

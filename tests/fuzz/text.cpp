@@ -121,9 +121,20 @@ std::string text_of(const ClothSettings& s) {
          text_of(s.frame_inertia.centrifugal), text_of(s.priority), text_of(s.view_distance)});
 }
 
+static std::string text_of(const AirSource& a) {
+    return braced("AirSource",
+                  {text_of(a.kind), text_of(a.position), text_of(a.velocity), text_of(a.radius)});
+}
+static std::string text_of(const std::array<AirSource, 8>& sources) {
+    std::string text;
+    for (const AirSource& each : sources)
+        if (each.kind != AirSourceKind::none) text += text_of(each);
+    return '{' + text + '}';
+}
 static std::string text_of(const Wind& w) {
-    return braced("Wind", {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length),
-                           text_of(w.air_density), text_of(w.drag), text_of(w.lift), text_of(w.seed)});
+    return braced("Wind",
+                  {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length), text_of(w.air_density),
+                   text_of(w.drag), text_of(w.lift), text_of(w.seed), text_of(w.sources)});
 }
 static std::string text_of(const Executor& e) {
     return braced("Executor", {text_of(e.run != nullptr), text_of(e.width)});
@@ -263,6 +274,9 @@ static std::string text_of(const SetFrame& call) {
 }
 static std::string text_of(const LeaveFrame&) {
     return "leave_frame()";
+}
+static std::string text_of(const Recut& call) {
+    return "recut_cloth(" + std::to_string(call.cut.added_particles) + " particles more)";
 }
 static std::string text_of(const SetMap& call) {
     return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";

@@ -302,6 +302,24 @@ std::vector<Call> other_calls() {
     };
     ClothSettings contact;
     contact.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    const MeshCut cut = [&] {
+        std::vector<MeshEdge> across;
+        for (std::uint32_t k = 0; k + 1 < side; ++k) across.push_back({2 * side + k, 2 * side + k + 1});
+        return cut_mesh(LoweredSheet::mesh(true, side), across).value();
+    }();
+    // The second time it is of more vertices.
+    const auto recut = [=](Scene& s) -> Answer {
+        if (s.world.cloth_info(s.cloth)->vertices == cut.mesh.positions.size()) return {};
+        return s.world.recut_cloth(s.cloth, cut.mesh, cut.from);
+    };
+    add("recut_cloth", recut);
+    add("recut_cloth_contact", recut, contact);
+    calls.push_back({.name = "recut_cloth_bare", .make = recut, .bare = true});
+    calls.push_back({.name = "recut_one_of_two", .make = recut, .before = contact, .other = contact});
+    add("strained_edges", [](Scene& s) {
+        std::array<StrainedEdge, 3> edges;
+        return without_value(s.world.strained_edges(s.cloth, -1, edges));
+    });
     add("set_map_mass", set_map(Map::mass, 2));
     add("set_map_mass_contact", set_map(Map::mass, 2), contact);
     add("set_map_stiffness", set_map(Map::stiffness, 0.5f));
@@ -370,6 +388,20 @@ TEST(OutOfMemoryWithoutAWorld, CreateAnswers) {
 
 TEST(OutOfMemoryWithoutAWorld, MakeSheetAnswers) {
     expect_an_answer([] { return without_value(make_sheet({.rows = 5, .columns = 4})); });
+}
+
+TEST(OutOfMemoryWithoutAWorld, CutsAreAnswered) {
+    const Mesh mesh = make_sheet({.rows = 5, .columns = 4}).value();
+    expect_an_answer([&] { return without_value(cut_mesh(mesh, std::vector<MeshEdge>{{4, 5}, {5, 6}})); });
+    const Blade blade{{0, 1, -1}, {0, -1, -1}, {0, 1, 1}, {0, -1, 1}};
+    CutStroke stroke;
+    expect_an_answer([&] {
+        CutStroke anew = stroke;
+        return without_value(edges_along(mesh, mesh.positions, blade, anew));
+    });
+    expect_an_answer([&] {
+        return without_value(edges_to_tear(mesh, mesh.positions, std::vector<StrainedEdge>{{5, 6, 1}}));
+    });
 }
 
 TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {

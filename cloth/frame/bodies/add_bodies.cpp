@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/simulation.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -44,20 +45,19 @@ BodyId Simulation::add_body(const BodySlot& slot) {
     std::vector<std::pair<Cloth*, Made>> of_cloths;
     std::unique_ptr<BodyStage> stage;
     const std::size_t count = state.bodies.size(), number = number_of(id);
-    try {
-        stage = std::make_unique<BodyStage>(count, cloths.size(), state.colliders.size());
-        of_cloths.reserve(cloths.size());
-        cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-            Made made{cloth->state.shares, std::vector<CollectedShare>(count), {}};
-            made.shares.insert(made.shares.begin() + static_cast<std::ptrdiff_t>(number), BodyShare{});
-            if (count == 1) made.buffers = BodyBuffers(cloth->state.size());
-            of_cloths.emplace_back(cloth.get(), std::move(made));
-        });
-        expect_colliders(state.colliders.size());
-    } catch (...) {
-        state.bodies.erase(id);
-        throw;
-    }
+    or_undo(
+        [&] {
+            stage = std::make_unique<BodyStage>(count, cloths.size(), state.colliders.size());
+            of_cloths.reserve(cloths.size());
+            cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+                Made made{cloth->state.shares, std::vector<CollectedShare>(count), {}};
+                made.shares.insert(made.shares.begin() + static_cast<std::ptrdiff_t>(number), BodyShare{});
+                if (count == 1) made.buffers = BodyBuffers(cloth->state.size());
+                of_cloths.emplace_back(cloth.get(), std::move(made));
+            });
+            expect_colliders(state.colliders.size());
+        },
+        [&] { state.bodies.erase(id); });
     for (auto& [cloth, made] : of_cloths) {
         cloth->state.shares = std::move(made.shares);
         cloth->collected = std::move(made.collected);

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "cloth/frame/validate.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/settings/validate.h"
+#include "cloth/frame/world/world_calls.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "engine/without_exceptions.h"
 
@@ -39,8 +39,10 @@ Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& s
         CookReport report;
         auto model = cook(mesh, &report, progress);
         if (!model) return model.error();
+        if (auto valid = validate_neighbours(*model, settings); !valid) return valid.error();
         CookedCloth cooked(
             std::make_shared<const Impl>(std::move(model).value(), std::move(report), settings, progress));
+        if (progress.is_cancelled()) return Progress::cancelled();
         log_repairs(cooked.info());
         progress.reach(Progress::done);
         return cooked;

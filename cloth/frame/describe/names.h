@@ -8,6 +8,7 @@
 #include "weft/methods.h"
 #include "weft/report.h"
 #include "weft/self_collision.h"
+#include "weft/settings.h"
 
 namespace weft {
 
@@ -33,6 +34,10 @@ constexpr const char* name_of(SelfCollisionMethod value) {
 }
 constexpr const char* name_of(SelfCollisionSearch value) {
     constexpr const char* names[] = {"exact", "shifted_grids", "sorted_sweep"};
+    return detail::name_among(names, value);
+}
+constexpr const char* name_of(AirSourceKind value) {
+    constexpr const char* names[] = {"none", "jet", "blast", "wake"};
     return detail::name_among(names, value);
 }
 constexpr const char* name_of(ColliderResponse value) {

@@ -1,6 +1,7 @@
 #pragma once
 // A tree of named values, written as JSON or indented for people.
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
@@ -11,7 +12,7 @@
 #include <variant>
 
 #include "cloth/frame/describe/names.h"
-#include "cloth/frame/fields.h"
+#include "cloth/frame/settings/fields.h"
 #include "weft/cloth_id.h"
 
 namespace weft {
@@ -59,6 +60,14 @@ class Outline {
     template <class Enum>
     requires std::is_enum_v<Enum>
     void value(std::string_view name, Enum value) { line(name, quoted(name_of(value))); }
+    /// Those that there are.
+    template <std::size_t count>
+    void value(std::string_view name, const std::array<AirSource, count>& sources) {
+        list(name, [&] {
+            for (const AirSource& source : sources)
+                if (source.kind != AirSourceKind::none) value("", source);
+        });
+    }
     template <HasFields T>
     void value(std::string_view name, const T& of) {
         object(name, [&] { fields(of); });

@@ -47,7 +47,8 @@ enum class Call : std::uint32_t {
     add_cooked_cloth,
     set_importance,
     choose,  ///< the rungs that the next step changes by its budget
-    last = choose,
+    recut_cloth,
+    last = recut_cloth,
 };
 
 /// As a host calls it.
@@ -89,7 +90,8 @@ enum class Call : std::uint32_t {
                                      "CookedCloth::create",
                                      "add_cloth",
                                      "set_importance",
-                                     "what the budget chose"};
+                                     "what the budget chose",
+                                     "recut_cloth"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "cloth/frame/budget/ladder.h"
-#include "cloth/frame/fields.h"
 #include "cloth/frame/record/call.h"
+#include "cloth/frame/settings/fields.h"
 #include "engine/state_hash.h"
 #include "weft/cloth_id.h"
 #include "weft/maps.h"
@@ -27,7 +27,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
 /// Another number for each change of what follows, fields.h included.
-inline constexpr std::uint32_t recording_version = 2;
+inline constexpr std::uint32_t recording_version = 3;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
 struct RecordingHead {
@@ -93,6 +93,10 @@ class RecordWriter {
         const auto bytes = std::as_bytes(list);
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
+    template <HasFields T, std::size_t count>
+    void put(const std::array<T, count>& values) {
+        for (const T& each : values) put(each);
+    }
     template <HasFields T>
     void put(const T& value) {
         for_each_field(value, [&](const char*, const auto& field) { put(field); });
@@ -109,6 +113,7 @@ class RecordWriter {
         put(std::span(mesh.texcoords));
         put(mesh.rows);
         put(mesh.columns);
+        put(std::span(mesh.welds));
     }
     void put(const TriangleMesh& mesh) {
         put(mesh.vertices);

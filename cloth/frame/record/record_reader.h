@@ -69,6 +69,10 @@ class RecordReader {
     void get(std::span<const T>& list) {
         list = keep(get_list<T>());
     }
+    template <HasFields T, std::size_t count>
+    void get(std::array<T, count>& values) {
+        for (T& each : values) get(each);
+    }
     template <HasFields T>
     void get(T& value) {
         for_each_field(value, [&](const char*, auto& field) { get(field); });
@@ -87,6 +91,7 @@ class RecordReader {
         mesh.texcoords = get_list<Vec2>();
         get(mesh.rows);
         get(mesh.columns);
+        mesh.welds = get_list<std::uint32_t>();
     }
     void get(TriangleMesh& mesh) {
         get(mesh.vertices);

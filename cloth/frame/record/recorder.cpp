@@ -54,7 +54,7 @@ Recorder::~Recorder() {
 // A program that crashes is to leave its last step, so a file is flushed after each.
 void Recorder::note_step(float dt, const Simulation& simulation) noexcept {
     if (failed_) return;
-    try {
+    const bool is_written = comes_through([&] {
         hashes_.clear();
         simulation.cloths.for_each([&](ClothId id, const std::unique_ptr<Cloth>& cloth) {
             hashes_.push_back({id, hash_of(*cloth, hasher_)});
@@ -62,15 +62,14 @@ void Recorder::note_step(float dt, const Simulation& simulation) noexcept {
         if (!simulation.choices.empty()) note(Call::choose, std::span<const RungOfCloth>(simulation.choices));
         note(Call::step, dt, hash_of_rest(simulation, hasher_), std::span<const HashOfCloth>(hashes_));
         if (file_ && !failed_ && std::fflush(file_.get()) != 0) fail(ErrorCode::file_not_found, not_taken);
-    } catch (...) {
-        fail(ErrorCode::out_of_memory, "out of memory");
-    }
+    });
+    if (!is_written) fail(ErrorCode::out_of_memory, "out of memory");
 }
 
 void Recorder::note_cooked(ClothId id, const std::shared_ptr<const void>& cooking, const CookedCloth& cooked,
                            const ClothSettings& settings, const Transform& place) noexcept {
     if (failed_) return;
-    try {
+    const bool is_written = comes_through([&] {
         const auto found = std::ranges::find(cookings_, cooking);
         const auto number = static_cast<std::uint32_t>(found - cookings_.begin());
         if (found == cookings_.end()) {
@@ -80,9 +79,8 @@ void Recorder::note_cooked(ClothId id, const std::shared_ptr<const void>& cookin
             note(Call::cook, std::span<const std::byte>(bytes), settings);
         }
         note(Call::add_cooked_cloth, id, number, place);
-    } catch (...) {
-        fail(ErrorCode::out_of_memory, "out of memory");
-    }
+    });
+    if (!is_written) fail(ErrorCode::out_of_memory, "out of memory");
 }
 
 void Recorder::fail(ErrorCode code, const char* why) noexcept {

@@ -12,6 +12,7 @@
 
 #include "cloth/frame/record/call.h"
 #include "cloth/frame/record/record_format.h"
+#include "engine/without_exceptions.h"
 #include "weft/cooked_cloth.h"
 #include "weft/error.h"
 #include "weft/recording.h"
@@ -37,13 +38,12 @@ class Recorder {
     template <class... Arguments>
     void note(Call call, const Arguments&... arguments) noexcept {
         if (failed_) return;
-        try {
+        const bool is_written = comes_through([&] {
             writer_.begin();
             (writer_.put(arguments), ...);
             write(call);
-        } catch (...) {
-            fail(ErrorCode::out_of_memory, "out of memory");
-        }
+        });
+        if (!is_written) fail(ErrorCode::out_of_memory, "out of memory");
     }
     void note_step(float dt, const Simulation& simulation) noexcept;
     /// Cloth from a cooked one, whose bytes are written with its first. `cooking`: the same for all copies.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cloth/frame/record/replayer.h"
+#include "engine/platform.h"
 #include "engine/without_exceptions.h"
 
 namespace weft {
@@ -137,6 +138,12 @@ Result<Replay> replay(std::span<const std::byte> recording, const ReplayOptions&
     });
 }
 
+#ifdef WEFT_WITHOUT_FILES
+Result<Replay> replay(const std::filesystem::path& file, const ReplayOptions&) {
+    return Error{ErrorCode::unsupported,
+                 file.string() + " cannot be read: there are no files here; replay bytes"};
+}
+#else
 Result<Replay> replay(const std::filesystem::path& file, const ReplayOptions& options) {
     return without_exceptions([&]() -> Result<Replay> {
         struct Close {
@@ -154,5 +161,6 @@ Result<Replay> replay(const std::filesystem::path& file, const ReplayOptions& op
         return replayed;
     });
 }
+#endif
 
 }  // namespace weft

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cloth/frame/record/state_hashes.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 
@@ -134,6 +134,10 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::set_cloth_settings:
             return with<ClothId, ClothSettings>(reader, [&](ClothId id, const auto& settings) {
                 return world.set_cloth_settings(id, settings);
+            });
+        case Call::recut_cloth:
+            return with<ClothId, Mesh, Vertices>(reader, [&](ClothId id, const Mesh& mesh, Vertices from) {
+                return world.recut_cloth(id, mesh, from);
             });
         case Call::set_enabled:
             return with<ClothId, bool>(reader,

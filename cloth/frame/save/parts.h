@@ -29,7 +29,7 @@ void for_each_part(const Simulation& simulation, const Visit& visit) {
         for_each_part(*shape, visit);
     });
     simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        visit.head(ClothHead(cloth->state));
+        visit.head(ClothHead(cloth->state, cloth->model.fingerprint));
         for_each_part(std::as_const(cloth->state), visit);
     });
 }

@@ -105,7 +105,11 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
         return other_world("its cloth " + std::to_string(number) + " has " + std::to_string(a) + ' ' + what +
                            ", the one here " + std::to_string(b) + because);
     };
-    if (saved.particles != here.particles) return differs("particles", saved.particles, here.particles, "");
+    if (saved.particles != here.particles)
+        return differs("particles", saved.particles, here.particles, "; give it the mesh that it had");
+    if (saved.mesh != here.mesh)
+        return other_world("its cloth " + std::to_string(number) +
+                           " has other triangles than the one here; give it the mesh that it had");
     if (saved.record != here.record)
         return differs("particles in BDF2's record", saved.record, here.record,
                        "; set the time scheme and the method that it had");
@@ -187,7 +191,7 @@ Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveRead
         if (!checked) return;
         ClothHead head;
         reader(std::span(&head, 1));
-        checked = check_cloth(cloths.size(), head, ClothHead(cloth->state));
+        checked = check_cloth(cloths.size(), head, ClothHead(cloth->state, cloth->model.fingerprint));
         if (!checked) return;
         cloths.push_back({read_pins(reader.after(head.bytes_before_pins()), head.pins), head.frame != 0});
         cloth->prepare_restore(cloths.back().pins);

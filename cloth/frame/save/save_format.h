@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 6;
+inline constexpr std::uint32_t save_version = 7;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -61,9 +61,10 @@ struct ClothHead {
     std::uint32_t skin = 0;     ///< places and normals of it
     std::uint32_t detail = 0;   ///< particles with a budget
     std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
+    std::uint32_t mesh = 0;     ///< ClothModel::fingerprint
 
     ClothHead() = default;
-    explicit ClothHead(const ClothState& state)
+    ClothHead(const ClothState& state, std::uint32_t fingerprint)
         : pins(static_cast<std::uint32_t>(state.pins.size())),
           particles(state.size()),
           record(static_cast<std::uint32_t>(state.record.displacements.size())),
@@ -72,7 +73,8 @@ struct ClothHead {
           rest(state.rest ? 1 : 0),
           skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
           detail(static_cast<std::uint32_t>(state.ahead.size())),
-          frame(state.frame ? 1 : 0) {}
+          frame(state.frame ? 1 : 0),
+          mesh(fingerprint) {}
 
     /// Where for_each_part() visits the pins: behind positions, previous positions, velocities and normals.
     [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }

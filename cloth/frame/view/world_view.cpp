@@ -1,9 +1,11 @@
 // The World's calls by which a host sees its cloths.
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "cloth/frame/view/write_vertices.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 
@@ -47,6 +49,25 @@ Result<void> World::write_vertices(ClothId id, const VertexStreams& to, std::siz
         const std::size_t end = begin + std::min(count, vertices - begin);
         weft::write_vertices(view, cloth.model, to, static_cast<std::uint32_t>(begin),
                              static_cast<std::uint32_t>(end));
+        return {};
+    });
+}
+
+Result<void> World::sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const {
+    return impl_->read("sample_air", [&]() -> Result<void> {
+        if (velocities.size() != points.size())
+            return Error{ErrorCode::invalid_argument, "sample_air: there is room for " +
+                                                          std::to_string(velocities.size()) +
+                                                          " velocities, of " + std::to_string(points.size()) +
+                                                          " points; there must be one of each"};
+        Parallel serial(1);
+        alignas(64) std::array<Vec4, block_size> at{}, air{};
+        for (std::size_t begin = 0; begin < points.size(); begin += block_size) {
+            const std::size_t count = std::min<std::size_t>(block_size, points.size() - begin);
+            for (std::size_t k = 0; k < count; ++k) at[k] = to_vec4(to_vector(points[begin + k]), 0);
+            impl_->simulation.find_air(serial, std::span(at).first(count), std::span(air).first(count));
+            for (std::size_t k = 0; k < count; ++k) velocities[begin + k] = {air[k].x, air[k].y, air[k].z};
+        }
         return {};
     });
 }

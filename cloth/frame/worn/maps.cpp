@@ -5,6 +5,7 @@
 
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/make_solver.h"
+#include "engine/without_exceptions.h"
 
 namespace weft {
 
@@ -43,25 +44,19 @@ void Cloth::set_masses(AlignedBuffer<float>&& values) {
         std::ranges::copy(before, kept.data());
         for (std::uint32_t i = 0; i < model.particle_count; ++i) areas[i] *= values[i];
     }
+    set_areas(std::move(areas), std::move(kept));
+}
+
+void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map) {
     std::swap(model.rest_area, areas);
-    try {
-        take_other_solver(make_other_solver());
-    } catch (...) {
-        std::swap(model.rest_area, areas);
-        throw;
-    }
-    areas_without_map = std::move(kept);
+    or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.rest_area, areas); });
+    areas_without_map = std::move(without_map);
 }
 
 void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
     SharedBuffer<float> other(std::move(values));
     std::swap(model.stiffness, other);
-    try {
-        take_other_solver(make_other_solver());
-    } catch (...) {
-        std::swap(model.stiffness, other);
-        throw;
-    }
+    or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.stiffness, other); });
 }
 
 void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
@@ -72,19 +67,20 @@ void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
     const auto room = [&](bool needed, const AlignedBuffer<Vec4>& has) {
         return AlignedBuffer<Vec4>(needed && has.size() == 0 ? model.particle_count : 0);
     };
-    try {
-        worn.reserve(model.particle_count);
-        const bool has_backstop = worn.backstop.size() > 0;
-        skin.places = room(worn.has_limits(), state.skin.places);
-        skin.target_places = room(worn.has_limits(), state.skin.places);
-        skin.normals = room(has_backstop, state.skin.normals);
-        skin.target_normals = room(has_backstop, state.skin.normals);
-        made = make_contacts(has_colliders_);
-    } catch (...) {
-        std::swap(present, values);
-        if (!worn.has_limits()) worn.reserve(model.particle_count);  // none: frees
-        throw;
-    }
+    or_undo(
+        [&] {
+            worn.reserve(model.particle_count);
+            const bool has_backstop = worn.backstop.size() > 0;
+            skin.places = room(worn.has_limits(), state.skin.places);
+            skin.target_places = room(worn.has_limits(), state.skin.places);
+            skin.normals = room(has_backstop, state.skin.normals);
+            skin.target_normals = room(has_backstop, state.skin.normals);
+            made = make_contacts(has_colliders_);
+        },
+        [&] {
+            std::swap(present, values);
+            if (!worn.has_limits()) worn.reserve(model.particle_count);  // none: frees
+        });
 
     // From here on nothing can fail.
     if (skin.places.size() > 0) {

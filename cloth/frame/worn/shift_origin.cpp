@@ -39,6 +39,8 @@ void Simulation::shift_origin(const Vec3& to) {
         slot.target = moved(slot.target, motion);
     });
     state.bodies.for_each([&](BodyId, BodySlot& slot) { shift(slot.state.position, by); });
+    for (AirSource& source : settings.wind.sources)
+        if (source.kind != AirSourceKind::none) shift(source.position, by);
     place_carried_colliders();
     state.wind_path[0] -= static_cast<double>(to.x);
     state.wind_path[1] -= static_cast<double>(to.y);

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "cloth/frame/validate.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/settings/validate.h"
+#include "cloth/frame/world/world_calls.h"
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/vertex_maps.h"
 #include "engine/error_text.h"
@@ -227,6 +227,11 @@ Result<void> World::shift_origin(const Vec3& to) {
             const Vector3 there = to_vector(slot.state.position) - to_vector(to);
             if (valid) valid = validate_point("BodyState::position", to_vec3(there));
         });
+        for (const AirSource& source : simulation.settings.wind.sources) {
+            const Vector3 there = to_vector(source.position) - to_vector(to);
+            if (valid && source.kind != AirSourceKind::none)
+                valid = validate_point("AirSource::position", to_vec3(there));
+        }
         if (!valid) return valid;
         simulation.parallel.lend([&] { simulation.shift_origin(to); });
         return {};

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/mesh.h"
 #include "weft/types.h"
 #include "weft/world.h"
@@ -43,7 +44,7 @@ struct DrawnVertices {
     std::span<Vec4> tangents{};
 };
 
-class DrawnMesh {
+class WEFT_API DrawnMesh {
   public:
     /// Binds each vertex to the nearest triangle of the cloth as it is now, of those that face as it does if
     /// one is within reach: by barycentric coordinates, and an offset that turns with the triangle. It takes

@@ -12,6 +12,7 @@
 
 #include <span>
 
+#include "weft/export.h"
 #include "weft/settings.h"
 
 namespace weft {
@@ -49,6 +50,6 @@ struct NamedFabric {
 /// | denim        | 2.5        | 949, 206       | .011  | .21 to .24       |
 /// | trousers     | 2          | 2033, 1997     | .004  | .21 to .22       |
 // clang-format on
-[[nodiscard]] std::span<const NamedFabric> fabrics() noexcept;
+[[nodiscard]] WEFT_API std::span<const NamedFabric> fabrics() noexcept;
 
 }  // namespace weft

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -36,6 +37,11 @@ struct Mesh {
     /// triangles, cut along either diagonal, and springs run along the threads (structural, shear, bend). 0:
     /// a general mesh, with springs on edges and across shared edges.
     std::uint32_t rows = 0, columns = 0;
+
+    /// Optional: for each vertex the first of those that are one particle with it, itself if it is that; they
+    /// lie at one position. Others at that position are particles of their own, as along a cut (cut_mesh).
+    /// Empty: vertices at the same position are welded.
+    std::vector<std::uint32_t> welds{};
 };
 
 /// A rectangular sheet of particles in rows and columns.
@@ -48,7 +54,7 @@ struct SheetSettings {
 
 /// Its front is the side from which u to v turns clockwise, that is, the side of v x u: up for the default
 /// sheet.
-[[nodiscard]] Result<Mesh> make_sheet(const SheetSettings& settings = {});
+[[nodiscard]] WEFT_API Result<Mesh> make_sheet(const SheetSettings& settings = {});
 
 /// What load_obj noticed and went on from.
 struct ObjReport {
@@ -71,12 +77,12 @@ struct ObjOptions {
 ///
 /// The file is read in a stream. Limits: 8 GiB, 2^20 characters a line, 2^26 `v` lines, 2^27 `vt` lines and
 /// triangles.
-[[nodiscard]] Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
+[[nodiscard]] WEFT_API Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
                                     ObjReport* report = nullptr);
 
 /// Writes positions, texture coordinates (the pattern, where there are none) and triangles, with nine digits,
 /// so that floats read back the same. Rows and columns are not kept. Errors: a mesh of which no cloth could
 /// be made, naming the element; a file that cannot be written.
-[[nodiscard]] Result<void> save_obj(const std::filesystem::path& file, const Mesh& mesh);
+[[nodiscard]] WEFT_API Result<void> save_obj(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace weft

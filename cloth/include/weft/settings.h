@@ -1,12 +1,14 @@
 #pragma once
 // What a host can set. Every field says its unit, its range and what it does; the defaults run.
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 #include "weft/collider.h"
 #include "weft/error.h"
 #include "weft/executor.h"
+#include "weft/export.h"
 #include "weft/methods.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
@@ -44,7 +46,7 @@ struct Fabric {
     float stiffening = 0;
 
     /// One of fabrics.h, such as "denim". Error: no fabric of that name, with the names there are.
-    [[nodiscard]] static Result<Fabric> named(std::string_view name);
+    [[nodiscard]] WEFT_API static Result<Fabric> named(std::string_view name);
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };
@@ -113,6 +115,31 @@ struct ClothSettings {
     float view_distance = 1;  ///< from who looks [m], 0 to 1e6; below 0.1 it counts as that
 };
 
+/// What sets air in motion at one place.
+enum class AirSourceKind : std::uint32_t {
+    none,  ///< nothing, whatever its other values are
+    /// A fan: a round free jet along `velocity`, which has half its speed at `radius` where it begins, widens
+    /// by a tenth of its way and keeps its momentum (Pope 2000, "Turbulent flows", 5.1). None behind the fan.
+    jet,
+    /// Air driven out of `position` on all sides: by |velocity| at `radius`, less by the square of the
+    /// distance beyond (a source of constant volume), and less towards the middle.
+    blast,
+    /// A ball that flies through the air: its speed within, the potential flow past it around (Lamb 1932,
+    /// section 96), and behind it a wake that follows it, widens by the root of the way and keeps its
+    /// momentum (Schlichting 1979, "Boundary-layer theory", IX).
+    wake,
+};
+
+/// Air in motion at one place, on top of the wind. It has no state of its own: a fan is set once, a ball that
+/// passes or a blast that fades before each step. Air of several adds up, and none gives way to cloth or
+/// colliders.
+struct AirSource {
+    AirSourceKind kind = AirSourceKind::none;
+    Vec3 position{};      ///< of a fan's hub, a blast's or a ball's middle [m], each component up to 1e5
+    Vec3 velocity{};      ///< [m/s], each component up to 1000
+    float radius = 0.3f;  ///< [m], 1e-3 to 1e5
+};
+
 /// Air that moves. Forces act on each triangle from the air's velocity relative to it.
 struct Wind {
     Vec3 velocity{};  ///< mean velocity [m/s], each component up to 1000
@@ -122,6 +149,9 @@ struct Wind {
     float drag = 1.0f;         ///< drag coefficient of a triangle facing the wind, 0 to 1000
     float lift = 0.4f;         ///< lift coefficient, 0 to 1000
     std::uint32_t seed = 1;    ///< another seed, other gusts
+    /// In any order and with gaps. The first that is not `none` gives each cloth 16 bytes a particle, which
+    /// gusts have already; each takes some 2 ns a particle and step. World::shift_origin moves them.
+    std::array<AirSource, 8> sources{};
 };
 
 struct WorldSettings {

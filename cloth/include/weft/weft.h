@@ -1,3 +1,6 @@
+#if !(__cplusplus > 201703L || (defined(_MSVC_LANG) && _MSVC_LANG > 201703L))
+#error "Weft's C++ interface needs C++20 (-std=c++20, /std:c++20). Older C++ and C take weft/weft_c.h, which has all of it."
+#endif
 #pragma once
 // Weft: real-time cloth for games. This header is all that an embedder includes; it needs the standard
 // library only.
@@ -17,6 +20,7 @@
 #include "weft/collider.h"
 #include "weft/contact.h"
 #include "weft/cooked_cloth.h"
+#include "weft/cutting.h"
 #include "weft/debug_draw.h"
 #include "weft/drawn_mesh.h"
 #include "weft/error.h"
@@ -34,5 +38,6 @@
 #include "weft/shapes.h"
 #include "weft/transform.h"
 #include "weft/types.h"
+#include "weft/version.h"
 #include "weft/vertex_streams.h"
 #include "weft/world.h"

@@ -13,8 +13,10 @@
 #include "weft/collider.h"
 #include "weft/contact.h"
 #include "weft/cooked_cloth.h"
+#include "weft/cutting.h"
 #include "weft/debug_draw.h"
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
@@ -53,7 +55,7 @@ enum class DescriptionFormat : std::uint8_t { text, json };
 
 /// Not thread-safe, but free of globals: one thread at a time per World, and Worlds are independent of each
 /// other.
-class World {
+class WEFT_API World {
   public:
     /// Error: a setting out of range.
     [[nodiscard]] static Result<World> create(const WorldSettings& settings = {});
@@ -63,6 +65,10 @@ class World {
 
     [[nodiscard]] const WorldSettings& settings() const noexcept;
     Result<void> set_settings(const WorldSettings& settings);
+    /// Writes the air's velocity at points [m/s], as the next step will have it: wind, gusts and sources. For
+    /// what drifts in it besides cloth, such as leaves and smoke; takes some 30 ns a point where there are
+    /// gusts. Error: not as many velocities as points.
+    Result<void> sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const;
 
     /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
     /// cloth alone; the mesh is not kept.
@@ -76,6 +82,21 @@ class World {
     /// meanwhile.
     [[nodiscard]] Result<ClothInfo> measure_cloth(const Mesh& mesh, const ClothSettings& settings = {}) const;
     Result<void> remove_cloth(ClothId id);
+    /// From here on the cloth is of this mesh, as one that was cut (cut_mesh): it keeps its id, its settings
+    /// and how it lies and moves. `from[v]` is the vertex, of the mesh that it was of, that vertex v comes
+    /// from: it gets that one's place, velocity, pin, body, place on the skin and values of maps. What it
+    /// rests at, and its mass, are those of the new mesh. By contact, particles that come from one are put
+    /// apart by some 0.4 % of an edge, into their own triangles, or they would rub each other. It takes as
+    /// long as add_cloth(); where nothing changes, nothing of the cloth's motion does. Its spans end as by
+    /// remove_cloth(), a DrawnMesh has to be bound anew, and saves from before are not restored any more.
+    /// Errors: as add_cloth(); another length of `from` than the mesh has vertices, a vertex in it that the
+    /// cloth does not have, vertices of one particle that come from several.
+    Result<void> recut_cloth(ClothId id, const Mesh& mesh, std::span<const std::uint32_t> from);
+    /// Edges that are longer than at rest by more than this part, those that are strained most first: as many
+    /// as there is room for. Of a sheet, those along its threads. Returns how many were written. Error: a
+    /// strain that is not a number from -1.
+    [[nodiscard]] Result<std::uint32_t> strained_edges(ClothId id, float strain,
+                                                       std::span<StrainedEdge> to) const;
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
     /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, the cloth goes on from rest
@@ -174,7 +195,7 @@ class World {
     Result<void> remove_shape(ShapeId id);
     [[nodiscard]] Result<ShapeInfo> shape_info(ShapeId id) const;
 
-    /// The first of a World gives each cloth 16 bytes a particle more, one of an implicit method 77.
+    /// The first of a World gives each cloth 26 bytes a particle more, one of an implicit method 86.
     Result<ColliderId> add_collider(const Collider& collider);
     /// The collider moves there over the next step, and pushes and drags what it meets, where it ends and on
     /// the way, with WorldSettings::max_speed at most: one that is to go faster jumps, and meets nothing on

@@ -21,11 +21,11 @@ double rest_area(const ClothModel& model) {
 }  // namespace
 
 MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings& settings,
-                                   std::span<const Vec4> positions)
+                                   std::span<const Vec4> positions, SavedLevels* saved)
     : model_(&model),
       kind_(settings),
       system_(make_system(model, settings)),
-      multigrid_(make_levels(model, *system_)),
+      multigrid_(make_levels(model, *system_, saved != nullptr && saved->kind == kind_ ? saved : nullptr)),
       vectors_(model.particle_count),
       sums_(block_count(model.particle_count)),
       rest_area_(rest_area(model)),

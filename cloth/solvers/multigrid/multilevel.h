@@ -18,7 +18,9 @@ namespace weft {
 
 class MultilevelSolver final : public Solver {
   public:
-    MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions);
+    /// `saved`: levels of this model, if there are any: taken where they are of the settings' system.
+    MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions,
+                     SavedLevels* saved = nullptr);
     MultilevelSolver(const MultilevelSolver& other, const ClothModel& model);
     [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
         return std::make_unique<MultilevelSolver>(*this, model);

@@ -12,6 +12,7 @@
 
 #include "cloth/system/grid/grid_windows.h"
 #include "cloth/system/sparse/stencil-inl.h"
+#include "engine/platform.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -131,8 +132,8 @@ class GridLoop {
     /// before give(), which may overwrite the same places of the ring.
     template <class Take>
     HWY_INLINE void take_from_far(const Take& take) const {
-// Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
-#pragma GCC unroll 1
+        // Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
+        WEFT_NOT_UNROLLED
         for (std::uint32_t d = near_; d < count_; ++d) take(d, given(d));
     }
     template <class... Values>
@@ -150,13 +151,11 @@ class GridLoop {
     /// may be in the same group.
     template <class Take>
     HWY_INLINE void take_from_near(const Take& take) const {
-#pragma GCC unroll 1
+        WEFT_NOT_UNROLLED
         for (std::uint32_t d = 0; d < near_; ++d) take(d, given(d));
     }
 
-    HWY_INLINE void go_on() {
-        ahead_.go_on();
-    }
+    HWY_INLINE void go_on() { ahead_.go_on(); }
 
   private:
     /// Keeps what is given along one diagonal.

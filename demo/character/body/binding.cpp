@@ -10,17 +10,16 @@ namespace {
 
 constexpr float least_distance = 0.01f;  // below it a limb is as near as can be [m]
 
-/// Of the point's foot on the axis, from 0 at the end a to 1 at b.
-float part_along(const TaperedCapsule& capsule, const Vector3& point) {
-    const Vector3 a = to_vector(capsule.a), axis = to_vector(capsule.b) - a;
-    return std::clamp((point - a).dot(axis) / std::max(axis.squaredNorm(), 1e-12f), 0.0f, 1.0f);
-}
-
 Error misfit(std::size_t point, const std::string& what) {
     return {ErrorCode::invalid_argument, "point " + std::to_string(point) + " " + what};
 }
 
 }  // namespace
+
+float part_along(const TaperedCapsule& capsule, const Vector3& point) {
+    const Vector3 a = to_vector(capsule.a), axis = to_vector(capsule.b) - a;
+    return std::clamp((point - a).dot(axis) / std::max(axis.squaredNorm(), 1e-12f), 0.0f, 1.0f);
+}
 
 Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint) {
     std::vector<std::uint32_t> order(weight_of_joint.size());
@@ -102,6 +101,19 @@ void Binding::place(const Pose& pose, std::span<Vec3> to) const {
         Vector3 sum = Vector3::Zero();
         for (std::size_t k = 0; k < most && bond.weights[k] > 0; ++k)
             sum += bond.weights[k] * pose.at(bond.joints[k], bond.local[k]);
+        to[i] = to_vec3(sum);
+    }
+}
+
+void Binding::turn(const Pose& bound, const Pose& pose, std::span<const Vec3> vectors,
+                   std::span<Vec3> to) const {
+    for (std::size_t i = 0; i < bonds_.size(); ++i) {
+        const Bond& bond = bonds_[i];
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t k = 0; k < most && bond.weights[k] > 0; ++k) {
+            const Vector3 local = bound.rotations[bond.joints[k]].conjugate() * to_vector(vectors[i]);
+            sum += bond.weights[k] * (pose.rotations[bond.joints[k]] * local);
+        }
         to[i] = to_vec3(sum);
     }
 }

@@ -31,6 +31,9 @@ class Binding {
 
     /// Writes where the pose takes each point [m]. Precondition: `to` has size() elements.
     void place(const Pose& pose, std::span<Vec3> to) const;
+    /// Writes how the pose turns what points there as the points are bound in pose `bound`, of a length up to
+    /// its own. Precondition: both have size() elements.
+    void turn(const Pose& bound, const Pose& pose, std::span<const Vec3> vectors, std::span<Vec3> to) const;
     [[nodiscard]] std::size_t size() const { return bonds_.size(); }
 
   private:
@@ -44,5 +47,8 @@ class Binding {
 
     std::vector<Bond> bonds_;
 };
+
+/// Of the point's foot on the axis, from 0 at the end a to 1 at b.
+[[nodiscard]] float part_along(const TaperedCapsule& capsule, const Vector3& point);
 
 }  // namespace weft::demo

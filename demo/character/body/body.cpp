@@ -158,7 +158,7 @@ void Body::place(const Pose& pose, float growth, std::vector<TaperedCapsule>& ca
     for (std::size_t limb = 0; limb < limbs_.size(); ++limb) capsules[limb] = placed(limb, pose, growth);
 }
 
-JointAngles Body::stance(const Skeleton& skeleton, float arms) const {
+JointAngles Body::stance(const Skeleton& skeleton, float arms, float apart) const {
     JointAngles angles = JointAngles::at_rest(skeleton);
     const float lowered = arms * std::numbers::pi_v<float> / 180;
     for (const bool left : {true, false}) {
@@ -169,7 +169,7 @@ JointAngles Body::stance(const Skeleton& skeleton, float arms) const {
         const std::size_t arm = joints_[left ? Part::left_arm : Part::right_arm];
         const std::size_t forearm = joints_[left ? Part::left_forearm : Part::right_forearm];
         const std::size_t hand = joints_[left ? Part::left_hand : Part::right_hand];
-        const Vector3 down(0.02f * side, -1, 0), out(side * std::cos(lowered), -std::sin(lowered), 0);
+        const Vector3 down(apart * side, -1, 0), out(side * std::cos(lowered), -std::sin(lowered), 0);
         point_bone(skeleton, thigh, shin, down, angles);
         point_bone(skeleton, shin, foot, down, angles);
         point_bone(skeleton, arm, forearm, out, angles);

@@ -30,8 +30,9 @@ class Body {
     /// All of it.
     void place(const Pose& pose, float growth, std::vector<TaperedCapsule>& capsules) const;
 
-    /// Upright on the ground: legs straight down, arms lowered by `arms` degrees from the horizontal.
-    [[nodiscard]] JointAngles stance(const Skeleton& skeleton, float arms) const;
+    /// Upright on the ground: legs straight, `apart` times their length to the side, arms lowered by `arms`
+    /// degrees from the horizontal.
+    [[nodiscard]] JointAngles stance(const Skeleton& skeleton, float arms, float apart = 0.02f) const;
 
   private:
     Body(BodyJoints joints, std::vector<Limb> limbs) : joints_(joints), limbs_(std::move(limbs)) {}

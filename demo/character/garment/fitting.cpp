@@ -4,6 +4,8 @@
 #include <limits>
 #include <string>
 
+#include "demo/character/garment/garment_mesh.h"
+
 namespace weft::demo {
 namespace {
 
@@ -26,22 +28,6 @@ Nearest nearest_surface_of(const std::vector<TaperedCapsule>& capsules, const Ve
         if (distance < nearest.distance) nearest = {distance, normal};
     }
     return nearest;
-}
-
-/// Out of the front of a garment that is round something, by vertex.
-std::vector<Vector3> outward_normals(const Mesh& mesh) {
-    std::vector<Vector3> normals(mesh.positions.size(), Vector3::Zero());
-    Vector3 middle = Vector3::Zero();
-    for (const Vec3& p : mesh.positions) middle += to_vector(p) / static_cast<float>(mesh.positions.size());
-    float outwards = 0;
-    for (const Triangle& t : mesh.triangles) {
-        const auto at = [&](std::size_t corner) { return to_vector(mesh.positions[t[corner]]); };
-        const Vector3 area = (at(1) - at(0)).cross(at(2) - at(0));
-        for (const std::uint32_t vertex : t) normals[vertex] += area;
-        outwards += area.dot(Vector3(at(0).x() - middle.x(), 0, at(0).z() - middle.z()));
-    }
-    for (Vector3& normal : normals) normal = (outwards < 0 ? -normal : normal).normalized();
-    return normals;
 }
 
 /// One body in one stance, and what a garment costs where it is moved to.

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "demo/character/body/body.h"
+#include "weft/maps.h"
 #include "weft/mesh.h"
 
 namespace weft::demo {
+
+/// A number for each vertex.
+struct PaintedMap {
+    Map map;
+    std::vector<float> values;
+};
 
 struct Garment {
     Mesh mesh;
@@ -16,7 +23,8 @@ struct Garment {
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
     bool stands_ready = false;         ///< round a body in its stance; else it has to be brought there
     bool from_waist = false;           ///< it hangs from the waist, not from neck and shoulders
-    Mesh fine{};  ///< of the same shape, to be drawn over the mesh; empty: the mesh is drawn
+    std::vector<PaintedMap> maps{};  ///< but pins, which are fixed
+    Mesh fine{};                     ///< of the same shape, to be drawn over the mesh; empty: the mesh is drawn
     std::vector<std::string> notes;  ///< what its reader went on from: a material file that is missing
 };
 

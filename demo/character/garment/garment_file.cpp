@@ -10,6 +10,7 @@
 
 #include "cloth/mesh/obj_lines.h"
 #include "demo/character/garment/garment_mesh.h"
+#include "demo/character/garment/painted_maps.h"
 
 namespace weft::demo {
 namespace {
@@ -21,6 +22,7 @@ struct MaterialUse {
     std::vector<std::string> names;     // in order of use
     std::vector<bool> used, simulated;  // by `v` line
     std::string library;
+    std::size_t vertices = 0;  // `v` lines
 };
 
 std::string_view take_word(std::string_view& text) {
@@ -44,12 +46,12 @@ bool is_simulated(std::string_view material) {
 }
 
 /// load_obj has read the file before and found its indices sound.
-void use_face(std::string_view corners, bool simulated, std::size_t vertices, MaterialUse& use) {
+void use_face(std::string_view corners, bool simulated, MaterialUse& use) {
     for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
         std::int64_t index = 0;
         std::from_chars(corner.data(), corner.data() + corner.size(), index);
         const auto vertex =
-            static_cast<std::size_t>(index < 0 ? static_cast<std::int64_t>(vertices) + index : index - 1);
+            static_cast<std::size_t>(index < 0 ? static_cast<std::int64_t>(use.vertices) + index : index - 1);
         if (vertex >= use.used.size()) use.used.resize(vertex + 1), use.simulated.resize(vertex + 1);
         use.used[vertex] = true;
         if (simulated) use.simulated[vertex] = true;
@@ -61,7 +63,6 @@ Result<MaterialUse> read_materials(const std::filesystem::path& file) {
     const std::string name = file.string();
     ObjLines lines(stream, name);
     MaterialUse use;
-    std::size_t vertices = 0;
     bool simulated = false;
     for (;;) {
         const auto more = lines.next();
@@ -69,8 +70,8 @@ Result<MaterialUse> read_materials(const std::filesystem::path& file) {
         if (!*more) return use;
         std::string_view rest = lines.text();
         const std::string_view keyword = take_word(rest);
-        if (keyword == "v") ++vertices;
-        if (keyword == "f") use_face(rest, simulated, vertices, use);
+        if (keyword == "v") ++use.vertices;
+        if (keyword == "f") use_face(rest, simulated, use);
         if (keyword == "mtllib") use.library = whole_name(rest);
         if (keyword != "usemtl") continue;
         const std::string material = whole_name(rest);
@@ -139,6 +140,26 @@ Result<Mesh> read_mesh(const std::filesystem::path& file) {
     return mesh;
 }
 
+void hold_by_opening(const std::filesystem::path& file, Garment& garment) {
+    stand_upright(garment.mesh, 0);
+    garment.fixed = highest_opening(garment.mesh);
+    garment.from_waist = count_openings(garment.mesh) == 2;
+    garment.notes.push_back(file.string() + " has no materials; it is held by its highest opening");
+}
+
+Result<void> hold_by_materials(const std::filesystem::path& file, const MaterialUse& use, Garment& garment) {
+    if (std::ranges::none_of(use.names, is_simulated))
+        return Error{ErrorCode::invalid_mesh,
+                     file.string() + ": of its materials, " + use.names.front() +
+                         " and others, none ends in \"Free\"; name so what is simulated"};
+    garment.stands_ready = true;
+    for (std::uint32_t vertex = 0; vertex < use.used.size(); ++vertex) {
+        if (use.used[vertex] && !use.simulated[vertex]) garment.fixed.push_back(vertex);
+    }
+    take_colour(file, use, garment);
+    return {};
+}
+
 }  // namespace
 
 Result<Garment> read_garment(const std::filesystem::path& file) {
@@ -149,22 +170,12 @@ Result<Garment> read_garment(const std::filesystem::path& file) {
     if (auto fits = check_size(file, garment.mesh); !fits) return fits.error();
     const auto use = read_materials(file);
     if (!use) return use.error();
-    if (use->names.empty()) {
-        stand_upright(garment.mesh, 0);
-        garment.fixed = highest_opening(garment.mesh);
-        garment.from_waist = count_openings(garment.mesh) == 2;
-        garment.notes.push_back(file.string() + " has no materials; it is held by its highest opening");
-        return garment;
-    }
-    if (std::ranges::none_of(use->names, is_simulated))
-        return Error{ErrorCode::invalid_mesh,
-                     file.string() + ": of its materials, " + use->names.front() +
-                         " and others, none ends in \"Free\"; name so what is simulated"};
-    garment.stands_ready = true;
-    for (std::uint32_t vertex = 0; vertex < use->used.size(); ++vertex) {
-        if (use->used[vertex] && !use->simulated[vertex]) garment.fixed.push_back(vertex);
-    }
-    take_colour(file, *use, garment);
+    if (use->names.empty())
+        hold_by_opening(file, garment);
+    else if (auto held = hold_by_materials(file, *use, garment); !held)
+        return held.error();
+    if (auto maps = read_maps(file, use->vertices, read_vertex_colours(file), garment); !maps)
+        return maps.error();
     return garment;
 }
 

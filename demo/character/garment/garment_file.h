@@ -16,8 +16,9 @@ namespace weft::demo {
 /// The names alone decide. From the file that `mtllib` names come colours (Kd of the first Free material);
 /// where it is missing, or lacks a material, the garment has its default colour and a note says so. Texture
 /// coordinates in metres are the flat pattern.
+/// Beside it there may be maps (painted_maps.h).
 ///
-/// Errors: load_obj's; materials none of which ends in "Free"; a garment less than 0.1 m or more than 3 m
+/// Errors: load_obj's; read_maps'; materials none of which ends in "Free"; a garment less than 0.1 m or more than 3 m
 /// high, or wide, for which nobody here is the right size.
 [[nodiscard]] Result<Garment> read_garment(const std::filesystem::path& file);
 

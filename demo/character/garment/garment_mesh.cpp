@@ -156,4 +156,21 @@ std::vector<std::uint32_t> highest_opening(const Mesh& mesh) {
                                      [&](const auto& opening) { return mean_height(mesh, opening); });
 }
 
+std::vector<Vector3> outward_normals(const Mesh& mesh) {
+    std::vector<Vector3> normals(mesh.positions.size(), Vector3::Zero());
+    Vector3 middle = Vector3::Zero();
+    for (const Vec3& p : mesh.positions) middle += to_vector(p) / static_cast<float>(mesh.positions.size());
+    float outwards = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto at = [&](std::size_t corner) { return to_vector(mesh.positions[t[corner]]); };
+        const Vector3 area = (at(1) - at(0)).cross(at(2) - at(0));
+        for (const std::uint32_t vertex : t) normals[vertex] += area;
+        outwards += area.dot(Vector3(at(0).x() - middle.x(), 0, at(0).z() - middle.z()));
+    }
+    for (Vector3& normal : normals)
+        normal = normal.isZero(0) ? Vector3(Vector3::UnitY())
+                                  : Vector3((outwards < 0 ? -normal : normal).normalized());
+    return normals;
+}
+
 }  // namespace weft::demo

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/vector.h"
 #include "weft/mesh.h"
 
 namespace weft::demo {
@@ -31,5 +32,8 @@ void drop_unfit_pattern(Mesh& mesh);
 
 /// Closed rows of border edges: a skirt has two, a shirt four.
 [[nodiscard]] std::size_t count_openings(const Mesh& mesh);
+
+/// Out of the front of a garment that is round something, by vertex; up, where a vertex has no triangles.
+[[nodiscard]] std::vector<Vector3> outward_normals(const Mesh& mesh);
 
 }  // namespace weft::demo

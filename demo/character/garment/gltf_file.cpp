@@ -6,6 +6,7 @@
 #include <set>
 
 #include "demo/character/garment/gltf_data.h"
+#include "demo/character/garment/painted_maps.h"
 
 namespace weft::demo {
 namespace {
@@ -14,7 +15,7 @@ constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
 
 class GltfReader {
   public:
-    explicit GltfReader(tinygltf::Model model) : model_(std::move(model)) {}
+    GltfReader(tinygltf::Model model, bool with_body) : model_(std::move(model)), with_body_(with_body) {}
 
     Result<SkinnedCharacter> read() {
         if (model_.skins.empty() || model_.skins.front().joints.empty())
@@ -24,8 +25,12 @@ class GltfReader {
         make_skeleton();
         if (auto motion = read_motion(); !motion) return motion.error();
         if (auto mesh = read_meshes(); !mesh) return mesh.error();
+        character_.garment.mesh = garment_.mesh;
+        character_.joints = garment_.joints;
+        character_.weights = garment_.weights;
         return std::move(character_);
     }
+    [[nodiscard]] const std::vector<Vec3>& colours() const { return garment_.colours; }
 
   private:
     using Affine = Eigen::Affine3f;
@@ -131,20 +136,27 @@ class GltfReader {
                 const bool has_material =
                     primitive.material >= 0 &&
                     static_cast<std::size_t>(primitive.material) < model_.materials.size();
-                if (!has_material) continue;
-                const tinygltf::Material& material =
-                    model_.materials[static_cast<std::size_t>(primitive.material)];
+                const tinygltf::Material material =
+                    has_material ? model_.materials[static_cast<std::size_t>(primitive.material)]
+                                 : tinygltf::Material();
                 const bool free = material.name.ends_with("Free");
-                if (!free && !material.name.starts_with("Garment")) continue;
+                const bool is_worn = free || material.name.starts_with("Garment");
+                if (!is_worn && !with_body_) continue;
                 if (free && !any_free) take_colour(material);
                 any_free = any_free || free;
-                if (auto read = read_primitive(primitive, material.name, free); !read) return read;
+                if (auto read = read_primitive(primitive, material.name, free, is_worn ? garment_ : character_.body);
+                    !read)
+                    return read;
             }
         }
-        if (any_free) return {};
-        return Error{ErrorCode::invalid_mesh,
-                     "no primitive of a mesh with the first skin has a material that ends in \"Free\"; name "
-                     "so what is simulated"};
+        if (!any_free)
+            return Error{ErrorCode::invalid_mesh,
+                         "no primitive of a mesh with the first skin has a material that ends in \"Free\"; "
+                         "name so what is simulated"};
+        if (with_body_ && character_.body.mesh.triangles.empty())
+            return Error{ErrorCode::invalid_mesh,
+                         "the first skin has no triangles but the garment's; a body to be met needs some"};
+        return {};
     }
 
     void take_colour(const tinygltf::Material& material) {
@@ -162,7 +174,8 @@ class GltfReader {
         return gltf_numbers(model_, found->second, components);
     }
 
-    Result<void> read_primitive(const tinygltf::Primitive& primitive, const std::string& name, bool free) {
+    Result<void> read_primitive(const tinygltf::Primitive& primitive, const std::string& name, bool free,
+                                SkinnedMesh& to) {
         const auto positions = attribute(primitive, "POSITION", 3, name);
         if (!positions) return positions.error();
         const auto joints = attribute(primitive, "JOINTS_0", 4, name);
@@ -175,23 +188,45 @@ class GltfReader {
                          "the primitive of material " + name + " has " + std::to_string(weights->size() / 4) +
                              " weights and " + std::to_string(joints->size() / 4) + " joints for " +
                              std::to_string(vertices) + " positions"};
-        if (auto triangles = read_triangles(primitive, name, vertices); !triangles) return triangles;
+        if (auto triangles = read_triangles(primitive, name, vertices, to.mesh); !triangles) return triangles;
         const auto inverse_binds = skin().inverseBindMatrices < 0
                                        ? Result<std::vector<double>>(std::vector<double>())
                                        : gltf_numbers(model_, skin().inverseBindMatrices, 16);
         if (!inverse_binds) return inverse_binds.error();
+        if (auto colours = read_colours(primitive, vertices, to); !colours) return colours;
         for (std::size_t v = 0; v < vertices; ++v) {
-            if (!free)
-                character_.garment.fixed.push_back(
-                    static_cast<std::uint32_t>(character_.garment.mesh.positions.size()));
-            if (auto added = add_vertex(*positions, *joints, *weights, *inverse_binds, v); !added)
+            if (!free && &to == &garment_)
+                character_.garment.fixed.push_back(static_cast<std::uint32_t>(to.mesh.positions.size()));
+            if (auto added = add_vertex(*positions, *joints, *weights, *inverse_binds, v, to); !added)
                 return added;
         }
         return {};
     }
 
+    /// White, where a primitive has none and others have.
+    Result<void> read_colours(const tinygltf::Primitive& primitive, std::size_t vertices, SkinnedMesh& to) {
+        const auto found = primitive.attributes.find("COLOR_0");
+        if (found == primitive.attributes.end()) {
+            if (!to.colours.empty()) to.colours.resize(to.mesh.positions.size() + vertices, Vec3{1, 1, 1});
+            return {};
+        }
+        auto numbers = gltf_numbers(model_, found->second, 3);
+        const std::size_t each = numbers.ok() ? 3 : 4;
+        if (!numbers) numbers = gltf_numbers(model_, found->second, 4);
+        if (!numbers) return numbers.error();
+        if (numbers->size() != each * vertices)
+            return Error{ErrorCode::malformed_file, std::to_string(numbers->size() / each) +
+                                                        " colours for " + std::to_string(vertices) +
+                                                        " positions"};
+        to.colours.resize(to.mesh.positions.size(), Vec3{1, 1, 1});
+        for (std::size_t i = 0; i < numbers->size(); i += each)
+            to.colours.push_back({static_cast<float>((*numbers)[i]), static_cast<float>((*numbers)[i + 1]),
+                                  static_cast<float>((*numbers)[i + 2])});
+        return {};
+    }
+
     Result<void> read_triangles(const tinygltf::Primitive& primitive, const std::string& name,
-                                std::size_t vertices) {
+                                std::size_t vertices, Mesh& mesh) {
         std::vector<double> indices;
         if (primitive.indices >= 0) {
             auto read = gltf_numbers(model_, primitive.indices, 1);
@@ -203,7 +238,7 @@ class GltfReader {
         if ((primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) || indices.size() % 3 != 0)
             return Error{ErrorCode::malformed_file,
                          "the primitive of material " + name + " is not of triangles"};
-        const std::size_t first = character_.garment.mesh.positions.size();
+        const std::size_t first = mesh.positions.size();
         for (std::size_t i = 0; i < indices.size(); i += 3) {
             Triangle triangle{};
             for (std::size_t c = 0; c < 3; ++c) {
@@ -214,7 +249,7 @@ class GltfReader {
                                      "; it has " + std::to_string(vertices) + " vertices"};
                 triangle[c] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(index));
             }
-            character_.garment.mesh.triangles.push_back(triangle);
+            mesh.triangles.push_back(triangle);
         }
         return {};
     }
@@ -222,7 +257,7 @@ class GltfReader {
     /// Where the skin has it while the nodes are at rest.
     Result<void> add_vertex(const std::vector<double>& positions, const std::vector<double>& joints,
                             const std::vector<double>& weights, const std::vector<double>& inverse_binds,
-                            std::size_t vertex) {
+                            std::size_t vertex, SkinnedMesh& to) {
         const Vector3 bound(static_cast<float>(positions[3 * vertex]),
                             static_cast<float>(positions[3 * vertex + 1]),
                             static_cast<float>(positions[3 * vertex + 2]));
@@ -243,14 +278,16 @@ class GltfReader {
                     static_cast<float>(inverse_binds[16 * joint + i]);
             place += weight * (at_rest_[static_cast<std::size_t>(node)] * (Affine(inverse) * bound));
             sum += weight;
-            character_.joints.push_back(static_cast<std::uint32_t>(joint_of_node_[node]));
-            character_.weights.push_back(weight);
+            to.joints.push_back(static_cast<std::uint32_t>(joint_of_node_[node]));
+            to.weights.push_back(weight);
         }
-        character_.garment.mesh.positions.push_back(to_vec3(sum > 0 ? Vector3(place / sum) : bound));
+        to.mesh.positions.push_back(to_vec3(sum > 0 ? Vector3(place / sum) : bound));
         return {};
     }
 
     tinygltf::Model model_;
+    bool with_body_;
+    SkinnedMesh garment_;
     std::vector<int> parents_, nodes_;  // nodes_: of the skeleton's joints
     std::map<int, std::size_t> joint_of_node_;
     std::vector<NodePlace> places_;
@@ -260,7 +297,7 @@ class GltfReader {
 
 }  // namespace
 
-Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file) {
+Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body) {
     if (!std::filesystem::is_regular_file(file))
         return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a glTF file"};
     tinygltf::TinyGLTF loader;
@@ -275,8 +312,12 @@ Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file) {
     if (!loaded)
         return Error{ErrorCode::malformed_file,
                      file.string() + ": " + (errors.empty() ? "is no glTF file" : errors)};
-    auto character = GltfReader(std::move(model)).read();
+    GltfReader reader(std::move(model), with_body);
+    auto character = reader.read();
     if (!character) return Error{character.error().code, file.string() + ": " + character.error().message};
+    Garment& garment = character->garment;
+    if (auto maps = read_maps(file, garment.mesh.positions.size(), reader.colours(), garment); !maps)
+        return maps.error();
     return character;
 }
 

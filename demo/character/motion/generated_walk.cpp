@@ -68,17 +68,17 @@ void put_on_ground(const Skeleton& skeleton, float sole, JointAngles& angles, Po
     angles.root.y() += sole - lowest.y();
 }
 
-GeneratedWalk::GeneratedWalk() : skeleton_(plain_skeleton()) {}
+GeneratedWalk::GeneratedWalk(const Gait& gait) : gait_(gait), skeleton_(plain_skeleton()) {}
 
 void GeneratedWalk::evaluate(double time, JointAngles& angles) {
-    const double phase = 2 * std::numbers::pi * std::fmod(time / period, 1.0);
+    const double phase = 2 * std::numbers::pi * std::fmod(time / gait_.period, 1.0);
     const auto wave = [&](double amplitude, double times, double shift) {
         return static_cast<float>(amplitude * std::cos(times * phase - shift));
     };
     const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
     angles = JointAngles::at_rest(skeleton_);
     const auto turn = [&](std::size_t joint, const Quaternion& by) { angles.rotations[joint] = by; };
-    turn(hips, turned(wave(5, 1, 0.3), y) * turned(wave(3, 1, -1.2), z) * turned(4, x));
+    turn(hips, turned(wave(5, 1, 0.3), y) * turned(wave(3, 1, -1.2), z) * turned(gait_.lean, x));
     turn(spine, turned(wave(-6, 1, 0.3), y) * turned(wave(-2, 1, -1.2), z));
     turn(chest, turned(wave(-6, 1, 0.3), y) * turned(-2, x));
     turn(neck, turned(wave(5, 1, 0.3), y));
@@ -88,18 +88,23 @@ void GeneratedWalk::evaluate(double time, JointAngles& angles) {
                           leg = side > 0 ? left_leg : right_leg;
         const auto s = static_cast<float>(side);
         // The foot comes forward while the knee is bent; the heel is set down at phase 0.
-        const float hip = 6 + wave(21, 1, half) + wave(2, 2, 2 * half + 0.6);
+        const float hip =
+            static_cast<float>(gait_.hip) + wave(gait_.hip_wave, 1, half) + wave(2, 2, 2 * half + 0.6);
         const float swing = 0.5f + wave(0.5, 1, half - 1.25);
-        const float knee = 7 + 52 * swing * swing * swing + wave(5, 2, 2 * half - 0.9);
+        const float knee = static_cast<float>(gait_.knee) +
+                           static_cast<float>(gait_.knee_wave) * swing * swing * swing +
+                           wave(5, 2, 2 * half - 0.9);
         turn(leg, turned(-hip, x) * turned(2 * s, z));
         turn(leg + 1, turned(knee, x));
-        turn(leg + 2, turned(hip - knee + wave(12, 1, half + 2.6) + 2, x));
-        const float forward = 4 - wave(19, 1, half);
-        turn(collar + 1, turned(-forward, x) * turned(-76 * s, z));
-        turn(collar + 2, turned(-(22 - wave(9, 1, half)) * s, y));
+        turn(leg + 2, turned(hip - knee + wave(gait_.ankle_wave, 1, half + 2.6) + 2, x));
+        const float forward = static_cast<float>(gait_.arm) - wave(gait_.arm_wave, 1, half);
+        turn(collar + 1, turned(-forward, x) * turned(-gait_.arm_down * s, z));
+        turn(collar + 2, turned(-(static_cast<float>(gait_.elbow) - wave(gait_.elbow_wave, 1, half)) * s, y));
     }
     angles.root = {wave(0.015, 1, -1.4), 0, 0};
     put_on_ground(skeleton_, sole_height, angles, pose_);
+    if (gait_.flight > 0)
+        angles.root.y() += static_cast<float>(0.5 * gait_.flight) + wave(0.5 * gait_.flight, 2, 1.9);
 }
 
 }  // namespace weft::demo

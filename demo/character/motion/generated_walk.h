@@ -1,5 +1,5 @@
 #pragma once
-// A walk that needs no file.
+// A walk, and a run, that need no file.
 
 #include "demo/character/motion/motion.h"
 
@@ -8,18 +8,46 @@ namespace weft::demo {
 /// Somebody of 1.65 m, standing with arms stretched out to the sides.
 [[nodiscard]] Skeleton plain_skeleton();
 
+/// How far joints go, in degrees: means, and the waves about them.
+struct Gait {
+    double period = 1.1;  ///< two steps [s]
+    float lean = 4;       ///< of the trunk, ahead
+    double hip = 6, hip_wave = 21;
+    double knee = 7, knee_wave = 52;  ///< the leg that swings bends so far
+    double ankle_wave = 12;
+    double arm = 4, arm_wave = 19;
+    double elbow = 22, elbow_wave = 9;
+    float arm_down = 76;
+    double flight = 0;  ///< off the ground, twice a period [m]
+};
+/// As in running at 3 m/s (Novacheck 1998, "The biomechanics of running").
+inline constexpr Gait running{.period = 0.72,
+                              .lean = 10,
+                              .hip = 16,
+                              .hip_wave = 33,
+                              .knee = 20,
+                              .knee_wave = 78,
+                              .ankle_wave = 16,
+                              .arm = -6,
+                              .arm_wave = 32,
+                              .elbow = 82,
+                              .elbow_wave = 12,
+                              .arm_down = 72,
+                              .flight = 0.05};
+
 /// On the spot, ahead along +Z, with the joints of plain_skeleton(). Each angle is a constant and a wave or
 /// two, after the curves of level walking in D. Winter, "Biomechanics and motor control of human movement",
 /// 1991; the height is what puts the lower foot on the ground.
 class GeneratedWalk final : public Motion {
   public:
-    GeneratedWalk();
+    explicit GeneratedWalk(const Gait& gait = {});
     [[nodiscard]] const Skeleton& skeleton() const override { return skeleton_; }
     void evaluate(double time, JointAngles& angles) override;
 
-    static constexpr double period = 1.1;  ///< two steps [s]
+    static constexpr double period = Gait{}.period;  ///< of the walk [s]
 
   private:
+    Gait gait_;
     Skeleton skeleton_;
     Pose pose_;
 };

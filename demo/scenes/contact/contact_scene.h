@@ -67,7 +67,10 @@ inline constexpr std::uint32_t quick_contact_particles = 1000;
 [[nodiscard]] std::vector<SceneMaker> meeting_scenes();
 [[nodiscard]] std::vector<SceneMaker> tangle_scenes();
 
-/// All of these.
+/// Those that are only shown.
+[[nodiscard]] std::vector<SceneMaker> shown_scenes();
+
+/// All of the others.
 [[nodiscard]] std::vector<SceneMaker> contact_scenes();
 
 }  // namespace weft::demo

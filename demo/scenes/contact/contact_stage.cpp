@@ -25,10 +25,11 @@ render::FabricLook look_of(std::size_t cloth) {
     return {.front = front, .back = {paler(front.x), paler(front.y), paler(front.z)}};
 }
 
-/// How a scene is looked at, against all that there is at its start.
+/// How a scene is looked at, against all that there is at its start, and when it is judged.
 struct View {
     float nearer = 1;  ///< by this factor: most of what is to be seen is smaller
     float lower = 0;   ///< [m]
+    int check_steps = 90;
 };
 
 render::OrbitCamera camera_at(const ContactScene& scene, const View& view) {
@@ -81,7 +82,7 @@ class ContactStage final : public Scene {
         if (scene_.move) scene_.move(Handles(*this, world), time + static_cast<double>(dt));
     }
 
-    [[nodiscard]] int check_steps() const override { return 90; }
+    [[nodiscard]] int check_steps() const override { return view_.check_steps; }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
         Checks checks;
@@ -126,6 +127,7 @@ class ContactStage final : public Scene {
 /// Precondition: there is a scene of that name.
 std::unique_ptr<Scene> stage(std::string_view name, const View& view = {}) {
     std::vector<SceneMaker> makers = contact_scenes();
+    for (SceneMaker& shown : shown_scenes()) makers.push_back(std::move(shown));
     return std::make_unique<ContactStage>(*std::ranges::find(makers, name, &SceneMaker::name), view);
 }
 
@@ -145,6 +147,12 @@ std::unique_ptr<Scene> make_crumple_scene() {
 }
 std::unique_ptr<Scene> make_twist_scene() {
     return stage("twist", {.nearer = 1.25f});
+}
+std::unique_ptr<Scene> make_release_scene() {
+    return stage("twist and release", {.nearer = 0.9f, .lower = -0.1f, .check_steps = 420});
+}
+std::unique_ptr<Scene> make_stack10_scene() {
+    return stage("ten sheets");
 }
 std::unique_ptr<Scene> make_gathered_scene() {
     return stage("gathered");

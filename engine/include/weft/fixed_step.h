@@ -2,6 +2,7 @@
 // The fixed-timestep clock of a game loop: real frame times in, whole steps and a blend factor out.
 
 #include "weft/error.h"
+#include "weft/export.h"
 
 namespace weft {
 
@@ -20,7 +21,7 @@ struct FixedStepFrame {
 
 /// Accumulates rendered time and pays it out in steps (Fiedler 2004, "Fix your timestep!"). It reads no
 /// clock: the host passes the time that its last frame took.
-class FixedStep {
+class WEFT_API FixedStep {
   public:
     FixedStep() = default;
     /// Error: a step that is not finite and positive, or a cap below 1.

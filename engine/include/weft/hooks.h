@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "weft/error.h"
+#include "weft/export.h"
 
 namespace weft {
 
@@ -38,12 +39,12 @@ struct Hooks {
 
 /// While no cloth is there and no call of Weft runs: best before all else. Errors: one of a pair is missing;
 /// there is memory that was got by the hooks of before.
-Result<void> set_hooks(const Hooks& hooks);
+WEFT_API Result<void> set_hooks(const Hooks& hooks);
 
 /// What buffers hold at present, by Hooks::allocate or without it.
 struct MemoryUse {
     std::uint64_t bytes = 0, blocks = 0;
 };
-[[nodiscard]] MemoryUse memory_in_use() noexcept;
+[[nodiscard]] WEFT_API MemoryUse memory_in_use() noexcept;
 
 }  // namespace weft

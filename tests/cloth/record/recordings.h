@@ -71,6 +71,7 @@ struct EveryCall {
         WorldSettings settings;
         settings.threads = 1;
         settings.wind.velocity = {1, 0, 3};
+        settings.wind.sources[1] = {AirSourceKind::jet, {0, 0.5f, -1}, {0, 0, 4}, 0.5f};
         settings.contact_reports = 32;
         settings.budget = 1e-4f;  // less than there is
         EXPECT_TRUE(world.set_settings(settings));
@@ -149,9 +150,18 @@ struct EveryCall {
         EXPECT_TRUE(world.wake(cloths[1]));
         EXPECT_TRUE(world.set_importance(cloths[1], 2, 30));
         EXPECT_TRUE(world.unpin(cloths[0], 8));
+        cut();
         EXPECT_TRUE(world.shift_origin({1, 0, 2}));
         EXPECT_TRUE(world.place_collider(
             colliders[7], {.shape = TaperedCapsule{{-1, 1, -2}, {-0.9f, 1, -2}, 0.1f, 0.05f}}));
+    }
+    void cut() {
+        const Mesh whole = small_sheet(0.5f);
+        std::vector<MeshEdge> across;
+        for (std::uint32_t k = 0; k + 1 < whole.columns; ++k)
+            across.push_back({2 * whole.columns + k, 2 * whole.columns + k + 1});
+        const MeshCut parted = cut_mesh(whole, across).value();
+        EXPECT_TRUE(world.recut_cloth(cloths[0], parted.mesh, parted.from));
     }
     void go_back() {
         Bytes saved(world.save_size());

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "demo/hands/hands.h"
 #include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
+#include "demo/time/repeat_check.h"
+#include "demo/time/time_bar.h"
+#include "demo/time/timeline.h"
 
 namespace weft::demo {
 
@@ -42,7 +46,8 @@ class PanelFrames : public testing::Test {
     void frame(Simulation& of, ImVec2 size, const Between& between) {
         ImGui::GetIO().DisplaySize = size;
         ImGui::NewFrame();
-        (void)panels.draw(of, wind, playback, of.content().camera);
+        (void)panels.draw(of, wind, hands, playback, of.content().camera);
+        (void)time_bar(timeline, playback, repeat, size.x - panels.covered());
         between();
         ImGui::Render();
     }
@@ -50,6 +55,9 @@ class PanelFrames : public testing::Test {
     Panels panels;
     WindControl wind;
     Playback playback;
+    Hands hands;
+    Timeline timeline;
+    RepeatCheck repeat;
 
   private:
     ImGuiContext* context_ = ImGui::CreateContext();

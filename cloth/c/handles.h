@@ -1,0 +1,83 @@
+#pragma once
+// What the handles of the interface for C lead to.
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/c/convert.h"
+#include "weft/weft_c.h"
+
+struct WeftWorld {
+    // What the World calls, or what its views lead to, outlives it.
+    WeftExecutor executor{};
+    WeftRecordingSink sink{};
+    std::string description;
+    std::vector<weft::Vec3> first, second;  ///< inputs that do not lie behind one another
+    std::vector<float> values;
+    std::optional<weft::World> world;
+};
+struct WeftMesh {
+    weft::Mesh mesh;
+};
+struct WeftCookedCloth {
+    weft::CookedCloth cooked;
+};
+struct WeftDrawnMesh {
+    weft::DrawnMesh mesh;
+};
+struct WeftFixedStep {
+    weft::FixedStep clock;
+};
+
+namespace weft::c {
+
+/// Calls act(world), which returns a Result<void>, if that and the other pointers are there.
+template <class Handle, class Act>
+[[nodiscard]] WeftResult on(Handle* world,
+                            std::initializer_list<std::pair<const void*, const char*>> pointers,
+                            const Act& act) noexcept {
+    return guarded([&]() -> Result<void> {
+        if (auto there = are_there({{world, "world"}}); !there) return there;
+        if (auto there = are_there(pointers); !there) return there;
+        return act(*world->world);
+    });
+}
+template <class Handle, class Act>
+[[nodiscard]] WeftResult on(Handle* world, const Act& act) noexcept {
+    return on(world, {}, act);
+}
+
+/// An id, or whatever else has the same bytes for C.
+template <class C, class Of>
+[[nodiscard]] Result<void> put(const Result<Of>& value, C* to) {
+    if (!value) return value.error();
+    *to = std::bit_cast<C>(*value);
+    return {};
+}
+
+template <class Handle, class Of>
+[[nodiscard]] Result<void> put_handle(Result<Of>&& made, Handle** to) {
+    if (!made) return made.error();
+    *to = new Handle{*std::move(made)};
+    return {};
+}
+
+/// A list of Weft's, as C sees it.
+template <class C, class Of>
+[[nodiscard]] const C* list(std::span<const Of> of, std::size_t* count) noexcept {
+    static_assert(sizeof(C) == sizeof(Of) && alignof(C) <= alignof(Of));
+    if (count != nullptr) *count = of.size();
+    return of.empty() ? nullptr : reinterpret_cast<const C*>(of.data());
+}
+
+/// UTF-8.
+[[nodiscard]] inline std::filesystem::path path_of(const char* file) {
+    return reinterpret_cast<const char8_t*>(file);
+}
+
+}  // namespace weft::c

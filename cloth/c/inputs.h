@@ -1,0 +1,71 @@
+#pragma once
+// Items that lie in the host's memory.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "weft/c/values.h"
+#include "weft/error.h"
+
+namespace weft::c {
+
+/// Behind one another as they lie there, or as copies in `room`. Errors: no memory for some items; a stride
+/// that is shorter than one.
+template <class T>
+[[nodiscard]] Result<std::span<const T>> items(const char* name, const WeftInput& input,
+                                               std::vector<T>& room) {
+    if (input.count == 0) return std::span<const T>();
+    if (input.data == nullptr)
+        return Error{ErrorCode::invalid_argument,
+                     std::string(name) + ": " + std::to_string(input.count) + " items at a null pointer"};
+    if (input.stride != 0 && input.stride < sizeof(T))
+        return Error{ErrorCode::invalid_argument, std::string(name) + ".stride is " +
+                                                      std::to_string(input.stride) +
+                                                      " bytes; an item takes " + std::to_string(sizeof(T))};
+    const bool is_dense = input.stride == 0 || input.stride == sizeof(T);
+    if (is_dense && reinterpret_cast<std::uintptr_t>(input.data) % alignof(T) == 0)
+        return std::span(static_cast<const T*>(input.data), input.count);
+    const std::size_t stride = is_dense ? sizeof(T) : input.stride;
+    room.resize(input.count);
+    const auto* from = static_cast<const std::byte*>(input.data);
+    for (T& item : room) {
+        std::memcpy(&item, from, sizeof(T));
+        from += stride;
+    }
+    return std::span<const T>(room);
+}
+
+/// `values` to where the host has room. Error: not enough of it, or a stride that is shorter than one.
+template <class T>
+[[nodiscard]] Result<void> write(const char* name, std::span<const T> values, const WeftStream& to) {
+    if (values.empty()) return {};
+    const std::size_t stride = to.stride == 0 ? sizeof(T) : to.stride;
+    if (to.data == nullptr || stride < sizeof(T) || to.bytes < sizeof(T) ||
+        (to.bytes - sizeof(T)) / stride < values.size() - 1)
+        return Error{ErrorCode::invalid_argument, std::string(name) + " has " + std::to_string(to.bytes) +
+                                                      " bytes and a stride of " + std::to_string(to.stride) +
+                                                      "; it takes room for " + std::to_string(values.size()) +
+                                                      " items of " + std::to_string(sizeof(T)) + " bytes"};
+    auto* at = static_cast<std::byte*>(to.data);
+    for (const T& value : values) {
+        std::memcpy(at, &value, sizeof(T));
+        at += stride;
+    }
+    return {};
+}
+
+/// Indices of vertices.
+[[nodiscard]] inline Result<std::span<const std::uint32_t>> indices(const uint32_t* vertices,
+                                                                    std::size_t count) {
+    if (vertices == nullptr && count > 0)
+        return Error{ErrorCode::invalid_argument,
+                     "vertices: " + std::to_string(count) + " items at a null pointer"};
+    return std::span<const std::uint32_t>(vertices, count);
+}
+
+}  // namespace weft::c

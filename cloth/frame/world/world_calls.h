@@ -1,0 +1,128 @@
+#pragma once
+// What calls of the public World share.
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "cloth/frame/record/recorder.h"
+#include "cloth/frame/simulation.h"
+#include "engine/without_exceptions.h"
+#include "weft/world.h"
+
+namespace weft {
+
+/// Where a step that was begun is.
+enum class StepPhase : std::uint32_t { none, begun, working, done };
+
+struct WEFT_LOCAL World::Impl {
+    explicit Impl(const WorldSettings& settings) : simulation(settings) {}
+    Simulation simulation;
+    std::unique_ptr<Recorder> recorder;  ///< null: nothing is recorded
+    bool has_changed = false;            ///< since the World was made
+
+    std::atomic<StepPhase> phase = StepPhase::none;
+    float dt = 0;                        ///< of the step that was begun
+    StepFlags logged = StepFlags::none;  ///< those of the last step
+    StepReport last, refused;            ///< while one is: of the one before; step()'s answer
+
+    [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
+    /// Error: a step was begun.
+    [[nodiscard]] Result<void> refuse_in_step(const char* call) const {
+        if (!is_in_step()) return {};
+        return Error{ErrorCode::invalid_argument, std::string(call) +
+                                                      ": a step was begun, and has to end "
+                                                      "first; call end_step"};
+    }
+
+    /// change(call, what it is given)(act) makes a call that changes the World, and writes it down if it
+    /// succeeds.
+    template <class... Arguments>
+    auto change(Call call, const Arguments&... arguments) noexcept {
+        return [this, call, &arguments...](const auto& act) noexcept {
+            return change_by(call, act, [&](const auto& done) {
+                if constexpr (std::is_same_v<decltype(act()), Result<void>>)
+                    recorder->note(call, arguments...);
+                else
+                    recorder->note(call, *done, arguments...);
+            });
+        };
+    }
+    /// Likewise; what is written down note(its answer) knows.
+    template <class Act, class Note>
+    auto change_by(Call call, const Act& act, const Note& note) noexcept -> decltype(act()) {
+        return without_exceptions([&]() -> decltype(act()) {
+            if (auto ready = refuse_in_step(name_of(call)); !ready) return ready.error();
+            auto done = act();
+            if (!done) return done;
+            has_changed = true;
+            if (recorder) note(done);
+            return done;
+        });
+    }
+    /// Makes a call that reads what steps write.
+    template <class Act>
+    auto read(const char* call, const Act& act) const noexcept -> decltype(act()) {
+        return without_exceptions([&]() -> decltype(act()) {
+            if (auto ready = refuse_in_step(call); !ready) return ready.error();
+            return act();
+        });
+    }
+
+    /// Copies what can be read meanwhile.
+    void begin_step(float step);
+    void take_step() noexcept;
+    void end_step() noexcept;
+    /// Tells the log which flags the step raised that the last one did not.
+    void log_flags() noexcept;
+};
+
+/// Tells the log what cooking left out, turned and found.
+void log_repairs(const ClothInfo& info) noexcept;
+
+template <class Id>
+Error stale_id(const char* type, Id id) {
+    if (id == Id{})
+        return {ErrorCode::stale_id, std::string(type) + " is null; use the one that the World returned"};
+    return {ErrorCode::stale_id, std::string(type) + " {" + std::to_string(id.index) + ", " +
+                                     std::to_string(id.generation) +
+                                     "} is of an object that was removed, or of another World"};
+}
+
+/// The particle of a mesh vertex.
+inline Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t vertex) {
+    const auto& map = cloth.model.vertex_to_particle;
+    if (vertex >= map.size()) {
+        return Error{ErrorCode::invalid_argument, "vertex " + std::to_string(vertex) +
+                                                      " does not exist; the mesh has " +
+                                                      std::to_string(map.size())};
+    }
+    return map[vertex];
+}
+
+/// The particles of mesh vertices. Error: one that the mesh does not have.
+[[nodiscard]] Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth,
+                                                              std::span<const std::uint32_t> vertices);
+
+/// Error: no rotation, or a place that is not finite.
+[[nodiscard]] Result<void> validate_transform(const char* name, const Transform& pose);
+/// Error: something of the cloth would be out of reach once it is moved so.
+[[nodiscard]] Result<void> validate_move(const Cloth& cloth, const RigidMotion& by);
+
+/// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
+template <class Simulation, class Use>
+auto with_cloth(Simulation& simulation, ClothId id, const Use& use)
+    -> decltype(use(**simulation.cloths.find(id))) {
+    return without_exceptions([&]() -> decltype(use(**simulation.cloths.find(id))) {
+        auto* slot = simulation.cloths.find(id);
+        if (slot == nullptr) return stale_id("ClothId", id);
+        return use(**slot);
+    });
+}
+
+}  // namespace weft

@@ -1,0 +1,93 @@
+#pragma once
+// The plain values of Weft's interface for C: see weft/weft_c.h. SI units, float, right-handed coordinates,
+// +Y up.
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "weft/export.h"
+#include "weft/version.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t WeftBool;  // 0: no; all else: yes
+
+// What a call came to. Where it is not WEFT_OK nothing has changed, what it was to give is as it was, and
+// weft_error_text() says why.
+typedef int32_t WeftResult;
+enum {
+    WEFT_OK = 0,
+    WEFT_INVALID_ARGUMENT = 1,  // a setting or value outside its range; a null pointer
+    WEFT_STALE_ID = 2,          // an id that is null, or whose object has been removed
+    WEFT_INVALID_MESH = 3,      // a mesh from which no cloth can be made
+    WEFT_FILE_NOT_FOUND = 4,    // a file that does not exist, or cannot be read or written
+    WEFT_MALFORMED_FILE = 5,    // a file whose content breaks its format
+    WEFT_OUT_OF_MEMORY = 6,
+    WEFT_UNSUPPORTED = 7,
+    WEFT_CANCELLED = 8  // a callback of the host's said so
+};
+
+typedef struct WeftVec2 {
+    float x, y;
+} WeftVec2;
+typedef struct WeftVec3 {
+    float x, y, z;
+} WeftVec3;
+typedef struct WeftVec4 {
+    float x, y, z, w;
+} WeftVec4;
+// A quaternion: x, y and z are the axis times sin(angle / 2), w is cos(angle / 2).
+typedef struct WeftRotation {
+    float x, y, z, w;
+} WeftRotation;
+// The point p goes to rotation p + translation.
+typedef struct WeftTransform {
+    WeftVec3 translation;
+    WeftRotation rotation;
+} WeftTransform;
+// Empty while lower > upper.
+typedef struct WeftBounds {
+    WeftVec3 lower, upper;
+} WeftBounds;
+typedef struct WeftTriangle {
+    uint32_t vertices[3];  // counter-clockwise seen from the front
+} WeftTriangle;
+
+// Names of what is in a World. All-zero is null.
+typedef struct WeftClothId {
+    uint32_t index, generation;
+} WeftClothId;
+typedef struct WeftColliderId {
+    uint32_t index, generation;
+} WeftColliderId;
+typedef struct WeftShapeId {
+    uint32_t index, generation;
+} WeftShapeId;
+typedef struct WeftBodyId {
+    uint32_t index, generation;
+} WeftBodyId;
+
+// What lives until it is destroyed.
+typedef struct WeftWorld WeftWorld;
+typedef struct WeftMesh WeftMesh;
+typedef struct WeftCookedCloth WeftCookedCloth;
+typedef struct WeftDrawnMesh WeftDrawnMesh;
+typedef struct WeftFixedStep WeftFixedStep;
+
+// Items of the host's own, each `stride` bytes behind the one before it; 0: one right behind the other.
+typedef struct WeftInput {
+    const void* data;
+    size_t count, stride;
+} WeftInput;
+// One kind of value that is written for each vertex, likewise, into `bytes` of memory. Null: it is not asked
+// for.
+typedef struct WeftStream {
+    void* data;
+    size_t bytes, stride;
+} WeftStream;
+
+#ifdef __cplusplus
+}
+#endif

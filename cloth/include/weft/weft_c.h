@@ -1,0 +1,214 @@
+#pragma once
+// Weft for C, and for whatever calls C: one header, C99. It needs the C library alone, and compiles as C++98
+// and later, too.
+//
+//   WeftWorld* world;
+//   WeftMesh* sheet;
+//   WeftClothId cloth;
+//   if (weft_world_create(NULL, &world) || weft_mesh_make_sheet(NULL, &sheet) ||
+//       weft_world_add_cloth(world, sheet, NULL, &cloth))
+//       fail(weft_error_text());
+//   for (;;) {
+//       weft_world_step(world, 1.0f / 60.0f);
+//       weft_world_write_vertices(world, cloth, &streams, 0, SIZE_MAX);  // into buffers of your own
+//   }
+//
+// Each function and struct is the one of its name in the C++ headers, which say what it does, takes and
+// refuses: weft_world_add_cloth is World::add_cloth. Where they differ:
+//
+// - A call that can fail returns a WeftResult, 0 for success, and gives what it gives by its last pointer.
+// Nothing throws.
+//   Settings and places that are null pointers are the defaults. Whatever else is null is an error; calls
+//   that return no WeftResult take null for an empty thing.
+// - A struct that begins with struct_size can grow at its end in later versions: the size says which version
+// the host was
+//   compiled with. Those that have an _init function get it there, with all defaults; of the others set
+//   struct_size and leave the rest 0, as by `WeftHooks hooks = {.struct_size = sizeof hooks}`. What a host
+//   does not know yet stays as it was before that. All other structs stay as they are within one 0.x of the
+//   version.
+// - A pointer that a call gives belongs to Weft. It is valid as long as the C++ span or view is.
+
+#include "weft/c/reports.h"
+#include "weft/c/settings.h"
+#include "weft/c/values.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Why the last call on this thread that failed did so, "" before one has. It names the value and what would
+// be right.
+WEFT_API const char* weft_error_text(void);
+
+// All defaults. struct_size: sizeof of the struct, as the host has it.
+WEFT_API void weft_world_settings_init(WeftWorldSettings* settings, size_t struct_size);
+WEFT_API void weft_cloth_settings_init(WeftClothSettings* settings, size_t struct_size);
+WEFT_API void weft_method_init(WeftMethod* method, int32_t kind);
+WEFT_API void weft_collider_init(WeftCollider* collider, size_t struct_size, int32_t kind);
+WEFT_API void weft_shape_init(WeftShape* shape, size_t struct_size, int32_t kind);
+WEFT_API void weft_body_settings_init(WeftBodySettings* settings, size_t struct_size);
+WEFT_API void weft_body_state_init(WeftBodyState* state, size_t struct_size);
+WEFT_API void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size);
+WEFT_API void weft_drawn_mesh_settings_init(WeftDrawnMeshSettings* settings, size_t struct_size);
+WEFT_API void weft_fixed_step_settings_init(WeftFixedStepSettings* settings, size_t struct_size);
+// A transform that moves nothing.
+WEFT_API void weft_transform_init(WeftTransform* transform);
+
+// Fabrics by name.
+WEFT_API const WeftNamedFabric* weft_fabrics(size_t* count);
+WEFT_API WeftResult weft_fabric_named(const char* name, WeftFabric* fabric);
+// The time scheme that settings come to: WEFT_TIME_BACKWARD_EULER or WEFT_TIME_BDF2.
+WEFT_API int32_t weft_resolved_time_scheme(const WeftClothSettings* settings);
+
+// Meshes, which take copies of what they are made of. File names are UTF-8.
+WEFT_API WeftResult weft_mesh_create(const WeftMeshView* of, WeftMesh** mesh);
+WEFT_API WeftResult weft_mesh_make_sheet(const WeftSheetSettings* settings, WeftMesh** mesh);
+// report may be null. texcoords_are_pattern: ObjOptions.
+WEFT_API WeftResult weft_mesh_load_obj(const char* file, WeftBool texcoords_are_pattern,
+                                       WeftObjReport* report, WeftMesh** mesh);
+WEFT_API WeftResult weft_mesh_save_obj(const WeftMesh* mesh, const char* file);
+WEFT_API WeftResult weft_mesh_view(const WeftMesh* mesh, WeftMeshView* view);
+WEFT_API void weft_mesh_destroy(WeftMesh* mesh);
+
+// Cloth made ready once.
+WEFT_API WeftResult weft_cooked_cloth_create(const WeftMesh* mesh, const WeftClothSettings* settings,
+                                             const WeftCookProgress* progress, WeftCookedCloth** cooked);
+WEFT_API WeftResult weft_cooked_cloth_load(const void* saved, size_t bytes, const WeftClothSettings* settings,
+                                           WeftCookedCloth** cooked);
+WEFT_API WeftResult weft_cooked_cloth_info(const WeftCookedCloth* cooked, WeftClothInfo* info);
+WEFT_API WeftResult weft_cooked_cloth_report(const WeftCookedCloth* cooked, WeftCookReport* report);
+WEFT_API size_t weft_cooked_cloth_save_size(const WeftCookedCloth* cooked);
+WEFT_API WeftResult weft_cooked_cloth_save(const WeftCookedCloth* cooked, void* to, size_t bytes);
+WEFT_API void weft_cooked_cloth_destroy(WeftCookedCloth* cooked);
+
+// The World: one thread at a time per World.
+WEFT_API WeftResult weft_world_create(const WeftWorldSettings* settings, WeftWorld** world);
+WEFT_API void weft_world_destroy(WeftWorld* world);
+WEFT_API WeftResult weft_world_settings(const WeftWorld* world, WeftWorldSettings* settings);
+WEFT_API WeftResult weft_world_set_settings(WeftWorld* world, const WeftWorldSettings* settings);
+
+// Points are three floats each, and so are the velocities that are written.
+WEFT_API WeftResult weft_world_sample_air(const WeftWorld* world, WeftInput points, WeftStream velocities);
+
+WEFT_API WeftResult weft_world_add_cloth(WeftWorld* world, const WeftMesh* mesh,
+                                         const WeftClothSettings* settings, WeftClothId* id);
+WEFT_API WeftResult weft_world_add_cooked_cloth(WeftWorld* world, const WeftCookedCloth* cooked,
+                                                const WeftTransform* place, WeftClothId* id);
+WEFT_API WeftResult weft_world_measure_cloth(const WeftWorld* world, const WeftMesh* mesh,
+                                             const WeftClothSettings* settings, WeftClothInfo* info);
+WEFT_API WeftResult weft_world_remove_cloth(WeftWorld* world, WeftClothId id);
+WEFT_API WeftResult weft_world_cloth_settings(const WeftWorld* world, WeftClothId id,
+                                              WeftClothSettings* settings);
+WEFT_API WeftResult weft_world_set_cloth_settings(WeftWorld* world, WeftClothId id,
+                                                  const WeftClothSettings* settings);
+WEFT_API WeftResult weft_world_set_enabled(WeftWorld* world, WeftClothId id, WeftBool on);
+WEFT_API WeftResult weft_world_is_asleep(const WeftWorld* world, WeftClothId id, WeftBool* asleep);
+WEFT_API WeftResult weft_world_wake(WeftWorld* world, WeftClothId id);
+WEFT_API WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float priority,
+                                              float view_distance);
+WEFT_API WeftResult weft_world_cloth_info(const WeftWorld* world, WeftClothId id, WeftClothInfo* info);
+WEFT_API WeftResult weft_world_cloth(const WeftWorld* world, WeftClothId id, WeftClothView* view);
+WEFT_API WeftResult weft_world_write_vertices(const WeftWorld* world, WeftClothId id,
+                                              const WeftVertexStreams* to, size_t first, size_t count);
+
+// Targets, places and normals are three floats each.
+WEFT_API WeftResult weft_world_pin(WeftWorld* world, WeftClothId id, const uint32_t* vertices, size_t count);
+WEFT_API WeftResult weft_world_move_pin(WeftWorld* world, WeftClothId id, uint32_t vertex, WeftVec3 target);
+WEFT_API WeftResult weft_world_move_pins(WeftWorld* world, WeftClothId id, const uint32_t* vertices,
+                                         size_t count, WeftInput targets);
+WEFT_API WeftResult weft_world_unpin(WeftWorld* world, WeftClothId id, const uint32_t* vertices,
+                                     size_t count);
+WEFT_API WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by);
+WEFT_API WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose);
+WEFT_API WeftResult weft_world_leave_frame(WeftWorld* world, WeftClothId id);
+// map: WEFT_MAP_...; values are floats, or none.
+WEFT_API WeftResult weft_world_set_map(WeftWorld* world, WeftClothId id, int32_t map, WeftInput values);
+WEFT_API WeftResult weft_world_set_skin(WeftWorld* world, WeftClothId id, WeftInput places,
+                                        WeftInput normals);
+WEFT_API WeftResult weft_world_shift_origin(WeftWorld* world, WeftVec3 to);
+
+WEFT_API WeftResult weft_world_add_shape(WeftWorld* world, const WeftShape* shape, WeftShapeId* id);
+WEFT_API WeftResult weft_world_deform_shape(WeftWorld* world, WeftShapeId id, WeftInput vertices);
+WEFT_API WeftResult weft_world_remove_shape(WeftWorld* world, WeftShapeId id);
+WEFT_API WeftResult weft_world_shape_info(const WeftWorld* world, WeftShapeId id, WeftShapeInfo* info);
+WEFT_API WeftResult weft_world_add_collider(WeftWorld* world, const WeftCollider* collider,
+                                            WeftColliderId* id);
+WEFT_API WeftResult weft_world_move_collider(WeftWorld* world, WeftColliderId id, const WeftCollider* target);
+WEFT_API WeftResult weft_world_place_collider(WeftWorld* world, WeftColliderId id, const WeftCollider* place);
+WEFT_API WeftResult weft_world_remove_collider(WeftWorld* world, WeftColliderId id);
+WEFT_API WeftResult weft_world_collider(const WeftWorld* world, WeftColliderId id, WeftCollider* collider);
+
+WEFT_API WeftResult weft_world_add_body(WeftWorld* world, const WeftBodySettings* settings,
+                                        const WeftBodyState* state, WeftBodyId* id);
+WEFT_API WeftResult weft_world_remove_body(WeftWorld* world, WeftBodyId id);
+WEFT_API WeftResult weft_world_body_settings(const WeftWorld* world, WeftBodyId id,
+                                             WeftBodySettings* settings);
+WEFT_API WeftResult weft_world_set_body_settings(WeftWorld* world, WeftBodyId id,
+                                                 const WeftBodySettings* settings);
+WEFT_API WeftResult weft_world_body_state(const WeftWorld* world, WeftBodyId id, WeftBodyState* state);
+WEFT_API WeftResult weft_world_set_body_state(WeftWorld* world, WeftBodyId id, const WeftBodyState* state);
+WEFT_API WeftResult weft_world_attach_collider(WeftWorld* world, WeftBodyId id, WeftColliderId collider);
+WEFT_API WeftResult weft_world_detach_collider(WeftWorld* world, WeftColliderId collider);
+WEFT_API WeftResult weft_world_attach(WeftWorld* world, WeftBodyId id, WeftClothId cloth,
+                                      const uint32_t* vertices, size_t count);
+WEFT_API WeftResult weft_world_detach(WeftWorld* world, WeftClothId cloth, const uint32_t* vertices,
+                                      size_t count);
+WEFT_API const WeftBodyImpulse* weft_world_body_impulses(const WeftWorld* world, size_t* count);
+
+// Errors: dt out of range; a step is under way. What else went wrong the report's flags say.
+WEFT_API WeftResult weft_world_step(WeftWorld* world, float dt);
+WEFT_API WeftResult weft_world_report(const WeftWorld* world, WeftStepReport* report);
+WEFT_API WeftResult weft_world_cloth_report(const WeftWorld* world, WeftClothId id, WeftClothReport* report);
+// The error text of work() is that of the thread that calls it.
+WEFT_API WeftResult weft_world_begin_step(WeftWorld* world, float dt);
+WEFT_API WeftResult weft_world_work(WeftWorld* world);
+WEFT_API WeftResult weft_world_end_step(WeftWorld* world);
+WEFT_API const WeftContact* weft_world_contacts(const WeftWorld* world, size_t* count);
+
+WEFT_API const WeftStageTime* weft_world_profile(const WeftWorld* world, size_t* count);
+WEFT_API WeftResult weft_world_start_trace(WeftWorld* world, size_t max_events);
+WEFT_API WeftResult weft_world_write_trace(const WeftWorld* world, const char* file);
+// parts: WEFT_DRAW_..., several by |.
+WEFT_API WeftResult weft_world_debug_draw(const WeftWorld* world, const WeftDebugCanvas* canvas,
+                                          uint32_t parts);
+// format: WEFT_DESCRIBE_...; the text is valid until the next call of this function for this World.
+WEFT_API WeftResult weft_world_describe(WeftWorld* world, int32_t format, const char** text);
+
+WEFT_API uint64_t weft_world_state_hash(const WeftWorld* world);
+WEFT_API size_t weft_world_save_size(const WeftWorld* world);
+WEFT_API WeftResult weft_world_save(const WeftWorld* world, void* to, size_t bytes);
+WEFT_API WeftResult weft_world_restore(WeftWorld* world, const void* saved, size_t bytes);
+
+WEFT_API WeftResult weft_world_start_recording(WeftWorld* world, const char* file);
+WEFT_API WeftResult weft_world_start_recording_to(WeftWorld* world, const WeftRecordingSink* sink);
+WEFT_API WeftResult weft_world_stop_recording(WeftWorld* world);
+// threads: ReplayOptions.
+WEFT_API WeftResult weft_replay_file(const char* file, int32_t threads, WeftReplay* replay);
+WEFT_API WeftResult weft_replay_bytes(const void* recording, size_t bytes, int32_t threads,
+                                      WeftReplay* replay);
+
+// A fine mesh that is drawn over a cloth. Bound to a cloth of a World, and updated by the same one.
+WEFT_API WeftResult weft_drawn_mesh_bind(const WeftWorld* world, WeftClothId cloth,
+                                         const WeftDrawnSurface* surface,
+                                         const WeftDrawnMeshSettings* settings, WeftDrawnMesh** mesh);
+WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
+// Each is null, or has room for all vertices and is aligned to 16 bytes, or it is an error.
+WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
+                                           WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
+                                           WeftVec4* tangents, size_t first, size_t count);
+WEFT_API void weft_drawn_mesh_destroy(WeftDrawnMesh* mesh);
+
+// The clock of a game loop.
+WEFT_API WeftResult weft_fixed_step_create(const WeftFixedStepSettings* settings, WeftFixedStep** clock);
+WEFT_API WeftFixedStepFrame weft_fixed_step_advance(WeftFixedStep* clock, double frame_seconds);
+WEFT_API void weft_fixed_step_reset(WeftFixedStep* clock);
+WEFT_API WeftResult weft_fixed_step_settings(const WeftFixedStep* clock, WeftFixedStepSettings* settings);
+WEFT_API void weft_fixed_step_destroy(WeftFixedStep* clock);
+
+// Of the whole process; null: as without.
+WEFT_API WeftResult weft_set_hooks(const WeftHooks* hooks);
+WEFT_API WeftMemoryUse weft_memory_in_use(void);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,149 @@
+// Which edges a blade cuts along.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "cloth/mesh/cutting/check_positions.h"
+#include "engine/vector.h"
+#include "engine/without_exceptions.h"
+
+namespace weft {
+
+namespace {
+
+using Point = Eigen::Vector3d;
+
+Point point(const Vec3& p) {
+    return to_vector(p).cast<double>();
+}
+
+/// Six times the volume of a tetrahedron, which tells the side of (a, b, c) that d is on.
+double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return (b - a).cross(c - a).dot(d - a);
+}
+
+/// Half of what a blade passes.
+struct Patch {
+    Point a, b, c;
+    [[nodiscard]] bool has_area() const { return !(b - a).cross(c - a).isZero(0); }
+
+    /// Where it crosses the way from p to q, as a part of that. What only touches it crosses.
+    [[nodiscard]] std::optional<double> crosses(const Point& p, const Point& q) const {
+        const double from = volume(a, b, c, p), to = volume(a, b, c, q);
+        if (from == to || from * to > 0) return std::nullopt;
+        // Of the line through p and q: on one side of all three sides of the patch.
+        const std::array sides{volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)};
+        const bool inside = std::ranges::all_of(sides, [](double side) { return side >= 0; }) ||
+                            std::ranges::all_of(sides, [](double side) { return side <= 0; });
+        return inside ? std::optional(from / (from - to)) : std::nullopt;
+    }
+};
+
+class Passed {
+  public:
+    explicit Passed(const Blade& blade)
+        : patches_{Patch{point(blade.was_a), point(blade.was_b), point(blade.is_b)},
+                   Patch{point(blade.was_a), point(blade.is_b), point(blade.is_a)}} {}
+
+    /// Whether the nearer end of the edge is its first; none: it is not crossed.
+    [[nodiscard]] std::optional<bool> nearer_is_first(const Vec3& first, const Vec3& second) const {
+        // Told of an edge by its ends in one order, so that both of its triangles hear the same.
+        const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
+        if (key(second) < key(first)) {
+            const std::optional<bool> turned = nearer_is_first(second, first);
+            return turned ? std::optional(!*turned) : std::nullopt;
+        }
+        const Point p = point(first), q = point(second);
+        for (const Patch& patch : patches_)
+            if (patch.has_area())
+                if (const std::optional<double> at = patch.crosses(p, q)) return *at < 0.5;
+        return std::nullopt;
+    }
+
+  private:
+    std::array<Patch, 2> patches_;
+};
+
+Result<void> check_blade(const Blade& blade) {
+    for (const Vec3* end : {&blade.was_a, &blade.was_b, &blade.is_a, &blade.is_b})
+        if (!to_vector(*end).allFinite())
+            return Error{ErrorCode::invalid_argument,
+                         "the blade has an end that is not finite; each of its four needs three numbers"};
+    return {};
+}
+
+/// Which corners of a triangle a cut goes through; true: yes.
+using ThroughCorners = std::array<bool, 3>;
+
+ThroughCorners crossed_by(const Passed& passed, const Triangle& triangle, std::span<const Vec3> positions) {
+    ThroughCorners through{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const std::optional<bool> first =
+            passed.nearer_is_first(positions[triangle[k]], positions[triangle[next]]);
+        if (first) through[*first ? k : next] = true;
+    }
+    return through;
+}
+
+/// Takes what the stroke knows of the triangle's ends into account, and out of the stroke.
+void go_on(CutStroke& stroke, std::uint32_t triangle, ThroughCorners& through) {
+    std::erase_if(stroke.ends, [&](const CutStroke::Corners& end) {
+        if (end.triangle == triangle) through[end.first] = true;
+        return end.triangle == triangle;
+    });
+}
+
+/// Whether that is another.
+bool add_edge(CutStroke& stroke, const CutStroke::Corners& edge) {
+    if (std::ranges::find(stroke.edges, edge) != stroke.edges.end()) return false;
+    stroke.edges.push_back(edge);
+    return true;
+}
+
+/// Whether the cut goes on through the triangle.
+bool pass(CutStroke& stroke, std::uint32_t triangle, ThroughCorners through) {
+    if (std::ranges::count(through, true) == 0) return false;
+    go_on(stroke, triangle, through);
+    bool any = false;
+    for (std::uint8_t k = 0; k < 3; ++k) {
+        const auto next = static_cast<std::uint8_t>((k + 1) % 3);
+        if (through[k] && through[next]) any |= add_edge(stroke, {triangle, k, next});
+    }
+    if (std::ranges::count(through, true) == 1) {
+        const auto only = std::ranges::find(through, true) - through.begin();
+        stroke.ends.push_back({triangle, static_cast<std::uint8_t>(only), 0});
+    }
+    return any;
+}
+
+}  // namespace
+
+Result<std::vector<MeshEdge>> edges_along(const Mesh& mesh, std::span<const Vec3> positions,
+                                          const Blade& blade, CutStroke& stroke) {
+    return without_exceptions([&]() -> Result<std::vector<MeshEdge>> {
+        if (auto checked = check_positions(mesh, positions); !checked) return checked.error();
+        if (auto checked = check_blade(blade); !checked) return checked.error();
+        const Passed passed(blade);
+        CutStroke longer = stroke;
+        std::erase_if(longer.edges, [&](const auto& edge) { return edge.triangle >= mesh.triangles.size(); });
+        bool goes_on = false;
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+            goes_on |= pass(longer, t, crossed_by(passed, mesh.triangles[t], positions));
+        std::vector<MeshEdge> edges;
+        if (goes_on)
+            for (const CutStroke::Corners& edge : longer.edges)
+                edges.push_back(
+                    {mesh.triangles[edge.triangle][edge.first], mesh.triangles[edge.triangle][edge.second]});
+        stroke = std::move(longer);
+        return edges;
+    });
+}
+
+}  // namespace weft

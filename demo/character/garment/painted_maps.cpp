@@ -1,0 +1,180 @@
+#include "demo/character/garment/painted_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "cloth/mesh/obj_lines.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::infinity();
+
+struct NamedMap {
+    std::string_view name;
+    Map map;
+    float unset;
+};
+constexpr std::array<NamedMap, 8> named_maps{{{"mass", Map::mass, 1},
+                                              {"pin", Map::pin, 0},
+                                              {"leash", Map::leash, none},
+                                              {"backstop", Map::backstop, none},
+                                              {"backstop_radius", Map::backstop_radius, none},
+                                              {"friction", Map::friction, 1},
+                                              {"thickness", Map::thickness, 1},
+                                              {"stiffness", Map::stiffness, 1}}};
+
+std::string_view next_word(std::string_view& text) {
+    constexpr std::string_view blanks = " \t";
+    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
+    return word;
+}
+
+template <class T>
+std::optional<T> number_of(std::string_view word) {
+    T value{};
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (code != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+class MapsReader {
+  public:
+    MapsReader(std::istream& stream, const std::string& file, std::size_t vertices,
+               std::span<const Vec3> colours)
+        : lines_(stream, file), vertices_(vertices), colours_(colours) {}
+
+    Result<void> read() {
+        for (;;) {
+            const auto more = lines_.next();
+            if (!more) return more.error();
+            if (!*more) return {};
+            if (auto line = take_line(); !line) return line;
+        }
+    }
+    /// By `v` line.
+    [[nodiscard]] const std::map<Map, std::vector<float>>& maps() const { return maps_; }
+
+  private:
+    Result<void> take_line() {
+        std::string_view rest = lines_.text();
+        const std::string_view name = next_word(rest);
+        if (name.empty()) return {};
+        const auto named = std::ranges::find(named_maps, name, &NamedMap::name);
+        if (named == named_maps.end())
+            return lines_.error("there is no map " + std::string(name) +
+                                "; there are mass, pin, leash, backstop, backstop_radius, friction, "
+                                "thickness and stiffness");
+        const std::string_view which = next_word(rest), word = next_word(rest);
+        const auto value = number_of<float>(word);
+        if (!value || !next_word(rest).empty())
+            return lines_.error("the line must be a map, vertices and a number, as in \"leash 1-20 0.1\"");
+        std::vector<float>& values =
+            maps_.try_emplace(named->map, std::vector<float>(vertices_, named->unset)).first->second;
+        return set(which, *value, values);
+    }
+
+    Result<void> set(std::string_view which, float value, std::vector<float>& values) {
+        constexpr std::array<std::pair<std::string_view, float Vec3::*>, 3> channels{
+            {{"red", &Vec3::x}, {"green", &Vec3::y}, {"blue", &Vec3::z}}};
+        if (which == "all") {
+            std::ranges::fill(values, value);
+            return {};
+        }
+        for (const auto& [name, channel] : channels) {
+            if (which != name) continue;
+            if (colours_.size() != vertices_)
+                return lines_.error("the garment's vertices have no colours; give each one, or name them by "
+                                    "their numbers");
+            for (std::size_t v = 0; v < vertices_; ++v) values[v] = value * colours_[v].*channel;
+            return {};
+        }
+        const std::size_t dash = which.find('-');
+        const auto first = number_of<std::size_t>(which.substr(0, dash));
+        const auto last = dash == std::string_view::npos ? first : number_of<std::size_t>(which.substr(dash + 1));
+        if (!first || !last || *first < 1 || *last < *first || *last > vertices_)
+            return lines_.error("\"" + std::string(which) +
+                                "\" are no vertices; all, red, green, blue, or numbers from 1 to " +
+                                std::to_string(vertices_) + " as in 12 or 12-40 are");
+        std::fill(values.begin() + static_cast<std::ptrdiff_t>(*first - 1),
+                  values.begin() + static_cast<std::ptrdiff_t>(*last), value);
+        return {};
+    }
+
+    ObjLines lines_;
+    std::size_t vertices_;
+    std::span<const Vec3> colours_;
+    std::map<Map, std::vector<float>> maps_;
+};
+
+/// For each vertex of the mesh, which of the file's it is.
+std::vector<std::size_t> lines_of(const Mesh& mesh, std::size_t vertices) {
+    const auto key = [&](std::size_t v) {
+        return std::tuple(mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z);
+    };
+    std::map<std::tuple<float, float, float>, std::size_t> at;
+    std::vector<std::size_t> lines(mesh.positions.size());
+    for (std::size_t v = 0; v < lines.size(); ++v) {
+        lines[v] = v < vertices ? v : at.at(key(v));
+        if (lines.size() > vertices && v < vertices) at.try_emplace(key(v), v);
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj) {
+    std::ifstream stream(obj, std::ios::binary);
+    const std::string name = obj.string();
+    ObjLines lines(stream, name);
+    std::vector<Vec3> colours;
+    for (auto more = lines.next(); more && *more; more = lines.next()) {
+        std::string_view rest = lines.text();
+        if (next_word(rest) != "v") continue;
+        std::array<float, 6> numbers{};
+        std::size_t count = 0;
+        for (std::string_view word = next_word(rest); !word.empty() && count < 6; word = next_word(rest))
+            numbers[count++] = number_of<float>(word).value_or(0);
+        if (count < 6) return {};
+        colours.push_back({numbers[3], numbers[4], numbers[5]});
+    }
+    return colours;
+}
+
+Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t vertices,
+                       std::span<const Vec3> colours, Garment& garment) {
+    std::filesystem::path file = garment_file;
+    file.replace_extension(".maps");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file)) return {};
+    const std::string name = file.string();
+    MapsReader reader(stream, name, vertices, colours);
+    if (auto read = reader.read(); !read) return read;
+    const std::vector<std::size_t> lines = lines_of(garment.mesh, vertices);
+    for (const auto& [map, of_lines] : reader.maps()) {
+        std::vector<float> values;
+        for (const std::size_t line : lines) values.push_back(of_lines[line]);
+        if (map != Map::pin) {
+            garment.maps.push_back({map, std::move(values)});
+            continue;
+        }
+        for (std::uint32_t v = 0; v < values.size(); ++v)
+            if (values[v] >= 0.5f) garment.fixed.push_back(v);
+        std::ranges::sort(garment.fixed);
+        const auto twice = std::ranges::unique(garment.fixed);
+        garment.fixed.erase(twice.begin(), twice.end());
+    }
+    return {};
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,72 @@
+#pragma once
+// All that hands do to a scene, besides its panels.
+
+#include <string>
+
+#include "demo/hands/balls.h"
+#include "demo/hands/hand_air.h"
+#include "demo/hands/held_collider.h"
+#include "demo/hands/streaks.h"
+#include "demo/hands/wind_arrow.h"
+#include "demo/interaction.h"
+#include "demo/wind_control.h"
+
+namespace weft::demo {
+
+/// What the World has of hands, to be known again when it is put back to an earlier step.
+struct HandMark {
+    bool balls = false;
+    ClothId held{};  ///< by a hand that will not be there; null: none
+    std::uint32_t vertex = 0;
+};
+
+class Hands {
+  public:
+    /// The mouse. The left button takes hold of what it is over: the wind's arrow, a collider, cloth; else it
+    /// turns the camera, as Interaction does. The wheel scales a collider that is held. True if the wind was
+    /// turned.
+    bool update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera,
+                WindControl& wind);
+
+    /// Pins the cloth under the pointer, or lets it go; a grabbed particle stays where it is held.
+    Result<void> pin_or_unpin(Simulation& simulation, const render::Ray& ray);
+    Result<void> throw_ball(Simulation& simulation, const render::Ray& ray);
+    /// A fan that blows where the pointer is, a step before it.
+    void blow(const Simulation& simulation, const render::OrbitCamera& camera, const render::Ray& ray);
+    void blast(const Simulation& simulation, const render::OrbitCamera& camera, const render::Ray& ray);
+
+    /// Carries what is held over the step of dt [s] that follows, and tells the wind.
+    void before_step(Simulation& simulation, float dt);
+    void after_step(const Simulation& simulation, float dt);
+
+    [[nodiscard]] HandMark mark() const;
+    /// Before the World is put back to a step of that mark ...
+    Result<void> prepare(Simulation& simulation, const HandMark& mark);
+    /// ... and after it.
+    void arrive_in(Simulation& simulation, const HandMark& mark);
+    /// A new world: what was held is gone.
+    void begin(const Simulation& simulation);
+
+    Balls balls;
+    HandAir air;
+    Streaks streaks;
+
+    [[nodiscard]] const WindArrow& arrow() const { return arrow_; }
+    [[nodiscard]] bool holds_arrow() const { return holding_ == Holding::arrow; }
+    [[nodiscard]] const HeldCollider& held_collider() const { return collider_; }
+    [[nodiscard]] const Interaction& interaction() const { return interaction_; }
+    /// Why cloth could not be cut, told once; empty: it could.
+    [[nodiscard]] std::string take_complaint() { return interaction_.take_complaint(); }
+
+  private:
+    enum class Holding { nothing, arrow, collider, other };
+    Holding take(const Pointer& pointer, float aspect, const Simulation& simulation,
+                 const render::OrbitCamera& camera, const WindControl& wind);
+
+    Holding holding_ = Holding::nothing;
+    WindArrow arrow_;
+    HeldCollider collider_;
+    Interaction interaction_;
+};
+
+}  // namespace weft::demo

@@ -1,0 +1,43 @@
+#pragma once
+// Air made visible: motes that drift with it and leave streaks.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weft/world.h"
+
+namespace weft::demo {
+
+class Streaks {
+  public:
+    static constexpr std::size_t count = 120, length = 10;  ///< motes, and places of each that are kept
+
+    bool visible = true;
+
+    /// Within the box round `middle` of that half side [m]. Motes begin anew.
+    void begin(const Vec3& middle, float half_side);
+    /// Moves the motes with the air over dt [s]. Those that leave the box or have been long there begin anew.
+    void step(const World& world, float dt);
+
+    struct Mote {
+        std::array<Vec3, length> trail;  ///< the last places, the newest first
+        std::size_t kept = 0;            ///< of them
+        float age = 0, lasts = 1;        ///< [s]
+        float speed = 0;                 ///< of the air there [m/s]
+    };
+    [[nodiscard]] std::span<const Mote> motes() const { return motes_; }
+
+  private:
+    void renew(Mote& mote);
+    float random();  // in [0, 1); what it shows moves no cloth
+
+    Vec3 middle_{};
+    float half_side_ = 1;
+    std::vector<Mote> motes_;
+    std::vector<Vec3> places_, air_;
+    std::uint32_t seed_ = 1;
+};
+
+}  // namespace weft::demo

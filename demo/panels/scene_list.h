@@ -1,0 +1,11 @@
+#pragma once
+// The scenes with pictures of themselves.
+
+#include "demo/panels/panels.h"
+
+namespace weft::demo {
+
+/// Of all scenes, in whatever panel is open; keys of the first nine beside their names.
+void scene_list(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
+
+}  // namespace weft::demo

@@ -1,0 +1,183 @@
+// Five figures in capes, who turn to and fro in the wind.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "collision/nearest_surface.h"
+#include "demo/scene.h"
+#include "demo/scenes/measures.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float cape_width = 0.62f, cape_length = 1.05f, shoulders = 1.43f;  // [m]
+constexpr float neck = 0.17f;                   // how far from the figure's axis the cape is held [m]
+constexpr double turns_by = 0.7, turns_in = 4;  // [rad], [s]
+constexpr std::array<Vec3, 5> cape_places{
+    {{0, 0, 0.5f}, {-0.95f, 0, 0}, {0.95f, 0, 0}, {-1.9f, 0, -0.5f}, {1.9f, 0, -0.5f}}};
+constexpr std::array<Vec3, 5> cape_colours{{{0.5f, 0.03f, 0.05f},
+                                            {0.05f, 0.12f, 0.4f},
+                                            {0.32f, 0.2f, 0.03f},
+                                            {0.05f, 0.22f, 0.1f},
+                                            {0.25f, 0.06f, 0.3f}}};
+
+/// Who wears it, about the World's origin, facing +Z.
+const std::array<Collider, 7>& figure() {
+    static const std::array<Collider, 7> limbs{
+        {{.shape = TaperedCapsule{{0, 0.98f, 0}, {0, 1.32f, 0}, 0.13f, 0.15f}},
+         {.shape = Sphere{{0, 1.62f, 0.02f}, 0.11f}},
+         {.shape = Capsule{{-0.09f, 0.08f, 0}, {-0.09f, 0.9f, 0}, 0.075f}},
+         {.shape = Capsule{{0.09f, 0.08f, 0}, {0.09f, 0.9f, 0}, 0.075f}},
+         {.shape = Capsule{{-0.14f, 1.36f, 0}, {0.14f, 1.36f, 0}, 0.07f}},
+         {.shape = Capsule{{-0.2f, 1.34f, 0}, {-0.27f, 0.86f, 0.1f}, 0.05f}},
+         {.shape = Capsule{{0.2f, 1.34f, 0}, {0.27f, 0.86f, 0.1f}, 0.05f}}}};
+    return limbs;
+}
+
+/// Turned about +Y by an angle, and put somewhere.
+struct Stance {
+    Vec3 place;
+    float sin, cos;
+    [[nodiscard]] Vec3 of(const Vec3& p) const {
+        return {place.x + cos * p.x + sin * p.z, place.y + p.y, place.z - sin * p.x + cos * p.z};
+    }
+    [[nodiscard]] Collider of(Collider limb) const {
+        if (auto* sphere = std::get_if<Sphere>(&limb.shape)) sphere->center = of(sphere->center);
+        if (auto* capsule = std::get_if<Capsule>(&limb.shape)) {
+            capsule->a = of(capsule->a);
+            capsule->b = of(capsule->b);
+        }
+        if (auto* tapered = std::get_if<TaperedCapsule>(&limb.shape)) {
+            tapered->a = of(tapered->a);
+            tapered->b = of(tapered->b);
+        }
+        return limb;
+    }
+};
+Stance stance_of(std::size_t who, double time) {
+    const double begins = std::min(1.0, time);
+    const double phase = 2 * std::numbers::pi * (time / turns_in + 0.13 * static_cast<double>(who));
+    const double angle = begins * begins * turns_by * std::sin(phase);
+    return {cape_places[who], static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))};
+}
+
+/// Where the upper edge is held, from one shoulder round the neck's back to the other.
+Vec3 held_at(float part) {
+    const float angle = std::numbers::pi_v<float> * (0.12f + 0.76f * part);
+    return {-1.15f * neck * std::cos(angle), shoulders, -neck * std::sin(angle)};
+}
+
+class Capes final : public Scene {
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind = {.velocity = {0.5f, 0, -2.4f}, .gust = 0.5f, .gust_length = 1.2f};
+        settings.substeps = 2;
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        const auto people = static_cast<std::uint32_t>(cape_places.size());
+        const std::uint32_t each = options.particles == 0 ? 900 : options.particles / people;
+        const GridSize grid = grid_size(each, cape_width, cape_length);
+        if (auto ground = world.add_collider({.shape = Plane{}}); !ground) return ground.error();
+        SceneContent content;
+        for (std::size_t who = 0; who < people; ++who)
+            if (auto dressed = dress(world, grid, who, content); !dressed) return dressed.error();
+        content.camera = {.target = {0, 0.9f, -0.2f}, .distance = 5.4f, .yaw = 2.6f, .pitch = 0.14f};
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        for (std::size_t who = 0; who < wearers_.size(); ++who) {
+            const Stance stance = stance_of(who, time + static_cast<double>(dt));
+            Wearer& wearer = wearers_[who];
+            for (std::size_t limb = 0; limb < wearer.limbs.size(); ++limb)
+                (void)world.move_collider(wearer.limbs[limb], stance.of(figure()[limb]));
+            for (std::uint32_t column = 0; column < columns_; ++column)
+                (void)world.move_pin(wearer.cape, column, stance.of(held_at(part_of(column))));
+        }
+    }
+
+    [[nodiscard]] int check_steps() const override { return 300; }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        Checks checks;
+        for (const Wearer& wearer : wearers_) {
+            const auto view = world.cloth(wearer.cape);
+            if (!view) return view.error();
+            checks.finite(*view);
+            float deepest = 1;
+            for (const Vec4& particle : view->positions)
+                for (const ColliderId limb : wearer.limbs)
+                    if (particle.w > 0)
+                        deepest =
+                            std::min(deepest, nearest_surface(*world.collider(limb), xyz(particle)).distance);
+            checks.at_least("the least distance of a cape from who wears it [m]", deepest, 0);
+            const Stretch stretch = structural_stretch(wearer.mesh, *view);
+            checks.at_most("worst stretch", stretch.worst, 1.4f);
+            checks.at_most("mean stretch", stretch.mean, 1.03f);
+            const std::uint32_t hem = (wearer.mesh.rows - 1) * columns_ + columns_ / 2;
+            const float behind = vertex_position(*view, 0).z() - vertex_position(*view, hem).z();
+            checks.at_least("how far the hem flies behind [m]", behind, 0.15f);
+        }
+        return checks.result();
+    }
+
+  private:
+    struct Wearer {
+        ClothId cape;
+        Mesh mesh;
+        std::vector<ColliderId> limbs;
+    };
+    [[nodiscard]] float part_of(std::uint32_t column) const {
+        return static_cast<float>(column) / static_cast<float>(columns_ - 1);
+    }
+
+    Result<void> dress(World& world, const GridSize& grid, std::size_t who, SceneContent& content) {
+        columns_ = grid.columns;
+        const Stance stance = stance_of(who, 0);
+        auto mesh = make_sheet({.rows = grid.rows, .columns = grid.columns});
+        if (!mesh) return mesh.error();
+        mesh->pattern.clear();
+        for (std::uint32_t k = 0; k < grid.rows * grid.columns; ++k) {
+            const float part = part_of(k % grid.columns);
+            const float down =
+                cape_length * static_cast<float>(k / grid.columns) / static_cast<float>(grid.rows - 1);
+            const Vec3 top = held_at(part);
+            const float out = 1 + 0.9f * down;  // it widens downwards, off the back
+            mesh->positions[k] = stance.of({out * top.x, top.y - 0.93f * down, out * top.z - 0.1f * down});
+            mesh->pattern.push_back({cape_width * part, down});
+        }
+        ClothSettings settings;
+        settings.fabric = {.areal_density = 0.28f, .warp = 600, .weft = 600, .shear = 100, .bending = 1.5e-5f};
+        settings.thickness = 0.012f;
+        const auto cape = world.add_cloth(*mesh, settings);
+        if (!cape) return cape.error();
+        std::vector<std::uint32_t> top(grid.columns);
+        for (std::uint32_t column = 0; column < grid.columns; ++column) top[column] = column;
+        if (auto pinned = world.pin(*cape, top); !pinned) return pinned;
+        Wearer wearer{*cape, *mesh, {}};
+        for (const Collider& limb : figure()) {
+            const auto added = world.add_collider(stance.of(limb));
+            if (!added) return added.error();
+            wearer.limbs.push_back(*added);
+            content.drawn_colliders.push_back(*added);
+        }
+        content.cloths.push_back({*cape, *mesh, {.front = {0.2f, 0.17f, 0.15f}, .back = cape_colours[who]}});
+        wearers_.push_back(std::move(wearer));
+        return {};
+    }
+
+    std::uint32_t columns_ = 0;
+    std::vector<Wearer> wearers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_capes_scene() {
+    return std::make_unique<Capes>();
+}
+
+}  // namespace weft::demo

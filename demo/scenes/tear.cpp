@@ -1,0 +1,118 @@
+// A sheet that is drawn apart at both ends, with a nick in its upper border: it tears from there, and falls.
+
+#include <cmath>
+#include <vector>
+
+#include "demo/cutting/cut_scene.h"
+#include "demo/scene.h"
+#include "demo/scenes/measures.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float width = 1.6f, height = 1.0f;  // [m]
+constexpr float top = 1.5f;                   // of the sheet [m]
+constexpr float speed = 0.12f;                // of each end [m/s]
+constexpr float farthest = 0.4f;              // that each end goes [m]
+constexpr double begins = 0.5;                // to be drawn, once it hangs [s]
+constexpr float nick = 0.06f;                 // as a part of the height
+constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
+
+class Tear final : public Scene {
+  public:
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        const GridSize grid = grid_size(options.particles == 0 ? 1500 : options.particles, width, height);
+        auto mesh = make_sheet({.rows = grid.rows,
+                                .columns = grid.columns,
+                                .origin = {-0.5f * width, top, 0},
+                                .u = {width, 0, 0},
+                                .v = {0, -height, 0}});
+        if (!mesh) return mesh.error();
+
+        ClothSettings settings;
+        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        const auto cloth = world.add_cloth(*mesh, settings);
+        if (!cloth) return cloth.error();
+        for (std::uint32_t row = 0; row < grid.rows; ++row) {
+            left_.push_back(row * grid.columns);
+            right_.push_back(row * grid.columns + grid.columns - 1);
+        }
+        for (const auto* end : {&left_, &right_})
+            if (auto pinned = world.pin(*cloth, *end); !pinned) return pinned.error();
+        const auto ground = world.add_collider({.shape = Plane{}, .friction = 0.6f});
+        if (!ground) return ground.error();
+        whole_ = *mesh;
+
+        SceneContent content;
+        content.cloths.push_back(
+            {*cloth, whole_, {.front = {0.55f, 0.14f, 0.12f}, .back = {0.5f, 0.18f, 0.15f}}});
+        content.camera = {.target = {0, 0.95f, 0}, .distance = 3.3f, .yaw = 0.3f, .pitch = 0.1f};
+        if (auto nicked = cut_cloth(world, content.cloths[0], nick_of(grid)); !nicked) return nicked.error();
+        cloth_ = *cloth;
+        triangles_ = whole_.triangles.size();
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        const double end = time + static_cast<double>(dt) - begins;
+        const float way = std::min(farthest, speed * static_cast<float>(std::max(0.0, end)));
+        for (const auto& [vertices, side] : {std::pair(&left_, -1.0f), std::pair(&right_, 1.0f)}) {
+            std::vector<Vec3> to;
+            for (const std::uint32_t v : *vertices) {
+                const Vec3& from = whole_.positions[v];
+                to.push_back({from.x + side * way, from.y, from.z});
+            }
+            (void)world.move_pins(cloth_, *vertices, to);
+        }
+    }
+
+    bool cut_before_step(World& world, SceneContent& content) override {
+        const auto torn = tear_cloth(world, content.cloths[0], tearing);
+        return torn && *torn;
+    }
+
+    [[nodiscard]] int check_steps() const override { return 420; }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        const auto view = world.cloth(cloth_);
+        if (!view) return view.error();
+        Checks checks;
+        checks.finite(*view);
+        const ClothInfo info = world.cloth_info(cloth_).value();
+        checks.at_least("parts", static_cast<float>(info.components), 2);
+        checks.at_most("parts: it tears, and does not crumble", static_cast<float>(info.components), 12);
+        checks.at_least("triangles", static_cast<float>(info.triangles), static_cast<float>(triangles_));
+        checks.at_most("crossings", static_cast<float>(world.report().crossings), 0);
+        std::vector<StrainedEdge> worst(1);
+        const auto count = world.strained_edges(cloth_, tearing.strain, worst);
+        if (!count) return count.error();
+        if (*count > 0) checks.at_most("the worst strain left", worst[0].strain, 2 * tearing.strain);
+        checks.at_least("the sheet's width, once torn [m]", view->bounds.upper.x - view->bounds.lower.x,
+                        width + 2 * farthest - 0.01f);
+        return checks.result();
+    }
+
+  private:
+    /// Down from the middle of the upper border.
+    static std::vector<MeshEdge> nick_of(const GridSize& grid) {
+        std::vector<MeshEdge> edges;
+        const auto deep = std::max(1.0f, nick * static_cast<float>(grid.rows));
+        const std::uint32_t column = grid.columns / 2;
+        for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(deep); ++row)
+            edges.push_back({row * grid.columns + column, (row + 1) * grid.columns + column});
+        return edges;
+    }
+
+    ClothId cloth_;
+    Mesh whole_;
+    std::size_t triangles_ = 0;
+    std::vector<std::uint32_t> left_, right_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_tear_scene() {
+    return std::make_unique<Tear>();
+}
+
+}  // namespace weft::demo

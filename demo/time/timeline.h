@@ -1,0 +1,52 @@
+#pragma once
+// The last seconds of a simulation, to go back to.
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "demo/hands/hands.h"
+#include "demo/scene_simulation.h"
+
+namespace weft::demo {
+
+/// A ring of saves, one after each step, in bounded memory: the oldest make room. Settings are not in them:
+/// what goes on from an earlier moment goes on with those that are set now. A save does not fit cloth that was
+/// cut since: a cut begins the ring anew.
+class Timeline {
+  public:
+    static constexpr std::size_t usual_room = std::size_t{256} << 20;  ///< [bytes]
+
+    explicit Timeline(std::size_t room = usual_room) : room_(room) {}
+
+    /// Keeps where the simulation is now, which becomes here(). What came after the last here() is forgotten:
+    /// it will not come.
+    Result<void> keep(const Simulation& simulation, const HandMark& mark = {});
+    /// Puts the simulation where it was at that moment, which becomes here(). Precondition: which < size().
+    /// Error: the World does not take the save, and stays where it is.
+    Result<void> go_to(std::size_t which, Simulation& simulation);
+    void clear();
+
+    /// Moments from the oldest, 0.
+    [[nodiscard]] std::size_t size() const { return moments_.size(); }
+    [[nodiscard]] std::size_t here() const { return here_; }
+    [[nodiscard]] double time_of(std::size_t which) const { return moments_[which].time; }  ///< [s]
+    [[nodiscard]] const HandMark& mark_of(std::size_t which) const { return moments_[which].mark; }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  private:
+    struct Moment {
+        double time = 0;
+        HandMark mark{};
+        std::vector<std::byte> save;
+    };
+    /// A moment with so much room, of the oldest where there is no other. None if even that is too little.
+    bool make_room(std::size_t size, Moment& moment);
+
+    std::size_t room_, bytes_ = 0, here_ = 0;
+    std::uint32_t cuts_ = 0;
+    std::deque<Moment> moments_;
+};
+
+}  // namespace weft::demo

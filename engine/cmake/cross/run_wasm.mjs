@@ -1,0 +1,8 @@
+// node run_wasm.mjs PROGRAM.wasm [arguments]: runs it, with the files of this machine.
+import { readFile } from 'node:fs/promises';
+import { WASI } from 'node:wasi';
+
+const [, , program, ...rest] = process.argv;
+const wasi = new WASI({ version: 'preview1', args: [program, ...rest], env: process.env, preopens: { '/': '/' } });
+const module = await WebAssembly.compile(await readFile(program));
+process.exit(wasi.start(await WebAssembly.instantiate(module, wasi.getImportObject())));

@@ -1,0 +1,26 @@
+# For WebAssembly, by clang and WASI's standard library; tests run under node. Debian's emscripten cannot: its C++ library, of LLVM 13,
+# has not the algorithms of ranges. What this makes runs in a browser, too, as demo/web shows.
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+set(CMAKE_SYSTEM_NAME WASI)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang-19)
+set(CMAKE_CXX_COMPILER clang++-19)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_AR /usr/bin/llvm-ar-19)
+set(CMAKE_RANLIB /usr/bin/llvm-ranlib-19)
+set(CMAKE_CXX_FLAGS_INIT "-msimd128 -D_WASI_EMULATED_SIGNAL")
+
+set(sysroot ${CMAKE_CURRENT_LIST_DIR}/../../../build/sysroot-wasm)
+cmake_path(NORMAL_PATH sysroot)
+if(NOT EXISTS ${sysroot}/is_whole)
+  execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/sysroot wasm ${sysroot} COMMAND_ERROR_IS_FATAL ANY)
+endif()
+set(hwy_DIR ${sysroot}/usr/share/cmake)
+set(GTest_DIR ${sysroot}/usr/share/cmake)
+set(nlohmann_json_DIR /usr/share/cmake/nlohmann_json)
+set(Eigen3_DIR /usr/share/eigen3/cmake)
+include_directories(SYSTEM ${sysroot}/usr/include)  # of headers alone: xxHash
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-lwasi-emulated-signal -Wl,-z,stack-size=1048576")
+set(CMAKE_CROSSCOMPILING_EMULATOR node --no-warnings ${CMAKE_CURRENT_LIST_DIR}/run_wasm.mjs)

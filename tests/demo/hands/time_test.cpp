@@ -1,0 +1,161 @@
+// Back in time, and each step twice.
+
+#include <gtest/gtest.h>
+
+#include "demo/hands/hands.h"
+#include "demo/time/repeat_check.h"
+#include "demo/time/time_bar.h"
+#include "demo/time/timeline.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float dt = 1.0f / 60;
+
+Simulation small_scene(const char* name) {
+    SceneOptions options;
+    options.particles = 200;
+    Overrides overrides;
+    overrides.threads = 1;
+    return std::move(*Simulation::create(*find_scene(name), options, overrides));
+}
+
+class Time : public testing::TestWithParam<const char*> {};
+
+/// Twenty steps, back by twelve, and on again.
+TEST_P(Time, BackAndOnAgainLeavesTheSameBytes) {
+    Simulation simulation = small_scene(GetParam());
+    Timeline timeline;
+    std::vector<std::uint64_t> hashes;
+    ASSERT_TRUE(timeline.keep(simulation));
+    for (int k = 0; k < 20; ++k) {
+        simulation.step(dt);
+        hashes.push_back(simulation.world().state_hash());
+        ASSERT_TRUE(timeline.keep(simulation));
+    }
+    ASSERT_EQ(timeline.size(), 21u);
+    ASSERT_TRUE(timeline.go_to(8, simulation));
+    EXPECT_EQ(timeline.here(), 8u);
+    EXPECT_EQ(simulation.world().state_hash(), hashes[7]);
+    EXPECT_NEAR(simulation.time(), 8.0 / 60, 1e-6);
+    for (std::size_t k = 8; k < 20; ++k) {
+        simulation.step(dt);
+        ASSERT_EQ(simulation.world().state_hash(), hashes[k]) << "step " << k + 1;
+        ASSERT_TRUE(timeline.keep(simulation));
+        EXPECT_EQ(timeline.size(), k + 2) << "the other future is forgotten";
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Time,
+                         testing::Values("flag", "ribbon", "character", "ball", "meeting", "capes", "bar"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Timeline, KeepsWithinItsRoomTheLatest) {
+    Simulation simulation = small_scene("flag");
+    const std::size_t each = simulation.world().save_size();
+    Timeline timeline(5 * each + 10);
+    for (int k = 0; k < 12; ++k) {
+        simulation.step(dt);
+        ASSERT_TRUE(timeline.keep(simulation));
+        EXPECT_LE(timeline.bytes(), 5 * each + 10);
+    }
+    EXPECT_EQ(timeline.size(), 5u);
+    EXPECT_EQ(timeline.here(), 4u);
+    EXPECT_NEAR(timeline.time_of(0), 8.0 / 60, 1e-6);
+    Timeline none(each - 1);
+    ASSERT_TRUE(none.keep(simulation));
+    EXPECT_EQ(none.size(), 0u);
+}
+
+TEST(Timeline, KnowsBallsThatWereNotThereYet) {
+    Simulation simulation = small_scene("flag");
+    Timeline timeline;
+    Hands hands;
+    hands.begin(simulation);
+    const auto step = [&] {
+        hands.before_step(simulation, dt);
+        simulation.step(dt);
+        ASSERT_TRUE(timeline.keep(simulation, hands.mark()));
+    };
+    const auto go_to = [&](std::size_t which) {
+        const HandMark mark = timeline.mark_of(which);
+        ASSERT_TRUE(hands.prepare(simulation, mark));
+        ASSERT_TRUE(timeline.go_to(which, simulation));
+        hands.arrive_in(simulation, mark);
+    };
+    for (int k = 0; k < 4; ++k) step();
+    const std::uint64_t before = simulation.world().state_hash();
+    ASSERT_TRUE(hands.throw_ball(simulation, {{0.5f, 1.8f, 2}, {0, 0, -1}}));
+    for (int k = 0; k < 6; ++k) step();
+    const std::uint64_t after = simulation.world().state_hash();
+    go_to(3);
+    EXPECT_FALSE(hands.balls.are_there());
+    EXPECT_EQ(simulation.world().state_hash(), before);
+    go_to(9);
+    EXPECT_TRUE(hands.balls.are_there());
+    EXPECT_EQ(hands.balls.in_play(simulation.world()).size(), 1u);
+    EXPECT_EQ(simulation.world().state_hash(), after);
+}
+
+TEST(Timeline, BeginsAnewWithACut) {
+    Simulation simulation = small_scene("flag");
+    Timeline timeline;
+    for (int k = 0; k < 3; ++k) {
+        simulation.step(dt);
+        ASSERT_TRUE(timeline.keep(simulation));
+    }
+    const Mesh& mesh = simulation.content().cloths.front().mesh;
+    const std::uint32_t border = 4 * mesh.columns - 1;
+    const MeshEdge edges[] = {{border, border - 1}, {border - 1, border - 2}};
+    ASSERT_TRUE(simulation.cut(0, edges));
+    ASSERT_EQ(simulation.cuts(), 1u);
+    simulation.step(dt);
+    ASSERT_TRUE(timeline.keep(simulation));
+    EXPECT_EQ(timeline.size(), 1u);
+    EXPECT_EQ(timeline.bytes(), simulation.world().save_size());
+    const std::uint64_t hash = simulation.world().state_hash();
+    simulation.step(dt);
+    ASSERT_TRUE(timeline.go_to(0, simulation));
+    EXPECT_EQ(simulation.world().state_hash(), hash);
+}
+
+TEST(RepeatCheck, FindsNothingWhereNothingDiffers) {
+    Simulation simulation = small_scene("curtain"), once = small_scene("curtain");
+    RepeatCheck check;
+    check.enabled = true;
+    const ClothId cloths[] = {simulation.content().cloths.front().id};
+    for (int k = 0; k < 10; ++k) {
+        simulation.before_step(dt);
+        check.step(simulation.world(), cloths, dt);
+        once.step(dt);
+    }
+    EXPECT_EQ(check.checked(), 10u);
+    EXPECT_FALSE(check.difference());
+    EXPECT_EQ(simulation.world().state_hash(), once.world().state_hash());
+    EXPECT_NE(words_of(check).find("10 steps"), std::string::npos);
+}
+
+TEST(RepeatCheck, ShowsTheFirstDifference) {
+    Simulation simulation = small_scene("layers");
+    RepeatCheck check;
+    check.enabled = true;
+    std::vector<ClothId> cloths;
+    for (const SceneCloth& cloth : simulation.content().cloths) cloths.push_back(cloth.id);
+    ASSERT_EQ(cloths.size(), 3u);
+    for (int k = 0; k < 6; ++k) {
+        if (k == 3)
+            check.between = [&](World& world) {
+                ASSERT_TRUE(world.move_cloth(cloths[1], {.translation = {0, 1e-4f, 0}}));
+            };
+        simulation.before_step(dt);
+        check.step(simulation.world(), cloths, dt);
+    }
+    ASSERT_TRUE(check.difference());
+    EXPECT_EQ(check.difference()->step, 4u);
+    EXPECT_EQ(check.difference()->cloth, 1u);
+    EXPECT_EQ(check.difference()->particle, 0u);
+    EXPECT_NE(check.difference()->first, check.difference()->second);
+    EXPECT_NE(words_of(check).find("step 4 differs, first in cloth 1"), std::string::npos) << words_of(check);
+}
+
+}  // namespace
+}  // namespace weft::demo

@@ -1,0 +1,257 @@
+/* What a host in C reads, draws, saves and records. */
+
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "host.h"
+
+typedef struct Drawn {
+    int lines, texts;
+} Drawn;
+
+static void count_line(void* user, const WeftVec3* from, const WeftVec3* to, const WeftVec3* colour) {
+    CHECK(isfinite(from->x) && isfinite(to->y) && colour->z >= 0 && colour->z <= 1);
+    ((Drawn*)user)->lines += 1;
+}
+static void count_text(void* user, const WeftVec3* at, const char* words, const WeftVec3* colour) {
+    CHECK(isfinite(at->z) && strlen(words) > 0 && colour->x >= 0);
+    ((Drawn*)user)->texts += 1;
+}
+
+static void vertices(const WeftWorld* world, WeftClothId cloth) {
+    WeftClothView view = {.struct_size = sizeof view};
+    WeftVertexStreams streams;
+    float places[200][5];
+    uint32_t i;
+    memset(&streams, 0, sizeof streams);
+    memset(places, 0, sizeof places);
+    TAKES(weft_world_cloth(world, cloth, &view));
+    CHECK(view.particles == 144 && view.vertices == 144 && view.triangle_count == 242);
+    CHECK(view.positions[0].w == 0 && view.positions[20].w > 0); /* pinned, free */
+    streams.struct_size = sizeof streams;
+    streams.positions.data = places[0] + 1;
+    streams.positions.bytes = sizeof places - sizeof(float);
+    streams.positions.stride = sizeof places[0];
+    TAKES(weft_world_write_vertices(world, cloth, &streams, 10, SIZE_MAX));
+    CHECK(places[9][1] == 0 && places[9][2] == 0);
+    for (i = 10; i < view.vertices; ++i) {
+        const WeftVec4 at = view.positions[view.vertex_to_particle[i]];
+        CHECK(places[i][1] == at.x && places[i][2] == at.y && places[i][3] == at.z && places[i][4] == 0);
+    }
+    streams.positions.stride = 8;
+    REFUSES(WEFT_INVALID_ARGUMENT, "", weft_world_write_vertices(world, cloth, &streams, 0, SIZE_MAX));
+}
+
+static void reports(const WeftWorld* world, WeftClothId cloth) {
+    WeftStepReport report = {.struct_size = sizeof report};
+    WeftClothReport own = {.struct_size = sizeof own};
+    size_t contacts = 0, stages = 0, bodies = 0;
+    const WeftContact* contact;
+    const WeftStageTime* stage;
+    const WeftBodyImpulse* impulse;
+    TAKES(weft_world_report(world, &report));
+    CHECK(report.cloths == 2 && report.step == 20 && report.particles == 288);
+    TAKES(weft_world_cloth_report(world, cloth, &own));
+    CHECK(own.enabled && own.particles == 144);
+    contact = weft_world_contacts(world, &contacts);
+    CHECK(contacts > 0 && contacts <= report.contacts);
+    CHECK(contact->collider.generation != 0 && contact->other_cloth.generation == 0);
+    CHECK(fabsf(contact->normal.x * contact->normal.x + contact->normal.y * contact->normal.y +
+                contact->normal.z * contact->normal.z - 1) < 1e-3f);
+    stage = weft_world_profile(world, &stages);
+    CHECK(stages > 2 && strlen(stage->name) > 0 && stage[stages - 1].depth == 0 &&
+          stage[stages - 1].samples == 20);
+    impulse = weft_world_body_impulses(world, &bodies);
+    CHECK(bodies == 1 && (impulse->linear.x != 0 || impulse->linear.y != 0));
+}
+
+void look_at(WeftWorld* world, WeftClothId cloth, const char* folder) {
+    Drawn drawn = {0, 0};
+    const WeftDebugCanvas canvas = {&drawn, count_line, count_text};
+    const char* text = NULL;
+    char file[512];
+    vertices(world, cloth);
+    reports(world, cloth);
+    TAKES(weft_world_debug_draw(world, &canvas, WEFT_DRAW_STRAIN | WEFT_DRAW_COSTS));
+    CHECK(drawn.lines > 0 && drawn.texts > 0);
+    TAKES(weft_world_describe(world, WEFT_DESCRIBE_JSON, &text));
+    CHECK(text[0] == '{');
+    REFUSES(WEFT_INVALID_ARGUMENT, "format", weft_world_describe(world, 2, &text));
+    snprintf(file, sizeof file, "%s/trace.json", folder);
+    TAKES(weft_world_start_trace(world, 64));
+    TAKES(weft_world_write_trace(world, file));
+}
+
+void go_back(WeftWorld* world) {
+    const size_t bytes = weft_world_save_size(world);
+    void* const saved = malloc(bytes);
+    const uint64_t hash = weft_world_state_hash(world);
+    WeftStepReport report = {.struct_size = sizeof report};
+    TAKES(weft_world_save(world, saved, bytes));
+    REFUSES(WEFT_INVALID_ARGUMENT, "dt", weft_world_step(world, 2));
+    TAKES(weft_world_begin_step(world, 1.0f / 60));
+    REFUSES(WEFT_INVALID_ARGUMENT, "end_step", weft_world_step(world, 1.0f / 60));
+    TAKES(weft_world_work(world));
+    TAKES(weft_world_end_step(world));
+    REFUSES(WEFT_INVALID_ARGUMENT, "begin_step", weft_world_end_step(world));
+    CHECK(weft_world_state_hash(world) != hash);
+    TAKES(weft_world_restore(world, saved, bytes));
+    CHECK(weft_world_state_hash(world) == hash);
+    REFUSES(WEFT_MALFORMED_FILE, "", weft_world_restore(world, saved, bytes - 1));
+    report.struct_size = 3;
+    REFUSES(WEFT_INVALID_ARGUMENT, "struct_size", weft_world_report(world, &report));
+    free(saved);
+}
+
+typedef struct Bytes {
+    unsigned char* data;
+    size_t count;
+} Bytes;
+static WeftBool append(void* user, const void* bytes, size_t count) {
+    Bytes* const to = user;
+    to->data = realloc(to->data, to->count + count);
+    memcpy(to->data + to->count, bytes, count);
+    to->count += count;
+    return 1;
+}
+
+void record(const char* folder) {
+    char file[512];
+    Bytes bytes = {NULL, 0};
+    const WeftRecordingSink sink = {append, &bytes};
+    WeftReplay replay = {.struct_size = sizeof replay};
+    int to_file;
+    snprintf(file, sizeof file, "%s/c.weftrec", folder);
+    for (to_file = 0; to_file < 2; ++to_file) {
+        WeftWorld* world = NULL;
+        WeftMesh* mesh = NULL;
+        WeftClothId cloth;
+        WeftClothSettings settings;
+        int i;
+        TAKES(weft_world_create(NULL, &world));
+        TAKES(weft_mesh_make_sheet(NULL, &mesh));
+        weft_cloth_settings_init(&settings, sizeof settings);
+        settings.self_collision.enabled = 1;
+        settings.self_collision.distance = 5; /* more particles than Weft keeps a list of */
+        REFUSES(WEFT_INVALID_ARGUMENT, "distance", weft_world_add_cloth(world, mesh, &settings, &cloth));
+        TAKES(to_file ? weft_world_start_recording(world, file)
+                      : weft_world_start_recording_to(world, &sink));
+        TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
+        for (i = 0; i < 3; ++i) TAKES(weft_world_step(world, 1.0f / 60));
+        TAKES(weft_world_stop_recording(world));
+        REFUSES(WEFT_INVALID_ARGUMENT, "", weft_world_stop_recording(world));
+        weft_mesh_destroy(mesh);
+        weft_world_destroy(world);
+    }
+    TAKES(weft_replay_bytes(bytes.data, bytes.count, 1, &replay));
+    CHECK(replay.steps == 3 && replay.calls == 1 && replay.is_whole && !replay.differs);
+    memset(&replay, 0, sizeof replay);
+    replay.struct_size = sizeof replay;
+    TAKES(weft_replay_file(file, 2, &replay));
+    CHECK(replay.steps == 3 && replay.is_whole && !replay.differs && replay.different_cloth == -1);
+    REFUSES(WEFT_FILE_NOT_FOUND, "none", weft_replay_file("none", 1, &replay));
+    free(bytes.data);
+}
+
+static void drawn_mesh(void) {
+    static WeftVec4 places[5];
+    const WeftVec3 corners[3] = {{-0.2f, 0.01f, -0.2f}, {0.2f, 0.01f, -0.2f}, {0, 0.01f, 0.2f}};
+    const uint32_t triangle[3] = {0, 2, 1};
+    WeftDrawnSurface surface;
+    WeftDrawnMeshSettings settings;
+    WeftDrawnMesh* drawn = NULL;
+    WeftWorld* world = NULL;
+    WeftMesh* mesh = NULL;
+    WeftClothId cloth;
+    /* An array of floats may begin 4 bytes behind a multiple of 16; its next such place does not. */
+    WeftVec4* const aligned = (WeftVec4*)(((uintptr_t)places + 15) / 16 * 16);
+    memset(&surface, 0, sizeof surface);
+    surface.struct_size = sizeof surface;
+    surface.vertices.data = corners;
+    surface.vertices.count = 3;
+    surface.triangles.data = triangle;
+    surface.triangles.count = 1;
+    weft_drawn_mesh_settings_init(&settings, sizeof settings);
+    CHECK(settings.rounding == 0.5f);
+    TAKES(weft_world_create(NULL, &world));
+    TAKES(weft_mesh_make_sheet(NULL, &mesh));
+    TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
+    TAKES(weft_drawn_mesh_bind(world, cloth, &surface, &settings, &drawn));
+    CHECK(weft_drawn_mesh_size(drawn) == 3);
+    TAKES(weft_drawn_mesh_update(drawn, world, cloth, aligned, NULL, NULL, 0, SIZE_MAX));
+    CHECK(fabsf(aligned[1].x - 0.2f) < 1e-5f && fabsf(aligned[1].y - 0.01f) < 1e-5f && aligned[1].w == 1);
+    REFUSES(WEFT_INVALID_ARGUMENT, "aligned",
+            weft_drawn_mesh_update(drawn, world, cloth, (WeftVec4*)((char*)aligned + 4), NULL, NULL, 0, 1));
+    weft_drawn_mesh_destroy(drawn);
+    weft_mesh_destroy(mesh);
+    weft_world_destroy(world);
+}
+
+static void clock_of_loop(void) {
+    WeftFixedStepSettings settings, seen = {.struct_size = sizeof seen};
+    WeftFixedStep* loop = NULL;
+    WeftFixedStepFrame frame;
+    weft_fixed_step_settings_init(&settings, sizeof settings);
+    settings.step = 0.01;
+    TAKES(weft_fixed_step_create(&settings, &loop));
+    TAKES(weft_fixed_step_settings(loop, &seen));
+    CHECK(seen.step == 0.01 && seen.max_steps_per_frame == 4);
+    frame = weft_fixed_step_advance(loop, 0.025);
+    CHECK(frame.steps == 2 && fabsf(frame.alpha - 0.5f) < 1e-3f);
+    weft_fixed_step_reset(loop);
+    CHECK(weft_fixed_step_advance(loop, 0.005).steps == 0);
+    weft_fixed_step_destroy(loop);
+}
+
+static void log_line(void* user, int32_t level, const char* line) {
+    CHECK((level == WEFT_LOG_NOTE || level == WEFT_LOG_WARNING) && strlen(line) > 0);
+    *(int*)user += 1;
+}
+
+static void hooks(void) {
+    /* A triangle of no area is left out. */
+    static const WeftVec3 places[5] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, 0}};
+    static const uint32_t triangles[2][3] = {{0, 2, 1}, {0, 1, 3}};
+    int lines = 0;
+    WeftHooks own;
+    WeftMeshView view;
+    WeftMesh* mesh = NULL;
+    WeftCookedCloth* cooked = NULL;
+    WeftCookReport report = {.struct_size = sizeof report};
+    memset(&own, 0, sizeof own);
+    memset(&view, 0, sizeof view);
+    own.struct_size = sizeof own;
+    own.user = &lines;
+    own.log = log_line;
+    TAKES(weft_set_hooks(&own));
+    view.struct_size = sizeof view;
+    view.positions.data = places;
+    view.positions.count = 5;
+    view.triangles.data = triangles;
+    view.triangles.count = 2;
+    TAKES(weft_mesh_create(&view, &mesh));
+    TAKES(weft_cooked_cloth_create(mesh, NULL, NULL, &cooked));
+    TAKES(weft_cooked_cloth_report(cooked, &report));
+    CHECK(lines > 0 && report.dropped_count == 1 && report.dropped->why == WEFT_DROP_NO_AREA);
+    CHECK(report.welded_count == 1 && report.welded->vertex == 4 && report.loose_count > 0 &&
+          report.turned_count == 0);
+    CHECK(weft_memory_in_use().bytes > 0);
+    weft_mesh_destroy(mesh);
+    weft_cooked_cloth_destroy(cooked);
+    TAKES(weft_set_hooks(NULL));
+}
+
+void rest_of_the_host(void) {
+    size_t fabrics = 0;
+    const WeftNamedFabric* const fabric = weft_fabrics(&fabrics);
+    CHECK(fabrics == 9 && strcmp(fabric->name, "cotton") == 0 && fabric->fabric.warp == 1675);
+    CHECK(weft_version() == WEFT_VERSION && strcmp(weft_version_string(), WEFT_VERSION_STRING) == 0);
+    drawn_mesh();
+    clock_of_loop();
+    hooks();
+    weft_mesh_destroy(NULL);
+    weft_world_destroy(NULL);
+    REFUSES(WEFT_INVALID_ARGUMENT, "world", weft_world_step(NULL, 0.01f));
+    CHECK(weft_world_contacts(NULL, &fabrics) == NULL && fabrics == 0);
+}
