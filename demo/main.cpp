@@ -18,25 +18,18 @@ int refuse(const weft::Error& error) {
     return 2;
 }
 
-/// What was printed may not have arrived: on a full disk, say.
-int ended(int status) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-    std::fputs("weft_demo: standard output cannot be written\n", stderr);
-    return status == 0 ? 1 : status;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
     const auto parsed = parse_options(argc, argv);
     if (const auto* exit = std::get_if<EarlyExit>(&parsed)) {
         std::fputs(exit->text.c_str(), exit->status == 0 ? stdout : stderr);
-        return ended(exit->status);
+        return ended("weft_demo", exit->status);
     }
     const auto& options = std::get<Options>(parsed);
     if (options.list) {
         std::fputs(scene_list().c_str(), stdout);
-        return ended(0);
+        return ended("weft_demo", 0);
     }
 
     const auto scene = choose_scene(options);
@@ -46,6 +39,6 @@ int main(int argc, char** argv) {
     if (!options.settings.empty())
         if (auto loaded = load_settings(options.settings, *simulation); !loaded)
             return refuse(loaded.error());
-    return ended(options.headless ? run_headless(options, *simulation)
-                                  : run_app(options, std::move(*simulation)));
+    return ended("weft_demo", options.headless ? run_headless(options, *simulation)
+                                               : run_app(options, std::move(*simulation)));
 }

@@ -136,6 +136,12 @@ Result<void> check_writable(const char* option, const std::filesystem::path& fil
                                                 " cannot be written; its folder must exist and be writable"};
 }
 
+int ended(const char* program, int status) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    std::fprintf(stderr, "%s: standard output cannot be written\n", program);
+    return status == 0 ? 1 : status;
+}
+
 std::string scene_list() {
     std::string list;
     for (const SceneEntry& scene : all_scenes()) {

@@ -37,6 +37,10 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options);
 /// cannot. An empty path is no file, and none is needed.
 [[nodiscard]] Result<void> check_writable(const char* option, const std::filesystem::path& file);
 
+/// The status to exit with: 1 in place of 0, with a line on standard error, where standard output took not
+/// all that was printed, as on a full disk.
+[[nodiscard]] int ended(const char* program, int status);
+
 /// A line for each scene.
 [[nodiscard]] std::string scene_list();
 
