@@ -76,6 +76,7 @@ class App {
         }
         GLFWwindow* const window = context_.window_handle();
         remember_dropped_files(window);
+        begin_look(picture_, panels_.look);
         for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
             if (options_.frames && frame == *options_.frames) break;
             glfwPollEvents();
@@ -106,6 +107,7 @@ class App {
 
         Look& look = panels_.look;
         picture_.set_look(look.quality.now(), look.inside);
+        picture_.set_beside(look.comparison ? &look.comparison->other_simulation() : nullptr);
         picture_.update(simulation_);
         const render::View& view =
             picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
@@ -125,6 +127,7 @@ class App {
         if (time.go_to) go_to(*time.go_to);
         if (requests.restart || requests.reload || time.restart) restart();
         if (time.defaults) change_scene(simulation_.entry());
+        if (std::exchange(panels_.look.wants_comparison, false)) compare();
         keep_settings();
         if (requests.scene != nullptr) change_scene(*requests.scene);
     }
@@ -165,6 +168,7 @@ class App {
         repeat_.step(simulation_.world(), cloths_, dt);
         hands_.after_step(simulation_, dt);
         panels_.record(simulation_.world());
+        if (panels_.look.comparison) panels_.look.comparison->step(simulation_, dt);
         note(timeline_.keep(simulation_, hands_.mark()));
     }
 
@@ -247,6 +251,7 @@ class App {
 
     /// What was about the world before is of no use any more.
     void begin_anew() {
+        picture_.set_beside(nullptr);
         picture_.show(simulation_);
         cloths_.clear();
         for (const SceneCloth& cloth : simulation_.content().cloths) cloths_.push_back(cloth.id);
@@ -286,6 +291,13 @@ class App {
         if (auto loaded = load_settings(file, simulation_); !loaded) return complain(loaded.error());
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
         panels_.message = "loaded " + file.string();
+    }
+
+    void compare() {
+        restart();
+        auto started = Comparison::start(simulation_, panels_.look.compared, panels_.look.fairness);
+        if (!started) return complain(started.error());
+        panels_.look.comparison.emplace(std::move(*started));
     }
 
     void keep_settings() {

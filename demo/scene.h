@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "demo/annotation.h"
 #include "weft/render/camera.h"
 #include "weft/render/scene_renderer.h"
 #include "weft/weft.h"
@@ -64,6 +65,9 @@ class Scene {
     virtual void before_step(World& world, double time, float dt);
     /// Then: cuts cloth, in the content as well. True: it did.
     virtual bool cut_before_step(World& world, SceneContent& content);
+
+    /// What is to be read and seen beside its cloths, as the world is now.
+    virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }

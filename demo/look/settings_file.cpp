@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -32,6 +34,12 @@ Result<Json> parse(const std::filesystem::path& file) {
     Json json = Json::parse(stream, nullptr, false);
     if (!json.is_object()) return malformed(file, "is no JSON object of settings");
     return json;
+}
+
+std::string words_of(double number) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", number);
+    return text.data();
 }
 
 /// A number of a struct, under a key. The ranges are those that the library takes.
@@ -95,8 +103,8 @@ Result<void> read_number(const std::filesystem::path& file, const Number& number
                          Read& read) {
     if (!value.is_number() || !(value.get<double>() >= number.least && value.get<double>() <= number.most))
         return malformed(file, std::string(number.key) + " is " + value.dump() +
-                                   "; it must be a number from " + Json(number.least).dump() + " to " +
-                                   Json(number.most).dump());
+                                   "; it must be a number from " + words_of(number.least) + " to " +
+                                   words_of(number.most));
     number.set(read, value.get<double>());
     return {};
 }
@@ -149,7 +157,7 @@ Result<void> read_method(const std::filesystem::path& file, const Json& json, Re
         const Json& value = json[key];
         if (!value.is_number() || !(value.get<double>() >= least && value.get<double>() <= most))
             return malformed(file, std::string(key) + " is " + value.dump() + "; it must be a number from " +
-                                       Json(least).dump() + " to " + Json(most).dump());
+                                       words_of(least) + " to " + words_of(most));
         return value.get<double>();
     };
     if (json.contains("iterations")) {
@@ -210,27 +218,20 @@ Result<Read> read_all(const std::filesystem::path& file, const WorldSettings& wo
     return read;
 }
 
+/// The shortest that reads back as the same float.
+Json shortest(float value) {
+    if (std::round(value) == value && std::abs(value) < 1e6f) return static_cast<long long>(value);
+    std::array<char, 32> text{};
+    for (int digits = 1; digits <= 9; ++digits) {
+        std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
+        if (std::strtof(text.data(), nullptr) == value) break;
+    }
+    return std::strtod(text.data(), nullptr);
+}
+
 Json numbers_json(const std::vector<Number>& numbers, const Read& read) {
     Json json = Json::object();
-    for (const Number& each : numbers) {
-        // As the shortest text that reads back as the same float.
-        const auto value = static_cast<float>(each.get(read));
-        json[each.key] =
-            std::round(value) == value && std::abs(value) < 1e6f
-                ? Json(static_cast<long long>(value))
-                : Json::parse([&] {
-                      std::array<char, 32> text{};
-                      std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(value));
-                      for (int digits = 1; digits < 9; ++digits) {
-                          std::array<char, 32> shorter{};
-                          std::snprintf(shorter.data(), shorter.size(), "%.*g", digits,
-                                        static_cast<double>(value));
-                          if (std::strtof(shorter.data(), nullptr) == value)
-                              return std::string(shorter.data());
-                      }
-                      return std::string(text.data());
-                  }());
-    }
+    for (const Number& each : numbers) json[each.key] = shortest(static_cast<float>(each.get(read)));
     return json;
 }
 
@@ -239,7 +240,7 @@ void write_method(const Method& method, Json& json) {
     if (const auto iterations = iterations_of(method)) json["iterations"] = *iterations;
     if (const auto* const multilevel = std::get_if<Multilevel>(&method)) {
         json["passes"] = multilevel->passes;
-        json["effort"] = multilevel->effort;
+        json["effort"] = shortest(multilevel->effort);
     }
 }
 
@@ -252,7 +253,7 @@ Result<void> save_settings(const std::filesystem::path& file, const Simulation& 
     json["scene"] = simulation.entry().name;
     json["wind"] = numbers_json(wind_numbers(), present);
     const Vec3& velocity = present.world.wind.velocity;
-    json["wind"]["velocity"] = {velocity.x, velocity.y, velocity.z};
+    json["wind"]["velocity"] = {shortest(velocity.x), shortest(velocity.y), shortest(velocity.z)};
     json["material"] = numbers_json(fabric_numbers(), present);
     write_method(present.cloth.method, json);
     json["self_collision"] = name_of(rung_of(present.cloth.self_collision));

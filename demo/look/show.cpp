@@ -32,12 +32,19 @@ std::string begin_or_end_film(Recorder& recorder) {
 
 }  // namespace
 
+void begin_look(Picture& picture, Look& look) {
+    constexpr int first_by_processor = 4;
+    look.by_processor = picture.renderer().drawn_by_processor();
+    if (look.by_processor) look.quality.start_at(first_by_processor);
+}
+
 void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look) {
     const Clock::time_point start = Clock::now();
     picture.renderer().draw(view, width, height);
-    // A processor that draws works while it is asked to, too; a graphics card does not.
-    const float asking = milliseconds_since(start), drawing = picture.renderer().draw_times().total();
-    const float took = asking + drawing;
+    // A processor is waited for, since it can do nothing else meanwhile; a graphics card says later.
+    if (look.by_processor) picture.renderer().wait();
+    const float took =
+        look.by_processor ? milliseconds_since(start) : picture.renderer().draw_times().total();
     look.quality.add(took);
     look.times.add_picture(took, 1000 * ImGui::GetIO().DeltaTime);
 }

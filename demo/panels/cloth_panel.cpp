@@ -157,7 +157,7 @@ Result<void> cloth_panel(Simulation& simulation) {
     if (defaults) return simulation.restore_defaults();
     bool world_changed = false;
     WorldSettings settings = world.settings();
-    if (ImGui::TreeNode("More")) {
+    if (begin_fold("More")) {
         cloth_changed |= further_sliders(*cloth);
         cloth_changed |= self_collision_controls(*cloth);
         world_changed = world_sliders(settings);

@@ -33,6 +33,7 @@ void Panels::forget() {
     history_.clear();
     message.clear();
     troubles_.clear();
+    look.comparison.reset();
 }
 
 void Panels::record(const World& world) {
@@ -40,8 +41,8 @@ void Panels::record(const World& world) {
     look.times.add_step(world.report().milliseconds);
 }
 
-PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands,
-                           const Playback& playback, const render::OrbitCamera& camera) {
+PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+                           const render::OrbitCamera& camera) {
     PanelRequests requests;
     ImGui::GetIO().FontGlobalScale = look.text_size;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -76,6 +77,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     note(inside_panel(simulation, look.inside));
     note(times_panel(simulation, history_, look));
     note(method_panel(simulation));
+    compare_panel(simulation, look);
 }
 
 /// They stay to be read after what they tell of is over.
@@ -99,7 +101,7 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
 /// Over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (message.empty() && troubles_.empty()) return;
+    if (help || (message.empty() && troubles_.empty())) return;  // the help is in their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);

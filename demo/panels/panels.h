@@ -100,6 +100,7 @@ void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelReq
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
 void picture_panel(Look& look);
+void compare_panel(const Simulation& simulation, Look& look);
 void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
 [[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
