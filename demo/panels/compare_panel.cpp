@@ -37,7 +37,7 @@ void side_row(const char* name, const Comparison::Side& side) {
     ImGui::Text("%.0f", static_cast<double>(side.farthest));
 }
 
-void table(const Simulation& simulation, const Comparison& comparison) {
+void sides_table(const Simulation& simulation, const Comparison& comparison) {
     const auto settings = simulation.world().cloth_settings(simulation.content().cloths.front().id);
     if (!ImGui::BeginTable("sides", 4, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("", 0, 2.2f);
@@ -65,7 +65,7 @@ void compare_panel(const Simulation& simulation, Look& look) {
         if (running) look.comparison.reset();
     }
     tooltip("Both begin the scene anew with the same settings. Takes several times as long.");
-    if (running && look.comparison) table(simulation, *look.comparison);
+    if (running && look.comparison) sides_table(simulation, *look.comparison);
 }
 
 }  // namespace weft::demo

@@ -50,7 +50,7 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& han
     if (visible) {
         if (begin_column(collapsed)) {
             covered_ = column_width(window, ImGui::GetFontSize());
-            draw_column(simulation, wind, hands, playback, camera, requests);
+            draw_column(simulation, wind, hands, camera, requests);
         }
         ImGui::End();
     }
@@ -59,7 +59,7 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& han
     return requests;
 }
 
-void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands,
                          const render::OrbitCamera& camera, PanelRequests& requests) {
     if (ImGui::Button(">")) collapsed = true;
     tooltip("Folds the panels away. F2 hides them altogether.");

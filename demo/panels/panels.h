@@ -80,7 +80,7 @@ class Panels {
 
   private:
     void note(const Result<void>& set);
-    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands,
                      const render::OrbitCamera& camera, PanelRequests& requests);
     void show_messages(const Simulation& simulation, const Playback& playback, float room);
     void note_troubles(const Simulation& simulation, const Playback& playback);

@@ -14,14 +14,14 @@ namespace {
 
 constexpr float strip_length = 0.2f, strip_width = 0.05f;  // [m]
 constexpr std::uint32_t strip_cells = 24;
-constexpr float cell = strip_length / strip_cells;
+constexpr float strip_cell = strip_length / strip_cells;
 constexpr float clamp_begins =
-    0.5f * cell;  // two columns are held; half of what bends about the last is the clamp's
-constexpr Vec3 clamp{-0.34f, 0.42f, -0.5f * strip_width};
-constexpr float table = 0.09f, disc = 0.15f;  // radii of Cusick's tester [m]
-constexpr Vec3 table_middle{0.12f, 0.30f, 0};
-constexpr float gravity = 9.81f;
-constexpr Vec3 exact_colour{0.95f, 0.35f, 0.02f};
+    0.5f * strip_cell;  // two columns are held; half of what bends about the last is the clamp's
+constexpr Vec3 strip_clamp{-0.34f, 0.42f, -0.5f * strip_width};
+constexpr float table_radius = 0.09f, disc_radius = 0.15f;  // radii of Cusick's tester [m]
+constexpr Vec3 drape_middle{0.12f, 0.30f, 0};
+constexpr float bench_gravity = 9.81f;
+constexpr Vec3 elastica_colour{0.95f, 0.35f, 0.02f};
 
 /// A round block that stands on the ground; its side and its top do not share vertices, so that the rim is
 /// sharp.
@@ -55,12 +55,12 @@ class Bench final : public Scene {
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& /*options*/) override {
         auto sheet = make_sheet({.rows = 7,
                                  .columns = strip_cells + 1,
-                                 .origin = {clamp.x, clamp.y, clamp.z + strip_width},
+                                 .origin = {strip_clamp.x, strip_clamp.y, strip_clamp.z + strip_width},
                                  .u = {strip_length, 0, 0},
                                  .v = {0, 0, -strip_width}});
         if (!sheet) return sheet.error();
         strip_mesh_ = std::move(*sheet);
-        disc_mesh_ = drape_disc(disc, 18, table_middle);
+        disc_mesh_ = drape_disc(disc_radius, 18, drape_middle);
 
         ClothSettings settings;
         settings.fabric.bending = 8e-6f;
@@ -80,8 +80,9 @@ class Bench final : public Scene {
             {disc_, disc_mesh_, {.front = {0.55f, 0.10f, 0.12f}, .back = {0.5f, 0.10f, 0.12f}}});
         constexpr Vec3 wood{0.45f, 0.40f, 0.34f};
         content.solids.push_back(
-            {round_block(table, {table_middle.x, table_middle.y - 0.003f, table_middle.z}), wood});
-        content.solids.push_back({round_block(0.03f, {clamp.x - 0.02f, clamp.y - 0.003f, 0}), wood});
+            {round_block(table_radius, {drape_middle.x, drape_middle.y - 0.003f, drape_middle.z}), wood});
+        content.solids.push_back(
+            {round_block(0.03f, {strip_clamp.x - 0.02f, strip_clamp.y - 0.003f, 0}), wood});
         content.camera = {.target = {-0.04f, 0.29f, 0}, .distance = 1.05f, .yaw = 0.25f, .pitch = 0.22f};
         return content;
     }
@@ -93,20 +94,20 @@ class Bench final : public Scene {
         const float length = strip_length - clamp_begins;
         const std::vector<Vec2> curve = elastica_curve(gamma_of(settings->fabric), 49);
         const auto place = [&](const Vec2& p, float z) {
-            return Vec3{clamp.x + clamp_begins + length * p.x, clamp.y + length * p.y, z};
+            return Vec3{strip_clamp.x + clamp_begins + length * p.x, strip_clamp.y + length * p.y, z};
         };
-        for (const float z : {clamp.z - 0.002f, clamp.z + strip_width + 0.002f})
+        for (const float z : {strip_clamp.z - 0.002f, strip_clamp.z + strip_width + 0.002f})
             for (std::size_t i = 1; i < curve.size(); ++i)
-                to.lines.push_back({place(curve[i - 1], z), place(curve[i], z), exact_colour});
+                to.lines.push_back({place(curve[i - 1], z), place(curve[i], z), elastica_colour});
 
         char words[120];
         std::snprintf(words, sizeof words, "end's drop: exact %.3f, simulated %.3f lengths",
                       static_cast<double>(-curve.back().y), static_cast<double>(drop(*strip)));
-        to.words.push_back({{clamp.x - 0.02f, clamp.y + 0.05f, 0}, words, {0.15f, 0.08f, 0.02f}});
+        to.words.push_back({{strip_clamp.x - 0.02f, strip_clamp.y + 0.05f, 0}, words, {0.15f, 0.08f, 0.02f}});
         std::snprintf(words, sizeof words, "drape coefficient %.0f %%",
                       static_cast<double>(100 * coefficient(*draped)));
         to.words.push_back(
-            {{table_middle.x - 0.06f, table_middle.y + 0.06f, 0}, words, {0.15f, 0.08f, 0.02f}});
+            {{drape_middle.x - 0.06f, drape_middle.y + 0.06f, 0}, words, {0.15f, 0.08f, 0.02f}});
     }
 
     [[nodiscard]] int check_steps() const override { return 600; }
@@ -127,18 +128,19 @@ class Bench final : public Scene {
     [[nodiscard]] Result<void> hold(World& world) const {
         std::vector<std::uint32_t> held;
         for (std::uint32_t vertex = 0; vertex < strip_mesh_.positions.size(); ++vertex)
-            if (strip_mesh_.positions[vertex].x < clamp.x + 1.001f * cell) held.push_back(vertex);
+            if (strip_mesh_.positions[vertex].x < strip_clamp.x + 1.001f * strip_cell) held.push_back(vertex);
         if (auto pinned = world.pin(strip_, held); !pinned) return pinned;
         held.clear();
         for (std::uint32_t vertex = 0; vertex < disc_mesh_.pattern.size(); ++vertex)
-            if (std::hypot(disc_mesh_.pattern[vertex].x, disc_mesh_.pattern[vertex].y) < 1.0001f * table)
+            if (std::hypot(disc_mesh_.pattern[vertex].x, disc_mesh_.pattern[vertex].y) <
+                1.0001f * table_radius)
                 held.push_back(vertex);
         return world.pin(disc_, held);
     }
 
     [[nodiscard]] static double gamma_of(const Fabric& fabric) {
         const double length = static_cast<double>(strip_length - clamp_begins);
-        const double weight = static_cast<double>(fabric.areal_density) * static_cast<double>(gravity);
+        const double weight = static_cast<double>(fabric.areal_density) * static_cast<double>(bench_gravity);
         return std::min(
             weight * length * length * length / std::max(1e-9, static_cast<double>(fabric.bending)), 100.0);
     }
@@ -146,11 +148,11 @@ class Bench final : public Scene {
     [[nodiscard]] float drop(const ClothView& strip) const {
         float sum = 0;
         for (std::uint32_t row = 1; row <= strip_mesh_.rows; ++row)
-            sum += clamp.y - vertex_position(strip, row * strip_mesh_.columns - 1).y();
+            sum += strip_clamp.y - vertex_position(strip, row * strip_mesh_.columns - 1).y();
         return sum / static_cast<float>(strip_mesh_.rows) / (strip_length - clamp_begins);
     }
     [[nodiscard]] float coefficient(const ClothView& draped) const {
-        return drape_coefficient(shadow_area(disc_mesh_, draped), table, disc);
+        return drape_coefficient(shadow_area(disc_mesh_, draped), table_radius, disc_radius);
     }
 
     Mesh strip_mesh_, disc_mesh_;
