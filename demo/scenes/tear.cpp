@@ -1,6 +1,8 @@
 // A sheet that is drawn apart at both ends, with a nick in its upper border: it tears from there, and falls.
 
-#include <cmath>
+#include <algorithm>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "demo/cutting/cut_scene.h"
@@ -15,11 +17,19 @@ constexpr float top = 1.5f;                   // of the sheet [m]
 constexpr float speed = 0.12f;                // of each end [m/s]
 constexpr float farthest = 0.4f;              // that each end goes [m]
 constexpr double begins = 0.5;                // to be drawn, once it hangs [s]
+constexpr float irregular = 0.5f;             // how far vertices lie from rows, over their distance
 constexpr float nick = 0.06f;                 // as a part of the height
 constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
 
 class Tear final : public Scene {
   public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind.velocity = {0.4f, 0, 1.2f};
+        settings.wind.gust = 0.5f;
+        return settings;
+    }
+
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         const GridSize grid = grid_size(options.particles == 0 ? 1500 : options.particles, width, height);
         auto mesh = make_sheet({.rows = grid.rows,
@@ -28,6 +38,7 @@ class Tear final : public Scene {
                                 .u = {width, 0, 0},
                                 .v = {0, -height, 0}});
         if (!mesh) return mesh.error();
+        make_irregular(*mesh);
 
         ClothSettings settings;
         settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
@@ -93,6 +104,20 @@ class Tear final : public Scene {
     }
 
   private:
+    /// Tears follow edges: without rows of them they look torn.
+    static void make_irregular(Mesh& mesh) {
+        std::mt19937 random(11);
+        const auto draw = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f - 0.5f; };
+        const float dx = irregular * width / static_cast<float>(mesh.columns - 1),
+                    dy = irregular * height / static_cast<float>(mesh.rows - 1);
+        for (std::uint32_t row = 1; row + 1 < mesh.rows; ++row)
+            for (std::uint32_t column = 1; column + 1 < mesh.columns; ++column) {
+                Vec3& p = mesh.positions[row * mesh.columns + column];
+                p.x += dx * draw();
+                p.y += dy * draw();
+            }
+        mesh.rows = mesh.columns = 0;
+    }
     /// Down from the middle of the upper border.
     static std::vector<MeshEdge> nick_of(const GridSize& grid) {
         std::vector<MeshEdge> edges;

@@ -46,6 +46,7 @@ static WeftWorld* make_world(int* executor_calls) {
     seen.wind.velocity.x = 3;
     TAKES(weft_world_set_settings(world, &seen));
     seen.max_speed = -1;
+    seen.executor.run = NULL; /* is not taken either */
     REFUSES(WEFT_INVALID_ARGUMENT, "max_speed", weft_world_set_settings(world, &seen));
     return world;
 }
@@ -183,6 +184,7 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     REFUSES(WEFT_INVALID_ARGUMENT, "null", weft_world_pin(world, cloth, NULL, 2));
     TAKES(weft_world_unpin(world, cloth, corners + 1, 1));
     TAKES(weft_world_pin(world, cloth, corners, 2));
+    TAKES(weft_world_move_pins(world, cloth, corners, 2, by_stride));
 
     weft_transform_init(&by);
     TAKES(weft_world_set_frame(world, other, &by));
@@ -216,6 +218,16 @@ static void air(const WeftWorld* world) {
     TAKES(weft_world_sample_air(world, at, to));
 }
 
+static uint32_t triangles_of(WeftWorld* world, const WeftShape* shape, float* error) {
+    WeftShapeId id;
+    WeftShapeInfo info = {.struct_size = sizeof info};
+    TAKES(weft_world_add_shape(world, shape, &id));
+    TAKES(weft_world_shape_info(world, id, &info));
+    TAKES(weft_world_remove_shape(world, id));
+    *error = info.error;
+    return info.triangles;
+}
+
 static void solids(WeftWorld* world, WeftClothId other) {
     static const WeftVec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -236,6 +248,23 @@ static void solids(WeftWorld* world, WeftClothId other) {
     shape.vertices = vertices;
     shape.triangles = triangles;
     TAKES(weft_world_add_shape(world, &shape, &mesh));
+    {
+        static const float heights[6] = {0, 1, 0, 1, 0, 1};
+        const WeftInput all_heights = {heights, 6, 0};
+        WeftShape other_shape = shape;
+        float error = 0;
+        other_shape.kind = WEFT_CONVEX_HULL;
+        CHECK(triangles_of(world, &other_shape, &error) == 4);
+        other_shape.kind = WEFT_DISTANCE_FIELD;
+        other_shape.cell = 0.1f;
+        CHECK(triangles_of(world, &other_shape, &error) == 0 && error > 0.05f && error < 0.1f);
+        weft_shape_init(&other_shape, sizeof other_shape, WEFT_HEIGHT_FIELD);
+        CHECK(other_shape.spacing == 1);
+        other_shape.rows = 2;
+        other_shape.columns = 3;
+        other_shape.heights = all_heights;
+        CHECK(triangles_of(world, &other_shape, &error) == 4);
+    }
     shape.kind = 4;
     REFUSES(WEFT_INVALID_ARGUMENT, "kind", weft_world_add_shape(world, &shape, &mesh));
     TAKES(weft_world_shape_info(world, mesh, &info));
