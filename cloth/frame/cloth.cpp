@@ -370,11 +370,10 @@ void Cloth::prepare_restore(std::span<const Pin> pins) {
     solver->reserve_pins(pins.size());
 }
 
-void Cloth::commit_restore(Parallel& parallel) {
+void Cloth::commit_restore() {
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
     solver->inverse_masses_changed(state.positions.span());
-    // A step begins with the triangles' normals that the last one ended with.
-    surface.resume(parallel, state.positions.span());
+    surface.forget();
 }
 
 void Cloth::restore_start_of_step() {

@@ -177,7 +177,7 @@ struct Cloth {
     /// May run out of memory; then nothing has changed.
     void prepare_restore(std::span<const Pin> pins);
     /// After that: takes over what follows from the state.
-    void commit_restore(Parallel& parallel);
+    void commit_restore();
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
 

@@ -9,6 +9,7 @@
 #include "cloth/solvers/multigrid/coarse_level.h"
 #include "cloth/solvers/multigrid/saved_levels.h"
 #include "cloth/system/implicit_system.h"
+#include "engine/hooked_vector.h"
 
 namespace weft {
 
@@ -67,7 +68,7 @@ class Multigrid {
         SharedBuffer<Link> links;  // ascending
         SharedBuffer<float> weights;
     };
-    using HeldSprings = std::vector<HeldSpring>;
+    using HeldSprings = HookedVector<HeldSpring>;
 
     /// `links`: of the finest level; numbers[k]: which of the constant ones the k-th is, or none.
     void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);

@@ -3,7 +3,6 @@
 // search and more passes where the equation is hard.
 
 #include <memory>
-#include <vector>
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
 #include "cloth/solvers/make_system.h"
@@ -13,6 +12,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
+#include "engine/hooked_vector.h"
 
 namespace weft {
 
@@ -78,8 +78,8 @@ class MultilevelSolver final : public Solver {
     AlignedBuffer<double> sums_;  // of blocks
     double rest_area_;            // [m^2]
     StepResidual residual_;
-    std::vector<std::uint32_t> component_of_;  // of particles, only with features
-    std::vector<Piece> pieces_;
+    HookedVector<std::uint32_t> component_of_;  // of particles, only with features
+    HookedVector<Piece> pieces_;
 };
 
 }  // namespace weft

@@ -92,7 +92,7 @@ struct SavedScene {
     void restore(const ClothState& saved) {
         cloth->prepare_restore(saved.pins);
         cloth->state = saved;
-        cloth->commit_restore(simulation.parallel);
+        cloth->commit_restore();
     }
     /// Every byte that may change.
     [[nodiscard]] std::vector<std::byte> bytes() const {

@@ -368,6 +368,7 @@ TEST(CookedCloth, NamesNothingThatIsNotThere) {
     std::vector<std::byte> sealed = whole;
     seal(sealed);
     ASSERT_EQ(sealed, whole) << "the test seals as saving does";
+    World world = World::create({.threads = 1}).value();
     int refused = 0, tried = 0;
     for (const std::uint32_t value : {0xfffffff0u, 20u, 1u << 31}) {
         for (std::size_t at = 12; at + 4 <= whole.size(); at += 4) {
@@ -378,9 +379,15 @@ TEST(CookedCloth, NamesNothingThatIsNotThere) {
             ++tried;
             const auto loaded = CookedCloth::load(other);
             if (!loaded) ++refused;
+            if (!loaded || tried % 5 != 0) continue;
+            // What is taken may move as it likes, but reads and writes its own memory alone.
+            const auto cloth = world.add_cloth(*loaded);
+            if (!cloth) continue;
+            if (world.pin(*cloth, 7)) world.step(1.0f / 60);
+            ASSERT_TRUE(world.remove_cloth(*cloth));
         }
     }
-    EXPECT_GT(refused, tried / 3);
+    EXPECT_GT(refused, tried / 5);  // most of it are numbers, which may be any
 }
 
 TEST(CookedCloth, SaysWhyItRefuses) {
