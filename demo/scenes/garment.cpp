@@ -54,7 +54,7 @@ Result<Mesh> load_garment(const SceneOptions& options) {
     return mesh;
 }
 
-class Garment final : public Scene {
+class HungGarment final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
@@ -131,7 +131,7 @@ class Garment final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_garment_scene() {
-    return std::make_unique<Garment>();
+    return std::make_unique<HungGarment>();
 }
 
 }  // namespace weft::demo

@@ -12,13 +12,13 @@
 namespace weft::demo {
 namespace {
 
-constexpr float width = 1.6f, height = 1.0f;  // [m]
-constexpr float top = 1.5f;                   // of the sheet [m]
-constexpr float speed = 0.12f;                // of each end [m/s]
-constexpr float farthest = 0.4f;              // that each end goes [m]
-constexpr double begins = 0.5;                // to be drawn, once it hangs [s]
-constexpr float irregular = 0.5f;             // how far vertices lie from rows, over their distance
-constexpr float nick = 0.06f;                 // as a part of the height
+constexpr float sheet_width = 1.6f, sheet_height = 1.0f;  // [m]
+constexpr float top = 1.5f;                               // of the sheet [m]
+constexpr float speed = 0.12f;                            // of each end [m/s]
+constexpr float farthest = 0.4f;                          // that each end goes [m]
+constexpr double begins = 0.5;                            // to be drawn, once it hangs [s]
+constexpr float irregular = 0.5f;  // how far vertices lie from rows, over their distance
+constexpr float nick = 0.06f;      // as a part of the height
 constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
 
 class Tear final : public Scene {
@@ -31,12 +31,13 @@ class Tear final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 1500 : options.particles, width, height);
+        const GridSize grid =
+            grid_size(options.particles == 0 ? 1500 : options.particles, sheet_width, sheet_height);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {-0.5f * width, top, 0},
-                                .u = {width, 0, 0},
-                                .v = {0, -height, 0}});
+                                .origin = {-0.5f * sheet_width, top, 0},
+                                .u = {sheet_width, 0, 0},
+                                .v = {0, -sheet_height, 0}});
         if (!mesh) return mesh.error();
         make_irregular(*mesh);
 
@@ -99,7 +100,7 @@ class Tear final : public Scene {
         if (!count) return count.error();
         if (*count > 0) checks.at_most("the worst strain left", worst[0].strain, 2 * tearing.strain);
         checks.at_least("the sheet's width, once torn [m]", view->bounds.upper.x - view->bounds.lower.x,
-                        width + 2 * farthest - 0.01f);
+                        sheet_width + 2 * farthest - 0.01f);
         return checks.result();
     }
 
@@ -108,8 +109,8 @@ class Tear final : public Scene {
     static void make_irregular(Mesh& mesh) {
         std::mt19937 random(11);
         const auto draw = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f - 0.5f; };
-        const float dx = irregular * width / static_cast<float>(mesh.columns - 1),
-                    dy = irregular * height / static_cast<float>(mesh.rows - 1);
+        const float dx = irregular * sheet_width / static_cast<float>(mesh.columns - 1),
+                    dy = irregular * sheet_height / static_cast<float>(mesh.rows - 1);
         for (std::uint32_t row = 1; row + 1 < mesh.rows; ++row)
             for (std::uint32_t column = 1; column + 1 < mesh.columns; ++column) {
                 Vec3& p = mesh.positions[row * mesh.columns + column];
