@@ -3,6 +3,7 @@
 // machine. See patches.h.
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "collision/search_kernels.h"
@@ -25,6 +26,9 @@ struct alignas(64) Boxes {
     float lower_x[16], lower_y[16], lower_z[16];
     float upper_x[16], upper_y[16], upper_z[16];
 };
+
+inline constexpr float no_place = std::numeric_limits<float>::infinity();
+inline constexpr Bounds no_box{{no_place, no_place, no_place}, {-no_place, -no_place, -no_place}};
 
 inline void set_box(Boxes& boxes, std::uint32_t k, const Bounds& box) {
     boxes.lower_x[k] = box.lower.x;

@@ -207,6 +207,9 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
                            boxes.strains[block * PatchBlock::most + k] =
                                strain_of(moving, mesh, patch.triangles, all.motion);
                    });
+    // Another search's block may have had more patches.
+    for (std::uint32_t k = search.blocks[block].patch_count; k < PatchBlock::most; ++k)
+        set_box(boxes.patches[block], k, no_box);
     return hull_of(boxes.patches[block]);
 }
 

@@ -1,7 +1,6 @@
 #include "collision/contact/pair_finder.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace weft {
 
@@ -16,9 +15,6 @@ constexpr std::uint32_t kept_crossings = 64;
 /// Blocks that are searched before what they found is counted: a crowd of n particles has n^2 pairs, and a
 /// search for more of them than there is room for is to be as short as one that has room for all.
 constexpr std::uint32_t blocks_at_a_time = 64;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr Bounds no_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 AlignedBuffer<Boxes> no_boxes(std::size_t count) {
     AlignedBuffer<Boxes> boxes(count);

@@ -96,9 +96,10 @@ void hold(const PinnedMethod& method, std::uint32_t side, bool grid) {
     settings.method = method.method;
     method.set(settings);
     const Mesh mesh = square(side, grid);
+    const CookedCloth cooked = CookedCloth::create(mesh, settings).value();
     std::vector<ClothId> cloths;
     for (const Pattern& pattern : all) {
-        cloths.push_back(world.add_cloth(mesh, settings).value());
+        cloths.push_back(world.add_cloth(cooked).value());
         for (const std::uint32_t pin : pattern.pins) ASSERT_TRUE(world.pin(cloths.back(), pin));
     }
     std::vector<Vec3> targets = mesh.positions;

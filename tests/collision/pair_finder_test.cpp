@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <map>
 #include <numeric>
 #include <set>
@@ -232,6 +233,25 @@ TEST(PairFinder, LooseParticlesAndEmptyMeshesListNothing) {
     scene.add(points, points, {{1, 1, 2}, {3, 3, 3}}, 1);
     EXPECT_EQ(pairs_of(scene).size, 0u);
     EXPECT_EQ(pairs_of(ContactScene()).size, 0u);
+}
+
+/// One finder searches now these bodies, now those, in the room of the largest: what it found before, where
+/// bodies had more patches or lay elsewhere, is forgotten.
+TEST(PairFinder, FindsTheSameWhateverItSearchedBefore) {
+    std::deque<ContactScene> scenes;  // where they are made they stay: bodies point to their meshes
+    for (const std::uint32_t side : {40u, 9u, 24u, 12u, 40u}) scenes.push_back(folded(side, 0.3f));
+    PairFinder finder;
+    finder.reserve(scenes[0].bodies);
+    Parallel parallel(1);
+    for (const ContactScene& scene : scenes) {
+        ASSERT_TRUE(finder.has_room_for(scene.bodies));
+        PairList list(1 << 18);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
+        const PairList expected = pairs_of(scene);
+        ASSERT_EQ(list.size, expected.size);
+        for (std::uint32_t k = 0; k < list.size; ++k)
+            EXPECT_EQ(list.pairs[k].corners, expected.pairs[k].corners);
+    }
 }
 
 TEST(PairFinder, WhatIsNotFiniteListsNothing) {

@@ -60,7 +60,8 @@ class Memory : public testing::TestWithParam<MethodCase> {
         EXPECT_EQ(world.cloth_info(cloth).value(), measured);
 
         ASSERT_TRUE(world.pin(cloth, pins));
-        for (int step = 0; step < 3; ++step) world.step(1.0f / 60.0f);
+        // Short ones: what is taken does not depend on their length, what an explicit method costs does.
+        for (int step = 0; step < 3; ++step) world.step(1.0f / 600);
         EXPECT_NEAR(said() / taken(), 1, tolerance)
             << said() << " of " << taken() << " bytes, after three steps";
     }
