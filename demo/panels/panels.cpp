@@ -89,7 +89,10 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
             .append(what_is_slow(look.times.percentile(0.5f),
                                  look.quality.level() + 1 == static_cast<int>(quality_levels().size())))
             .append("\n");
-    present += flags_text(report.flags, speed_of(simulation.world().settings().wind));
+    // A flag that cracks leaves more unsolved than cloth that swings: the times' panel shows how much.
+    const auto flags = static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
+                                              ~static_cast<unsigned>(StepFlags::unsolved));
+    present += flags_text(flags, speed_of(simulation.world().settings().wind));
     constexpr double long_enough = 3;  // [s]
     if (!present.empty() && (present.size() >= troubles_.size() || ImGui::GetTime() > troubled_until_)) {
         troubles_ = present;
