@@ -9,10 +9,10 @@
 
 #include "cloth/surface/gusts.h"
 #include "cloth/surface/surface.h"
+#include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/material/plate_force.h"
 #include "tests/cloth/meshes.h"
-#include "tests/targets/targets.h"
 #include "value_noise.h"
 
 namespace weft::test {

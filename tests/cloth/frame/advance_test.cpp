@@ -9,8 +9,8 @@
 #include <random>
 
 #include "cloth/frame/advance/survey.h"
+#include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
-#include "tests/targets/targets.h"
 
 namespace weft::test {
 namespace {

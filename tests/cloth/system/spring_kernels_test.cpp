@@ -11,10 +11,10 @@
 #include "cloth/system/springs/spring_system.h"
 #include "cloth/system/springs/springs.h"
 #include "engine/simd/symmetric3.h"
+#include "hwy/targets.h"
 #include "spring_scene.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
-#include "tests/targets/targets.h"
 
 namespace weft::test {
 namespace {
