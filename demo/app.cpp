@@ -13,6 +13,8 @@
 #include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/keys.h"
+#include "demo/look/dropped.h"
+#include "demo/look/settings_file.h"
 #include "demo/look/show.h"
 #include "demo/panels/panels.h"
 #include "demo/picture.h"
@@ -73,6 +75,8 @@ class App {
             if (const auto started = simulation_.world().start_trace(); !started) complain(started.error());
         }
         GLFWwindow* const window = context_.window_handle();
+        remember_dropped_files(window);
+        begin_look(picture_, panels_.look);
         for (int frame = 0; glfwWindowShouldClose(window) == 0; ++frame) {
             if (options_.frames && frame == *options_.frames) break;
             glfwPollEvents();
@@ -93,7 +97,9 @@ class App {
     void draw_frame(PictureSize size) {
         const double now = glfwGetTime();
         const double seconds = now - std::exchange(last_, now);
+        for (const auto& file : take_dropped_files()) take_file(file);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
+        make_room();
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         keys_.forget();
@@ -101,6 +107,7 @@ class App {
 
         Look& look = panels_.look;
         picture_.set_look(look.quality.now(), look.inside);
+        picture_.set_beside(look.comparison ? &look.comparison->other_simulation() : nullptr);
         picture_.update(simulation_);
         const render::View& view =
             picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
@@ -114,11 +121,14 @@ class App {
         draw_overlay(hands_, simulation_, camera_, wind_);
         const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
-        if (panels_.visible) time = time_bar(timeline_, playback_, repeat_, panels_.room());
+        if (panels_.visible)
+            time = time_bar(timeline_, playback_, repeat_, ImGui::GetIO().DisplaySize.x - panels_.covered());
         layer_.end();
         if (time.go_to) go_to(*time.go_to);
-        if (requests.restart || time.restart) restart();
+        if (requests.restart || requests.reload || time.restart) restart();
         if (time.defaults) change_scene(simulation_.entry());
+        if (std::exchange(panels_.look.wants_comparison, false)) compare();
+        keep_settings();
         if (requests.scene != nullptr) change_scene(*requests.scene);
     }
 
@@ -158,6 +168,7 @@ class App {
         repeat_.step(simulation_.world(), cloths_, dt);
         hands_.after_step(simulation_, dt);
         panels_.record(simulation_.world());
+        if (panels_.look.comparison) panels_.look.comparison->step(simulation_, dt);
         note(timeline_.keep(simulation_, hands_.mark()));
     }
 
@@ -240,6 +251,7 @@ class App {
 
     /// What was about the world before is of no use any more.
     void begin_anew() {
+        picture_.set_beside(nullptr);
         picture_.show(simulation_);
         cloths_.clear();
         for (const SceneCloth& cloth : simulation_.content().cloths) cloths_.push_back(cloth.id);
@@ -255,6 +267,45 @@ class App {
         begin_anew();
         camera_ = simulation_.content().camera;
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
+    }
+
+    /// The scene stands in what the panels leave of the window, and is all seen there.
+    void make_room() {
+        const ImVec2 window = ImGui::GetIO().DisplaySize;
+        if (window.x <= 0 || window.y <= 0) return;
+        constexpr float wide_enough = 1.15f;
+        camera_.shift = panels_.covered() / window.x;
+        camera_.shrink = std::min(1.0f, (window.x - panels_.covered()) / window.y / wide_enough);
+    }
+
+    void take_file(const std::filesystem::path& file) {
+        const FileKind kind = kind_of(file);
+        if (kind == FileKind::settings) return take_settings(file);
+        if (kind == FileKind::unknown)
+            return complain({ErrorCode::invalid_argument, file.string() + " is no OBJ, glTF or JSON file"});
+        options_.scene_options.garment = file;
+        change_scene(*find_scene(kind == FileKind::garment ? "garment" : "character"));
+    }
+
+    void take_settings(const std::filesystem::path& file) {
+        if (auto loaded = load_settings(file, simulation_); !loaded) return complain(loaded.error());
+        wind_ = WindControl(simulation_.world().settings().wind.velocity);
+        panels_.message = "loaded " + file.string();
+    }
+
+    void compare() {
+        restart();
+        auto started = Comparison::start(simulation_, panels_.look.compared, panels_.look.fairness);
+        if (!started) return complain(started.error());
+        panels_.look.comparison.emplace(std::move(*started));
+    }
+
+    void keep_settings() {
+        Look& look = panels_.look;
+        if (std::exchange(look.wants_load, false)) take_settings(look.settings_file);
+        if (!std::exchange(look.wants_save, false)) return;
+        const auto saved = save_settings(look.settings_file, simulation_);
+        panels_.message = saved ? "saved " + look.settings_file : saved.error().message;
     }
 
     void note(const Result<void>& done) {

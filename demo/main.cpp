@@ -5,6 +5,7 @@
 
 #include "demo/app.h"
 #include "demo/headless.h"
+#include "demo/look/settings_file.h"
 #include "demo/options.h"
 #include "demo/scene_simulation.h"
 
@@ -23,17 +24,21 @@ int main(int argc, char** argv) {
     const auto parsed = parse_options(argc, argv);
     if (const auto* exit = std::get_if<EarlyExit>(&parsed)) {
         std::fputs(exit->text.c_str(), exit->status == 0 ? stdout : stderr);
-        return exit->status;
+        return ended("weft_demo", exit->status);
     }
     const auto& options = std::get<Options>(parsed);
     if (options.list) {
         std::fputs(scene_list().c_str(), stdout);
-        return 0;
+        return ended("weft_demo", 0);
     }
 
     const auto scene = choose_scene(options);
     if (!scene) return refuse(scene.error());
     auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
     if (!simulation) return refuse(simulation.error());
-    return options.headless ? run_headless(options, *simulation) : run_app(options, std::move(*simulation));
+    if (!options.settings.empty())
+        if (auto loaded = load_settings(options.settings, *simulation); !loaded)
+            return refuse(loaded.error());
+    return ended("weft_demo", options.headless ? run_headless(options, *simulation)
+                                               : run_app(options, std::move(*simulation)));
 }

@@ -28,6 +28,8 @@ void describe(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--every", options.every, "Headless: a picture of every n-th frame too, beside the last")
         ->check(CLI::Range(1, 10'000'000));
+    app.add_option("--turn", options.turn, "Headless: the camera this far round the scene [degrees]")
+        ->check(CLI::Range(-360.0, 360.0));
     app.add_option("--out", options.out, "Folder for what a headless run leaves (default: out)")
         ->type_name("DIR");
     const std::map<std::string, SequenceFormat> formats{{"obj", SequenceFormat::obj},

@@ -1,5 +1,6 @@
 #include "demo/photographer.h"
 
+#include <numbers>
 #include <utility>
 
 #include "demo/hands/hands.h"
@@ -28,6 +29,7 @@ Result<Photographer> Photographer::create(const Options& options, const Simulati
     auto picture = Picture::create();
     if (!picture) return picture.error();
     Photographer photographer(std::move(*context), std::move(*picture), options.width, options.height);
+    photographer.turn_ = static_cast<float>(options.turn) * std::numbers::pi_v<float> / 180;
     photographer.picture_.show(simulation);
     if (options.panels) {
         photographer.panels_.reset(new PanelsInPicture{render::ImGuiLayer(photographer.context_), Panels{}});
@@ -41,7 +43,8 @@ void Photographer::record(const Simulation& simulation) {
 
 Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::path& file) {
     picture_.update(simulation);
-    const render::OrbitCamera& camera = simulation.content().camera;
+    render::OrbitCamera camera = simulation.content().camera;
+    camera.yaw += turn_;
     if (panels_) build_panels(simulation);
     const render::View& view = picture_.view(simulation, camera, 1.0f);
     const auto overlay = [this] { panels_->layer.end(); };

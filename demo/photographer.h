@@ -36,6 +36,7 @@ class Photographer {
     Picture picture_;
     std::unique_ptr<PanelsInPicture> panels_;  // null where none are to be drawn
     int width_, height_;
+    float turn_ = 0;  // of the camera [rad]
 };
 
 }  // namespace weft::demo

@@ -130,6 +130,8 @@ void Picture::update(const Simulation& simulation) {
                                             .colours = colours_});
     }
     drawing_.take(simulation.world(), inside_.parts);
+    simulation.scene().annotate(simulation.world(), drawing_);
+    beside_.show(other_, simulation, renderer_);
 }
 
 void Picture::update_rounded(const ClothView& view, std::size_t index) {
@@ -176,6 +178,7 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     boxes_.clear();
     for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
     for (const ColliderId id : thrown) add_collider(simulation.world(), id);
+    if (other_ != nullptr) add_colliders_beside();
     view_.camera = camera;
     view_.quality = quality_;
     view_.wireframe = inside_.wireframe;
@@ -187,6 +190,18 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     view_.boxes = boxes_;
     view_.wind = shows_wind ? simulation.world().settings().wind.velocity : Vec3{};
     return view_;
+}
+
+void Picture::add_colliders_beside() {
+    const std::size_t spheres = spheres_.size(), capsules = capsules_.size(),
+                      tapered = tapered_capsules_.size(), boxes = boxes_.size();
+    for (const ColliderId id : other_->content().drawn_colliders) add_collider(other_->world(), id);
+    const auto move = [by = beside_.offset().x](Vec3& p) { p.x += by; };
+    for (std::size_t i = spheres; i < spheres_.size(); ++i) move(spheres_[i].center);
+    for (std::size_t i = capsules; i < capsules_.size(); ++i) move(capsules_[i].a), move(capsules_[i].b);
+    for (std::size_t i = tapered; i < tapered_capsules_.size(); ++i)
+        move(tapered_capsules_[i].a), move(tapered_capsules_[i].b);
+    for (std::size_t i = boxes; i < boxes_.size(); ++i) move(boxes_[i].center);
 }
 
 }  // namespace weft::demo

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "demo/look/beside.h"
 #include "demo/look/inside.h"
 #include "demo/look/quality_choice.h"
 #include "demo/look/rounded_mesh.h"
@@ -29,6 +30,8 @@ class Picture {
 
     /// How good, and what of the inside is shown; looks and triangles of cloth follow at the next update().
     void set_look(const QualityLevel& level, const Inside& inside);
+    /// Another simulation of the scene to the right of it, or none, at the next update() of both.
+    void set_beside(const Simulation* other) { other_ = other; }
     /// What the lines of the inside are called, where they are.
     [[nodiscard]] std::span<const ShownWords> words() const { return drawing_.words; }
 
@@ -44,6 +47,7 @@ class Picture {
     };
     void add_collider(const World& world, ColliderId id);
     void show_cloth(const SceneCloth& cloth, const World& world);
+    void add_colliders_beside();
     void update_rounded(const ClothView& view, std::size_t index);
     void show_solid(const SceneSolid& solid);
     void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
@@ -55,6 +59,8 @@ class Picture {
     std::vector<render::ClothHandle> solids_;
     std::vector<Fine> fine_;  // likewise; empty where the cloth itself is drawn
     Inside inside_;
+    const Simulation* other_ = nullptr;
+    Beside beside_;
     InsideDrawing drawing_;
     std::vector<Vec4> colours_;  // of particles
     render::Quality quality_;

@@ -16,11 +16,16 @@ struct FlagText {
 };
 constexpr FlagText texts[] = {
     {StepFlags::invalid_dt, "The step's length was not in [1e-6, 1] s; nothing was done."},
-    {StepFlags::state_restored, "A cloth ran away and was put back: raise substeps or soften the fabric."},
-    {StepFlags::contacts_dropped, "Contact lists were full: lower the self-collision distance."},
+    {StepFlags::state_restored,
+     "A cloth ran away and was put back: raise substeps, or take a softer material or less wind."},
+    {StepFlags::contacts_dropped,
+     "More layers are close than are kept apart: lower the distance between layers."},
     {StepFlags::speed_limited,
      "Particles were held to the largest speed: look for a pin or a collider that jumps."},
-    {StepFlags::unsolved, "The method left too much unsolved: raise its effort or passes, or substeps."},
+    {StepFlags::unsolved,
+     "The cloth is softer or slower than its material for a moment: more substeps, or passes and effort "
+     "under "
+     "\"How it is computed\", keep it true."},
     {StepFlags::pins_stopped, "A pin was stopped by cloth in its way: move it slower, or round it."},
     {StepFlags::crossed, "Cloth went through cloth, which contact should not let it: a fault of Weft."}};
 

@@ -9,18 +9,24 @@
 #include <variant>
 #include <vector>
 
+#include "demo/annotation.h"
 #include "weft/render/camera.h"
 #include "weft/render/scene_renderer.h"
 #include "weft/weft.h"
 
 namespace weft::demo {
 
+/// What of a garment stays where it is.
+enum class Hold { highest_opening, top, border, nothing };
+
 struct SceneOptions {
-    std::uint32_t particles = 0;      ///< about this many; 0: the scene's own number
-    std::filesystem::path garment{};  ///< OBJ file, for scenes that take one
-    std::filesystem::path motion{};   ///< BVH file or pipe, likewise
-    double speed = 1;                 ///< of the motion, times its own
-    bool skin = false;                ///< what is worn meets the body's skin, not capsules
+    std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
+    std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
+    std::filesystem::path motion{};     ///< BVH file or pipe, likewise
+    double speed = 1;                   ///< of the motion, times its own
+    bool skin = false;                  ///< what is worn meets the body's skin, not capsules
+    Hold hold = Hold::highest_opening;  ///< of the scene garment
+    bool y_is_up = false;               ///< in the garment's file; else +Z
 };
 
 /// A cloth of the scene with what drawing it needs.
@@ -59,6 +65,9 @@ class Scene {
     virtual void before_step(World& world, double time, float dt);
     /// Then: cuts cloth, in the content as well. True: it did.
     virtual bool cut_before_step(World& world, SceneContent& content);
+
+    /// What is to be read and seen beside its cloths, as the world is now.
+    virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }

@@ -50,6 +50,9 @@ class Simulation {
 
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
     [[nodiscard]] Scene& scene() { return *scene_; }
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    /// What the scene is built by: of the next restart().
+    [[nodiscard]] SceneOptions& options() { return options_; }
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }

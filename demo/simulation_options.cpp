@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "demo/fabric_file.h"
+#include "demo/look/settings_file.h"
 #include "demo/method_table.h"
 #include "demo/wind_control.h"
 
@@ -50,6 +51,15 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
            "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres; for "
            "character and crowd an OBJ or glTF file, see demo/README.md")
         ->type_name("FILE.obj");
+    const std::map<std::string, Hold> holds{{"opening", Hold::highest_opening},
+                                            {"top", Hold::top},
+                                            {"border", Hold::border},
+                                            {"nothing", Hold::nothing}};
+    app.add_option("--hold", options.scene_options.hold, "What holds the garment (default: opening)")
+        ->transform(CLI::CheckedTransformer(holds).description("opening, top, border or nothing"));
+    app.add_option("--settings", options.settings,
+                   "JSON file of scene, wind, material and method, as the panels save it")
+        ->type_name("FILE.json");
     app.add_option("--motion", options.scene_options.motion,
                    "BVH file for the scene character (default: a walk that ships), or a pipe of joints")
         ->type_name("FILE.bvh");
@@ -105,6 +115,10 @@ std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv)
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         return EarlyExit{0, app.help()};
+    } catch (const CLI::ExtrasError&) {
+        std::string unknown;
+        for (const std::string& each : app.remaining()) unknown.append(" ").append(each);
+        return EarlyExit{2, "there is no option" + unknown + " (--help lists those there are)\n"};
     } catch (const CLI::ParseError& error) {
         return EarlyExit{2, std::string(error.what()) + " (--help lists the options)\n"};
     }
@@ -122,6 +136,12 @@ Result<void> check_writable(const char* option, const std::filesystem::path& fil
                                                 " cannot be written; its folder must exist and be writable"};
 }
 
+int ended(const char* program, int status) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    std::fprintf(stderr, "%s: standard output cannot be written\n", program);
+    return status == 0 ? 1 : status;
+}
+
 std::string scene_list() {
     std::string list;
     for (const SceneEntry& scene : all_scenes()) {
@@ -136,6 +156,11 @@ std::string scene_list() {
 Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
     const bool garment_given = !options.scene_options.garment.empty();
     std::string name = options.scene;
+    if (name.empty() && !options.settings.empty()) {
+        auto named = scene_of_settings(options.settings);
+        if (!named) return named.error();
+        name = *named;
+    }
     if (name.empty() && !options.scene_options.motion.empty()) name = "character";
     if (name.empty()) name = garment_given ? "garment" : all_scenes().front().name;
 

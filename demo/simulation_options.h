@@ -21,6 +21,7 @@ struct SimulationOptions {
     std::string scene;  ///< empty: the first, or the garment scene where a garment is given
     SceneOptions scene_options;
     Overrides overrides;
+    std::filesystem::path settings;  ///< JSON file; empty: none
 };
 
 /// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad
@@ -35,6 +36,10 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options);
 /// Whether a file can be written there, tried before a long run; what is there stays as it is. Error: it
 /// cannot. An empty path is no file, and none is needed.
 [[nodiscard]] Result<void> check_writable(const char* option, const std::filesystem::path& file);
+
+/// The status to exit with: 1 in place of 0, with a line on standard error, where standard output took not
+/// all that was printed, as on a full disk.
+[[nodiscard]] int ended(const char* program, int status);
 
 /// A line for each scene.
 [[nodiscard]] std::string scene_list();

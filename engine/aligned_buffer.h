@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
@@ -31,6 +32,17 @@ class AlignedBuffer {
     /// `size` elements, all of value T{}. Throws std::bad_alloc where there is no memory for them.
     explicit AlignedBuffer(std::size_t size) : data_(allocate(padded(size))), size_(size) {
         std::uninitialized_fill_n(data_, padded(size), T{});
+    }
+
+    /// Of the elements that lie in these bytes, at any address.
+    [[nodiscard]] static AlignedBuffer from_bytes(std::span<const std::byte> bytes) {
+        AlignedBuffer made;
+        const std::size_t size = bytes.size() / sizeof(T);
+        made.data_ = allocate(padded(size));
+        made.size_ = size;
+        if (size > 0) std::memcpy(static_cast<void*>(made.data_), bytes.data(), size * sizeof(T));
+        std::uninitialized_fill_n(made.data_ + size, padded(size) - size, T{});
+        return made;
     }
 
     AlignedBuffer(AlignedBuffer&& other) noexcept

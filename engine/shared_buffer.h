@@ -2,7 +2,6 @@
 // Memory that is written while something is made, and after that only read: copies share it. Who is to change
 // a copy makes it its own first.
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -25,9 +24,8 @@ class SharedBuffer {
         memory_ = std::make_shared<AlignedBuffer<T>>(std::move(made));
         data_ = memory_->data();
     }
-    explicit SharedBuffer(std::span<const T> values) : SharedBuffer(values.size()) {
-        std::ranges::copy(values, data_);
-    }
+    explicit SharedBuffer(std::span<const T> values)
+        : SharedBuffer(AlignedBuffer<T>::from_bytes(std::as_bytes(values))) {}
 
     SharedBuffer(SharedBuffer&& other) noexcept { *this = std::move(other); }
     SharedBuffer& operator=(SharedBuffer&& other) noexcept {

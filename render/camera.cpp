@@ -49,13 +49,17 @@ Matrix4 OrbitCamera::view() const {
 Matrix4 OrbitCamera::projection(float aspect) const {
     const float near = std::clamp(0.02f * distance, 0.002f, 0.5f);
     const float far = 400.0f + 4.0f * distance;
-    return to_matrix4(perspective(vertical_fov, aspect, near, far));
+    Matrix4f matrix = perspective(vertical_fov, aspect, near, far);
+    matrix.topRows<2>() *= shrink;
+    matrix(0, 2) = shift;
+    return to_matrix4(matrix);
 }
 
 Ray OrbitCamera::ray(float x, float y, float aspect) const {
     const Axes axes = axes_of(*this);
-    const float across = (2.0f * x - 1.0f) * half_height(*this) * aspect;
-    const float upward = (1.0f - 2.0f * y) * half_height(*this);
+    const float unit = half_height(*this) / shrink;
+    const float across = (2.0f * x - 1.0f + shift) * unit * aspect;
+    const float upward = (1.0f - 2.0f * y) * unit;
     const Vector3 direction = across * axes.right + upward * axes.up - axes.back;
     return {eye(), to_vec3(direction.normalized())};
 }
@@ -71,7 +75,7 @@ void OrbitCamera::zoom(float factor) {
 
 void OrbitCamera::pan(float right, float up) {
     const Axes axes = axes_of(*this);
-    const float height = 2.0f * distance * half_height(*this);
+    const float height = 2.0f * distance * half_height(*this) / shrink;
     target = to_vec3(to_vector(target) + height * (right * axes.right + up * axes.up));
 }
 

@@ -184,8 +184,9 @@ struct ImGuiLayer::Impl {
     explicit Impl(GLFWwindow* context_window) : window(context_window), context(make_context()) {
         const CurrentContext current(context);
         ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
-        set_style(content_scale(window));
-        load_font(content_scale(window));
+        scale = content_scale(window);
+        set_style(scale);
+        load_font(scale);
         if (window != nullptr) {
             ImGui_ImplGlfw_InitForOpenGL(window, false);
             listener.context = context;
@@ -208,7 +209,23 @@ struct ImGuiLayer::Impl {
         ImGui::DestroyContext(context);
     }
 
+    /// Of the display that the window is on: it may have been moved to another.
+    void follow_scale() {
+        const float present = content_scale(window);
+        if (present == scale) return;
+        scale = present;
+        ImGui::GetStyle() = ImGuiStyle();
+        set_style(scale);
+        ImGui::GetIO().Fonts->Clear();
+        load_font(scale);
+#if IMGUI_VERSION_NUM < 19200  // later ones see it themselves
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+    }
+
     GLFWwindow* window;  // null offscreen
+    float scale = 1;
     ImGuiContext* context;
     std::optional<CurrentContext> frame;  // from begin() to end()
 };
@@ -221,6 +238,7 @@ ImGuiLayer::~ImGuiLayer() = default;
 void ImGuiLayer::begin(int width, int height, float seconds_since_last) {
     impl_->frame.emplace(impl_->context);
     const SavedBindings bindings;  // the first frame uploads the font
+    impl_->follow_scale();
     ImGui_ImplOpenGL3_NewFrame();
     if (impl_->window != nullptr) {
         ImGui_ImplGlfw_NewFrame();

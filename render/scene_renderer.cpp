@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/LU>
 #include <map>
+#include <string_view>
 
 #include "render/box_mesh.h"
 #include "render/capsule_mesh.h"
@@ -346,6 +347,16 @@ Image SceneRenderer::capture(const View& view, int width, int height, const std:
     if (overlay) overlay();
     const SavedBindings bindings;  // anew, since the overlay may have changed them
     return target.read();
+}
+
+bool SceneRenderer::drawn_by_processor() const {
+    const std::string_view name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
+           name.find("SwiftShader") != name.npos || name.find("swrast") != name.npos;
+}
+
+void SceneRenderer::wait() const {
+    glFinish();
 }
 
 DrawTimes SceneRenderer::draw_times() const {

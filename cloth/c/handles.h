@@ -15,7 +15,7 @@
 struct WeftWorld {
     // What the World calls, or what its views lead to, outlives it.
     WeftExecutor executor{};
-    WeftRecordingSink sink{};
+    std::unique_ptr<WeftRecordingSink> sink;  ///< of the last recording
     std::string description;
     std::vector<weft::Vec3> first, second;  ///< inputs that do not lie behind one another
     std::vector<float> values;

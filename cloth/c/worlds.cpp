@@ -91,9 +91,9 @@ WeftResult weft_world_set_settings(WeftWorld* world, const WeftWorldSettings* se
     return on(world, [&](weft::World& of) -> weft::Result<void> {
         const auto given = take_settings(settings, *world);
         if (!given) return given.error();
-        const WeftExecutor before = std::exchange(world->executor, given->executor);
+        // A call that is refused since a step is under way must not touch what that reads.
         auto done = of.set_settings(given->settings);
-        if (!done) world->executor = before;
+        if (done) world->executor = given->executor;
         return done;
     });
 }
@@ -204,15 +204,13 @@ WeftResult weft_world_start_recording_to(WeftWorld* world, const WeftRecordingSi
     return on(world, {{sink, "sink"}}, [&](weft::World& of) -> weft::Result<void> {
         if (auto there = are_there({{reinterpret_cast<const void*>(sink->write), "sink.write"}}); !there)
             return there;
-        const WeftRecordingSink before = std::exchange(world->sink, *sink);
-        auto done = of.start_recording({.write =
-                                            [](void* user, std::span<const std::byte> bytes) {
-                                                const WeftRecordingSink& host =
-                                                    static_cast<WeftWorld*>(user)->sink;
-                                                return host.write(host.user, bytes.data(), bytes.size()) != 0;
-                                            },
-                                        .user = world});
-        if (!done) world->sink = before;
+        auto host = std::make_unique<WeftRecordingSink>(*sink);
+        const auto write = [](void* user, std::span<const std::byte> bytes) {
+            const auto& to = *static_cast<const WeftRecordingSink*>(user);
+            return to.write(to.user, bytes.data(), bytes.size()) != 0;
+        };
+        auto done = of.start_recording({.write = write, .user = host.get()});
+        if (done) world->sink = std::move(host);
         return done;
     });
 }

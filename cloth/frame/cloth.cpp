@@ -83,6 +83,9 @@ Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& s
 }
 
 Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress)
+    : Cloth(std::move(cooked), initial, progress, nullptr) {}
+
+Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress, SavedLevels* saved)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
@@ -93,7 +96,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& pr
     std::ranges::copy(model.positions.span(), state.positions.data());
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
     set_inverse_masses();
-    solver = make_solver(model, initial, state.positions.span());
+    solver = make_solver(model, initial, state.positions.span(), saved);
     progress.reach(Progress::solvable);
     limits = make_limits(model, initial, {});
     progress.reach(Progress::limited);
@@ -367,11 +370,10 @@ void Cloth::prepare_restore(std::span<const Pin> pins) {
     solver->reserve_pins(pins.size());
 }
 
-void Cloth::commit_restore(Parallel& parallel) {
+void Cloth::commit_restore() {
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
     solver->inverse_masses_changed(state.positions.span());
-    // A step begins with the triangles' normals that the last one ended with.
-    surface.compute_normals(parallel, state.positions.span(), state.normals.span());
+    surface.forget();
 }
 
 void Cloth::restore_start_of_step() {

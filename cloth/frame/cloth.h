@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "cloth/frame/advance/history.h"
+#include "cloth/frame/advance/survey.h"
 #include "cloth/frame/budget/budgeted.h"
-#include "cloth/frame/feature_contact.h"
-#include "cloth/frame/history.h"
+#include "cloth/frame/contact/feature_contact.h"
 #include "cloth/frame/state.h"
-#include "cloth/frame/survey.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "cloth/frame/worn/rigid_motion.h"
 #include "cloth/limits/limit.h"
@@ -31,6 +31,8 @@
 #include "weft/world.h"
 
 namespace weft {
+
+struct SavedLevels;
 
 /// Memory for the air at the particles.
 struct AirBuffers {
@@ -109,14 +111,16 @@ struct ShownCloth {
     return settings.collider_response == ColliderResponse::contact && settings.collider_mask != 0;
 }
 
-/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where nothing can
-/// be thrown this is asked before, else it is passed over.
+/// Error: too much of the cloth is within SelfCollision::distance along it. Else apply() refuses it; where
+/// nothing can be thrown this is asked before, else it is passed over.
 [[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
 
 /// What can run out of memory comes in two parts: the first makes what is needed, the second takes it over
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
     Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress = {});
+    /// `saved`: levels of this model, or null. They are used up.
+    Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress, SavedLevels* saved);
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
@@ -173,7 +177,7 @@ struct Cloth {
     /// May run out of memory; then nothing has changed.
     void prepare_restore(std::span<const Pin> pins);
     /// After that: takes over what follows from the state.
-    void commit_restore(Parallel& parallel);
+    void commit_restore();
     /// Puts the cloth back to where the step began, at rest.
     void restore_start_of_step();
 

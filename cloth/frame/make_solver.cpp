@@ -23,6 +23,11 @@ Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by i
 
 std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                     std::span<const Vec4> positions) {
+    return make_solver(model, settings, positions, nullptr);
+}
+
+std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
+                                    std::span<const Vec4> positions, SavedLevels* saved) {
     using Made = std::unique_ptr<Solver>;
     return std::visit(
         Overload{
@@ -35,7 +40,7 @@ std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings
                 return std::make_unique<ConjugateGradientSolver>(model, settings);
             },
             [&](const Multilevel&) -> Made {
-                return std::make_unique<MultilevelSolver>(model, settings, positions);
+                return std::make_unique<MultilevelSolver>(model, settings, positions, saved);
             },
             [&](const Fibres&) -> Made { return std::make_unique<FibresSolver>(model, settings, positions); },
             [&](const Xpbd&) -> Made { return std::make_unique<XpbdSolver>(model, positions); },

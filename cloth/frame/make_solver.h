@@ -7,9 +7,14 @@
 
 namespace weft {
 
+struct SavedLevels;
+
 /// The solver of settings.method, ready for a step. `positions` have inverse masses in w, 0 for pinned
 /// particles. The model must outlive it.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions);
+/// `saved`: levels of the model, or null. They are used up.
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
+                                                  std::span<const Vec4> positions, SavedLevels* saved);
 
 }  // namespace weft

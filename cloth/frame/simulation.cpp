@@ -225,7 +225,7 @@ void Simulation::prepare(Cloth& cloth) {
 }
 
 void Simulation::state_has_changed(Cloth& cloth) {
-    cloth.commit_restore(parallel);
+    cloth.commit_restore();
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
 }
 

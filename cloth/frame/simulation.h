@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "cloth/frame/advance/schedule.h"
 #include "cloth/frame/bodies/body_stage.h"
 #include "cloth/frame/budget/allotment.h"
 #include "cloth/frame/cloth.h"
-#include "cloth/frame/contact_log.h"
-#include "cloth/frame/islands.h"
-#include "cloth/frame/schedule.h"
+#include "cloth/frame/contact/contact_log.h"
+#include "cloth/frame/contact/islands.h"
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "cloth/solvers/stages.h"
 #include "collision/collider_contacts.h"

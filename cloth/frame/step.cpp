@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/frame/advance.h"
+#include "cloth/frame/advance/advance.h"
 #include "cloth/frame/simulation.h"
 #include "collision/velocity_filter.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/angle.h"
+
 namespace weft {
 
 namespace {
@@ -40,9 +42,10 @@ Dihedral dihedral(const std::array<Vector3, 4>& x, float least_height) {
     };
     const Vector3 apex2 = slope(n2), apex3 = slope(n3);
     const float foot2 = side2.dot(edge) / squared, foot3 = side3.dot(edge) / squared;
-    return {.angle = std::atan2(n2.cross(n3).dot(edge) / length, n2.dot(n3)),
-            .gradient = {-(1 - foot2) * apex2 - (1 - foot3) * apex3, -foot2 * apex2 - foot3 * apex3, apex2,
-                         apex3}};
+    return {
+        .angle = static_cast<float>(angle_of(double{n2.cross(n3).dot(edge) / length}, double{n2.dot(n3)})),
+        .gradient = {-(1 - foot2) * apex2 - (1 - foot3) * apex3, -foot2 * apex2 - foot3 * apex3, apex2,
+                     apex3}};
 }
 
 }  // namespace weft

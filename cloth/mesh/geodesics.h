@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cloth/mesh/cook.h"
+#include "engine/hooked_vector.h"
 #include "engine/shared_buffer.h"
 
 namespace weft {
@@ -60,8 +60,8 @@ class Geodesics {
                         std::uint32_t from, const GeodesicReach& way);
 
     SharedBuffer<std::array<GeodesicCorner, 3>> triangles_;
-    std::vector<Reached> reached_;
-    std::vector<Front> front_;  // a heap, the nearest first
+    HookedVector<Reached> reached_;
+    HookedVector<Front> front_;  // a heap, the nearest first
 };
 
 }  // namespace weft

@@ -40,7 +40,7 @@ std::string quoted(std::string_view token) {
 }
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
-/// std::from_chars, which its libraries before 20 do not have for floats: by strtod, in the decimal point of
+/// std::from_chars, which libc++ before 20 does not have for floats: by strtod, which reads the decimal point of
 /// the process's locale.
 std::from_chars_result parse_double(std::string_view token, double& value) {
     const bool is_plain = token.find_first_not_of("0123456789.eE+-") == token.npos && !token.starts_with('+');
@@ -54,9 +54,9 @@ std::from_chars_result parse_double(std::string_view token, double& value) {
     value = std::strtod(text.c_str(), &end);
     const auto used = static_cast<std::size_t>(end - text.c_str());
     if (used == 0) return {token.data(), std::errc::invalid_argument};
-    const bool is_whole = used == text.size();
+    const bool is_whole = used == text.size(), is_denormal = value != 0 && std::isfinite(value);
     return {token.data() + (is_whole ? used - longer : 0),
-            errno == ERANGE ? std::errc::result_out_of_range : std::errc{}};
+            errno == ERANGE && !is_denormal ? std::errc::result_out_of_range : std::errc{}};
 }
 #else
 std::from_chars_result parse_double(std::string_view token, double& value) {

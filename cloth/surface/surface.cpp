@@ -17,6 +17,7 @@ void Surface::compute_normals(Parallel& parallel, std::span<const Vec4> position
         return;
     }
     compute_area_normals(parallel, groups_, positions, rows_.span());
+    is_behind_ = false;
     weft::compute_normals(parallel, groups_, rows_.span(), normals);
 }
 
@@ -26,7 +27,8 @@ void Surface::compute_air_forces(Parallel& parallel, const InAir& cloth, std::sp
                                  cloth.air_velocities, forces);
         return;
     }
-    if (cloth.has_moved) compute_area_normals(parallel, groups_, cloth.positions, rows_.span());
+    if (cloth.has_moved || is_behind_) compute_area_normals(parallel, groups_, cloth.positions, rows_.span());
+    is_behind_ = false;
     weft::compute_air_forces(parallel, groups_, cloth.velocities, cloth.wind, cloth.air_velocities,
                              rows_.span(), forces);
 }

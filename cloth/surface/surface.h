@@ -20,6 +20,9 @@ class Surface {
     /// Of particles: means of the triangles' normals, weighted by area; +Y where they cancel out.
     void compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals);
 
+    /// Particles have moved, and their normals with them, but by no call of this.
+    void forget() noexcept { is_behind_ = true; }
+
     /// What the air does to a moving cloth.
     struct InAir {
         const Wind& wind;
@@ -42,6 +45,7 @@ class Surface {
     TriangleGroups groups_;  // which has these
     /// Of triangles: their area normals, since normals were computed until air forces are.
     AlignedBuffer<Vec4> rows_;
+    bool is_behind_ = false;  // those are not of the particles' places
 };
 
 }  // namespace weft

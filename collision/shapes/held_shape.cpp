@@ -123,6 +123,7 @@ void HeldShape::find_coarse() {
 
 // Nowhere is a distance less than that at a corner, less the way there.
 bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
+    if (outside_.known()) return !outside_.are_outside(q);
     if (coarse_.distances.empty()) return true;  // they are being made
     std::array<std::size_t, 3> first{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -135,7 +136,7 @@ bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
     for (std::size_t corner = 0; corner < 8; ++corner) {
         const std::size_t x = first[0] + (corner & 1), y = first[1] + (corner >> 1 & 1),
                           z = first[2] + (corner >> 2);
-        const float way = (q - corner_of(coarse_, x, y, z)).norm() + deformed_by_;
+        const float way = (q - corner_of(coarse_, x, y, z)).norm();
         least = std::max(least, coarse_.distances[coarse_.index(x, y, z)] - 1.001f * way);
     }
     return least < -than;
@@ -146,19 +147,13 @@ Result<void> HeldShape::deform(std::span<const Vec3> vertices, std::uint64_t ste
     if (tree == nullptr || convex_) return invalid("the shape is no TriangleMesh; only those deform");
     std::vector<Vec3> before;
     if (original_.empty()) before.assign(tree->vertices().begin(), tree->vertices().end());
+    if (tree->is_closed()) outside_.reserve();
     if (auto done = tree->deform("TriangleMesh", vertices, deforms_in_ == step); !done) return done;
     if (original_.empty()) original_ = std::move(before);
-    find_farthest_deformed();
+    if (tree->is_closed()) outside_.find(*tree);
     deforms_in_ = step;
     find_box();
     return {};
-}
-
-void HeldShape::find_farthest_deformed() {
-    const std::span<const Vec3> now = std::get<TriangleTree>(data_).vertices();
-    deformed_by_ = 0;
-    for (std::size_t v = 0; v < original_.size(); ++v)
-        deformed_by_ = std::max(deformed_by_, (to_vector(now[v]) - to_vector(original_[v])).norm());
 }
 
 HeldShape::Deformation HeldShape::deformation() const noexcept {
@@ -174,7 +169,10 @@ std::size_t HeldShape::deformable() const noexcept {
 
 void HeldShape::prepare_deformation() {
     original_.reserve(deformable());
-    if (auto* const tree = std::get_if<TriangleTree>(&data_)) tree->reserve_displacements();
+    auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr) return;
+    tree->reserve_displacements();
+    if (tree->is_closed()) outside_.reserve();
 }
 
 void HeldShape::put_back(const Deformation& deformation) {
@@ -183,12 +181,13 @@ void HeldShape::put_back(const Deformation& deformation) {
     if (deformation.vertices.empty()) {
         tree->put_back(original_, {});
         original_.clear();
+        outside_.clear();
     } else {
         if (original_.empty()) original_.assign(tree->vertices().begin(), tree->vertices().end());
         tree->put_back(deformation.vertices, deformation.displacements);
+        if (tree->is_closed()) outside_.find(*tree);
     }
     deforms_in_ = deformation.step;
-    find_farthest_deformed();
     find_box();
 }
 
@@ -216,7 +215,7 @@ ShapeInfo HeldShape::info() const {
     if (const auto* const tree = std::get_if<TriangleTree>(&data_)) {
         info.triangles = static_cast<std::uint32_t>(tree->size());
         info.bytes = sizeof(HeldShape) + tree->bytes() + coarse_.distances.capacity() * sizeof(float) +
-                     original_.capacity() * sizeof(Vec3);
+                     original_.capacity() * sizeof(Vec3) + outside_.bytes();
     } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
         info.triangles = ground->triangles();
         info.bytes = sizeof(HeldShape) + ground->heights.capacity() * sizeof(float);

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "collision/shapes/outside_cells.h"
 #include "collision/shapes/triangle_tree.h"
 #include "engine/vector.h"
 #include "weft/error.h"
@@ -57,7 +58,7 @@ class HeldShape {
     /// Whoever passes it is inside, however deep.
     [[nodiscard]] bool is_ground() const noexcept { return std::holds_alternative<HeldHeights>(data_); }
     /// False only where the point of a closed mesh is not farther inside than that: by distances at the
-    /// corners of coarse cells, which are wrong by what the mesh has deformed since.
+    /// corners of coarse cells or, once the mesh has been deformed, by cells that are outside.
     [[nodiscard]] bool may_be_deeper(const Vector3& q, float than) const;
     [[nodiscard]] bool deforms_in(std::uint64_t step) const noexcept { return deforms_in_ == step; }
 
@@ -80,12 +81,10 @@ class HeldShape {
     HeldShape(Data&& data, bool convex) : data_(std::move(data)), convex_(convex) { find_box(); }
     void find_box();
     void find_coarse();
-    void find_farthest_deformed();
-
     Data data_;
     Eigen::AlignedBox3f box_;
     HeldDistances coarse_{};      // of a closed mesh
-    float deformed_by_ = 0;       // at most, since then [m]
+    OutsideCells outside_;        // likewise, where it has been deformed
     std::vector<Vec3> original_;  // vertices, once it has been deformed
     bool convex_;
     std::uint64_t deforms_in_ = 0;  // 0: none

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "collision/collider_contacts.h"
+#include "collision/thin/sides_kernels.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -42,6 +43,15 @@ class Cores {
     /// Around all of them.
     [[nodiscard]] const Eigen::AlignedBox3f& box() const { return box_; }
 
+    /// The same, in the World, and wider by so much on all sides.
+    [[nodiscard]] TurningBox turning_box(float margin) const {
+        return {to_own_,
+                from_start_,
+                origin_,
+                start_origin_,
+                box_.min() - Vector3::Constant(margin),
+                box_.max() + Vector3::Constant(margin)};
+    }
     /// Of points of the World at the substep's start and its end.
     [[nodiscard]] Vector3 seen_at_start(const Vector3& p) const { return from_start_ * (p - start_origin_); }
     [[nodiscard]] Vector3 seen(const Vector3& p) const { return to_own_ * (p - origin_); }

@@ -1,6 +1,7 @@
 #include "collision/thin/whole_triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -38,6 +39,29 @@ std::optional<weft::Meeting> may_be_near(const ColliderMotion& motion, float h, 
         return may_meet(start, end, {h, motion.fastest}, {thickness, 0}, paths);
     });
 }
+
+/// Of the particles of a block of triangles, on which sides of all cores they are.
+class ParticleSides {
+  public:
+    /// None of them is known of a block whose particles lie too far apart in memory.
+    ParticleSides(const Cores& cores, float gap, const CollidingParticles& particles, std::uint32_t first,
+                  std::uint32_t last)
+        : first_(first), known_(last - first < most) {
+        const std::uint32_t count = last - first + 1;
+        if (known_)
+            find_sides(cores.turning_box(gap), particles.starts.subspan(first, count),
+                       particles.positions.subspan(first, count), std::span(sides_).first(count));
+    }
+    [[nodiscard]] bool leave_out(const WholeTriangles::Triangle& t) const {
+        return known_ && (sides_[t[0] - first_] & sides_[t[1] - first_] & sides_[t[2] - first_]) != 0;
+    }
+
+  private:
+    static constexpr std::uint32_t most = 2048;
+    std::uint32_t first_;
+    bool known_;
+    std::array<std::uint32_t, most> sides_;
+};
 
 }  // namespace
 
@@ -217,7 +241,9 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     if (!may || (meeting.only_fast && may->thin == 0)) return;
     const float least_way = meeting.only_fast ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
+    const ParticleSides sides(meeting.cores, gap, meeting.particles, span.first, span.last);
     for (std::uint32_t t = range.begin; t < range.end; ++t) {
+        if (sides.leave_out(triangles_[t])) continue;
         const CornerPaths corners = meeting.paths(triangles_[t]);
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);

@@ -87,7 +87,7 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
                         settings);
     character.binding_ = std::move(*binding);
     character.bind_limits(pose, &*all);
-    character.take_skin(std::move(skin));
+    if (has_skin) character.take_skin(std::move(skin));
     character.follow(0);
     return character;
 }
@@ -118,6 +118,7 @@ Character::Character(Body body, Performance performance, Garment garment, Fit fi
       fit_(std::move(fit)),
       settings_(settings),
       fitting_(fit_.inside > 0 ? growing : 0),
+      place_(to_vector(settings_.place)),
       targets_(garment_.fixed.size()) {
     Pose stance;
     place_joints(performance_.skeleton(), performance_.stance(), stance);
@@ -152,8 +153,10 @@ void Character::bind_limits(const Pose& stance, const Binding* own) {
 }
 
 void Character::follow(double time) {
+    followed_ = time;
     angles_ = performance_.at(time);
-    angles_.root += to_vector(settings_.place);
+    angles_.root = turn_ * angles_.root + place_;
+    angles_.rotations[0] = turn_ * angles_.rotations[0];
     place_joints(performance_.skeleton(), angles_, pose_);
     const float growth = growth_at(time, fitting_);
     body_.place(pose_, fit_.girth * growth, capsules_);
@@ -213,6 +216,25 @@ void Character::before_step(World& world, double time, float dt) {
     }
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
     if (limits_.size() > 0) (void)world.set_skin(cloth_, limit_places_, limit_normals_);
+}
+
+Result<void> Character::teleport(World& world, const Transform& by) {
+    if (auto moved = world.move_cloth(cloth_, by); !moved) return moved;
+    const Quaternion turn =
+        Quaternion(by.rotation.w, by.rotation.x, by.rotation.y, by.rotation.z).normalized();
+    turn_ = (turn * turn_).normalized();
+    place_ = turn * place_ + to_vector(by.translation);
+    follow(followed_);
+    if (skin_places_) {  // by deforming it would sweep all that lies between
+        if (auto removed = world.remove_collider(colliders_.front()); !removed) return removed;
+        if (auto removed = world.remove_shape(skin_shape_); !removed) return removed;
+        colliders_.clear();
+        return add_body(world);
+    }
+    for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
+        if (auto placed = world.place_collider(colliders_[limb], {.shape = capsules_[limb]}); !placed)
+            return placed;
+    return {};
 }
 
 void Character::write_back(const World& world, std::span<Vec3> vertices) const {

@@ -44,6 +44,10 @@ class Character {
     /// where they are at the end of the step from `time` to `time + dt` [s].
     void before_step(World& world, double time, float dt);
 
+    /// Goes there at once, by this about the World's origin, and what is worn goes along as it hangs and
+    /// moves. Error: the World's; who cannot go stays, but for a skin that has no memory.
+    [[nodiscard]] Result<void> teleport(World& world, const Transform& by);
+
     /// The garment's vertices as they are drawn and written: those that are simulated from the World, fixed
     /// ones where the body has them. Precondition: one for each of the garment's mesh.
     void write_back(const World& world, std::span<Vec3> vertices) const;
@@ -56,6 +60,9 @@ class Character {
     /// Likewise, of BodySurface::skin. The same memory as long as somebody holds it.
     [[nodiscard]] const std::shared_ptr<std::vector<Vec3>>& skin_places() const { return skin_places_; }
     [[nodiscard]] const Skin& skin() const { return skin_; }
+    /// Of all vertices, where leashes and backstops are about them; none, where the garment has neither.
+    [[nodiscard]] const std::vector<Vec3>& skin_targets() const { return limit_places_; }
+    [[nodiscard]] const Skeleton& skeleton() const { return performance_.skeleton(); }
     [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const Pose& pose() const { return pose_; }
@@ -76,7 +83,9 @@ class Character {
     Garment garment_;
     Fit fit_;
     CharacterSettings settings_;
-    double fitting_ = 0;
+    double fitting_ = 0, followed_ = 0;         // followed_: the time of this pose [s]
+    Quaternion turn_ = Quaternion::Identity();  // of the ground that is stood on
+    Vector3 place_;                             // likewise [m]
     Binding binding_;
     Pose pose_;
     JointAngles angles_;

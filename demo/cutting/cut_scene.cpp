@@ -1,5 +1,6 @@
 #include "demo/cutting/cut_scene.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/vector.h"
@@ -28,6 +29,18 @@ Result<bool> cut_cloth(World& world, SceneCloth& cloth, std::span<const MeshEdge
     return true;
 }
 
+namespace {
+
+/// A hem holds: what parted at a pin would hang on two in one place.
+void spare_pins(const ClothView& view, std::vector<MeshEdge>& edges) {
+    const auto is_pinned = [&](std::uint32_t vertex) {
+        return view.positions[view.vertex_to_particle[vertex]].w == 0;
+    };
+    std::erase_if(edges, [&](const MeshEdge& edge) { return std::ranges::any_of(edge, is_pinned); });
+}
+
+}  // namespace
+
 Result<bool> tear_cloth(World& world, SceneCloth& cloth, const Tearing& tearing) {
     std::vector<StrainedEdge> strained(tearing.edges);
     const auto count = world.strained_edges(cloth.id, tearing.strain, strained);
@@ -36,8 +49,9 @@ Result<bool> tear_cloth(World& world, SceneCloth& cloth, const Tearing& tearing)
     strained.resize(*count);
     const auto positions = vertex_positions(world, cloth.id);
     if (!positions) return positions.error();
-    const auto edges = edges_to_tear(cloth.mesh, *positions, strained);
+    auto edges = edges_to_tear(cloth.mesh, *positions, strained);
     if (!edges) return edges.error();
+    spare_pins(*world.cloth(cloth.id), *edges);
     return cut_cloth(world, cloth, *edges);
 }
 

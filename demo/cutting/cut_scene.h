@@ -21,7 +21,7 @@ struct Tearing {
     float strain = 0.2f;    ///< of an edge, beyond which it gives way
     std::size_t edges = 4;  ///< in a step at most, those that are strained most
 };
-/// Tears where it is strained more. True: something parted.
+/// Tears where it is strained more, but not at pins. True: something parted.
 [[nodiscard]] Result<bool> tear_cloth(World& world, SceneCloth& cloth, const Tearing& tearing);
 
 }  // namespace weft::demo

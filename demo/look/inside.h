@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/annotation.h"
 #include "demo/scene_simulation.h"
 #include "weft/render/scene_renderer.h"
 
@@ -23,16 +24,8 @@ struct Inside {
     }
 };
 
-struct ShownWords {
-    Vec3 at;
-    std::string words;
-    Vec3 colour;
-};
-
 /// World::debug_draw's lines and words, in the host's own memory.
-struct InsideDrawing {
-    std::vector<render::DrawnLine> lines;
-    std::vector<ShownWords> words;
+struct InsideDrawing : Annotation {
     void take(const World& world, DebugParts parts);
 };
 

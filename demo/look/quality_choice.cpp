@@ -93,6 +93,10 @@ void QualityChoice::choose(int level) {
     move_to(std::clamp(level, 0, static_cast<int>(levels) - 1));
 }
 
+void QualityChoice::start_at(int level) {
+    move_to(std::clamp(level, 0, static_cast<int>(levels) - 1));
+}
+
 void QualityChoice::forget() {
     measured_ = {};
     waiting_ = settling;

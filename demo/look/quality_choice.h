@@ -27,7 +27,8 @@ class QualityChoice {
     /// What drawing a picture at the present level took [ms]. Levels change by the median of some pictures:
     /// down as soon as it is too much, up where what the better one will take is clearly within the limit.
     void add(float milliseconds);
-    void choose(int level);  ///< by hand
+    void choose(int level);    ///< by hand
+    void start_at(int level);  ///< it stays automatic
     /// The window has another size: what was measured does not hold any more.
     void forget();
 
@@ -39,7 +40,7 @@ class QualityChoice {
 
   private:
     static constexpr std::size_t sample = 8, levels = 6;
-    static constexpr int settling = 5;  ///< pictures after a change whose times are not its own yet
+    static constexpr int settling = 4;  ///< pictures after a change whose times are not its own yet
     [[nodiscard]] float expected(int level, float now) const;
     void move_to(int level);
 

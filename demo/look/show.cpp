@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "demo/hands/project.h"
 
 namespace weft::demo {
 namespace {
@@ -14,20 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 float milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<float, std::milli>(Clock::now() - start).count();
-}
-
-/// Where a point is in the picture, from its upper left corner; false behind the eye.
-bool project(const render::OrbitCamera& camera, const Vec3& point, ImVec2 size, ImVec2& place) {
-    const render::Matrix4 view = camera.view(), projection = camera.projection(size.x / size.y);
-    const auto row = [](const render::Matrix4& m, std::size_t r, const Vec3& p) {
-        return m[r] * p.x + m[4 + r] * p.y + m[8 + r] * p.z + m[12 + r];
-    };
-    const Vec3 seen{row(view, 0, point), row(view, 1, point), row(view, 2, point)};
-    if (seen.z > -0.01f) return false;
-    const float depth = -seen.z;
-    place = {0.5f * size.x * (1 + projection[0] * seen.x / depth),
-             0.5f * size.y * (1 - projection[5] * seen.y / depth)};
-    return true;
 }
 
 std::string told(const Result<std::filesystem::path>& saved) {
@@ -45,12 +32,19 @@ std::string begin_or_end_film(Recorder& recorder) {
 
 }  // namespace
 
+void begin_look(Picture& picture, Look& look) {
+    constexpr int first_by_processor = 4;
+    look.by_processor = picture.renderer().drawn_by_processor();
+    if (look.by_processor) look.quality.start_at(first_by_processor);
+}
+
 void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look) {
     const Clock::time_point start = Clock::now();
     picture.renderer().draw(view, width, height);
-    // A processor that draws works while it is asked to, too; a graphics card does not.
-    const float asking = milliseconds_since(start), drawing = picture.renderer().draw_times().total();
-    const float took = asking + drawing;
+    // A processor is waited for, since it can do nothing else meanwhile; a graphics card says later.
+    if (look.by_processor) picture.renderer().wait();
+    const float took =
+        look.by_processor ? milliseconds_since(start) : picture.renderer().draw_times().total();
     look.quality.add(took);
     look.times.add_picture(took, 1000 * ImGui::GetIO().DeltaTime);
 }
@@ -59,8 +53,9 @@ void draw_words(const Picture& picture, const render::OrbitCamera& camera) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const ShownWords& each : picture.words()) {
-        ImVec2 place;
-        if (!project(camera, each.at, size, place)) continue;
+        const auto seen = project(camera, each.at, size.x / size.y);  // in heights
+        if (!seen) continue;
+        const ImVec2 place(size.y * seen->x, size.y * seen->y);
         draw.AddText({place.x + 1, place.y + 1}, IM_COL32(0, 0, 0, 160), each.words.c_str());
         draw.AddText(place, ImGui::ColorConvertFloat4ToU32({each.colour.x, each.colour.y, each.colour.z, 1}),
                      each.words.c_str());

@@ -7,6 +7,9 @@
 
 namespace weft::demo {
 
+/// Where a processor draws, quality starts low and rises.
+void begin_look(Picture& picture, Look& look);
+
 /// Draws the view, and chooses the quality of the next picture by what this one took.
 void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look);
 

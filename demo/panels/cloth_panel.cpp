@@ -63,14 +63,14 @@ bool plain_sliders(Fabric& fabric) {
                by_factors);
     if (changed) set_stiffness(fabric, stiffness);
     float micro = 1e6f * fabric.bending;
-    if (slider("bending", micro, 0.5f, 500, "%.1f uN m",
+    if (slider("bending", micro, 0.5f, 500, "%.1f \xc2\xb5N m",
                "How hard it is to fold: 2 falls in small wrinkles, 20 in wide folds, 300 is leather.",
                by_factors)) {
         fabric.bending = 1e-6f * micro;
         changed = true;
     }
     changed |=
-        slider("weight", fabric.areal_density, 0.04f, 1, "%.2f kg/m2",
+        slider("weight", fabric.areal_density, 0.04f, 1, "%.2f kg/m\xc2\xb2",
                "Of a square metre: light cloth follows the wind, heavy cloth hangs and swings.", by_factors);
     float milliseconds = 1e3f * fabric.damping;
     if (slider("damping", milliseconds, 0, 50, "%.2f ms",
@@ -157,7 +157,7 @@ Result<void> cloth_panel(Simulation& simulation) {
     if (defaults) return simulation.restore_defaults();
     bool world_changed = false;
     WorldSettings settings = world.settings();
-    if (ImGui::TreeNode("More")) {
+    if (begin_fold("More")) {
         cloth_changed |= further_sliders(*cloth);
         cloth_changed |= self_collision_controls(*cloth);
         world_changed = world_sliders(settings);

@@ -28,9 +28,15 @@ bool begin_column(bool& collapsed) {
     return false;
 }
 
-Section::Section(const char* title, bool open_at_first)
-    : open_(ImGui::CollapsingHeader(
-          title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None)) {
+bool begin_fold(const char* title) {
+    if (all_open) ImGui::SetNextItemOpen(true);
+    return ImGui::TreeNode(title);
+}
+
+Section::Section(const char* title, bool open_at_first) {
+    if (all_open) ImGui::SetNextItemOpen(true);
+    open_ = ImGui::CollapsingHeader(title,
+                                    open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     ImGui::PushID(title);
     // Labels stand to the right of what they name; a narrow column gives them more of itself.
     ImGui::PushItemWidth(-std::min(9.0f * ImGui::GetFontSize(), 0.46f * ImGui::GetContentRegionAvail().x));

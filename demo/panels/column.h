@@ -13,6 +13,12 @@ namespace weft::demo {
 /// ImGui::End() in either case.
 bool begin_column(bool& collapsed);
 
+/// All sections and folds are open, whatever was clicked: for tests.
+inline bool all_open = false;
+
+/// What is seldom wanted, under a title of its own; close with ImGui::TreePop() where it is open.
+[[nodiscard]] bool begin_fold(const char* title);
+
 /// A part of the column under a title that folds it away.
 class Section {
   public:

@@ -7,11 +7,12 @@ namespace weft::demo {
 namespace {
 
 constexpr const char* lines[][2] = {
-    {"left drag", "grabs the cloth; beside it, turns the camera"},
-    {"right drag, wheel", "moves the camera, comes nearer"},
+    {"left drag", "the wind's arrow, cloth, a ball or box; beside them, the camera; with shift, cuts"},
+    {"right drag, wheel", "moves the camera, comes nearer; over what is held: its size"},
     {"arrow keys", "turn the wind; make it faster or slower"},
+    {"T, P, F, B", "where the pointer is: throws a ball, pins or lets go, a fan, a blast"},
     {"1 to 9", "the first scenes"},
-    {"space, N", "stop and go, one step"},
+    {"space, N, comma, full stop", "stops and goes; a step; a step back, a step on"},
     {"R", "the scene from its start"},
     {"F1", "this"},
     {"F2", "hides and shows the panels"},
@@ -24,7 +25,8 @@ constexpr const char* lines[][2] = {
 
 void help_window(bool& shown, float room) {
     const float em = ImGui::GetFontSize();
-    const float width = std::min(30 * em, room - em), height = ImGui::GetIO().DisplaySize.y - em;
+    const float width = std::min(30 * em, room - em);
+    const float height = ImGui::GetIO().DisplaySize.y - 8 * em;  // the bar of time is below
     ImGui::SetNextWindowPos({0.5f * (room - width), 0.5f * em});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, height});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |

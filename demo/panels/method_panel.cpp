@@ -32,7 +32,7 @@ bool method_list(Method& method) {
 }
 
 bool iterations_slider(int& iterations, int least, const char* explanation) {
-    return slider("iterations", iterations, least, 10'000, "%d", explanation, logarithmic);
+    return slider("iterations", iterations, least, 500, "%d", explanation, logarithmic);
 }
 
 bool mean_motion_box(bool& exact) {
@@ -100,7 +100,7 @@ bool own_controls(SymplecticEuler& /*method*/) {
 
 bool time_controls(ClothSettings& settings) {
     bool changed = slider(
-        "cloth substeps", settings.substeps, 1, 1024, "%d",
+        "cloth substeps", settings.substeps, 1, 64, "%d",
         "Shorter steps for the cloth alone: motion is livelier and truer, and takes longer.", logarithmic);
     if (!has_time_scheme(settings.method)) return changed;
     bool second_order = resolved(settings.time_scheme, settings.method) == TimeScheme::bdf2;

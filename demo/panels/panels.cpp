@@ -32,6 +32,8 @@ float StageHistory::at(std::size_t stage, std::size_t age) const {
 void Panels::forget() {
     history_.clear();
     message.clear();
+    troubles_.clear();
+    look.comparison.reset();
 }
 
 void Panels::record(const World& world) {
@@ -39,24 +41,25 @@ void Panels::record(const World& world) {
     look.times.add_step(world.report().milliseconds);
 }
 
-PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands,
-                           const Playback& playback, const render::OrbitCamera& camera) {
+PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+                           const render::OrbitCamera& camera) {
     PanelRequests requests;
     ImGui::GetIO().FontGlobalScale = look.text_size;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    room_ = window.x;
+    covered_ = 0;
     if (visible) {
         if (begin_column(collapsed)) {
-            room_ -= column_width(window, ImGui::GetFontSize());
-            draw_column(simulation, wind, hands, playback, camera, requests);
+            covered_ = column_width(window, ImGui::GetFontSize());
+            draw_column(simulation, wind, hands, camera, requests);
         }
         ImGui::End();
     }
-    if (help) help_window(help, room_);
+    show_messages(simulation, playback, window.x - covered_);
+    if (help) help_window(help, window.x - covered_);
     return requests;
 }
 
-void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands,
                          const render::OrbitCamera& camera, PanelRequests& requests) {
     if (ImGui::Button(">")) collapsed = true;
     tooltip("Folds the panels away. F2 hides them altogether.");
@@ -65,32 +68,58 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     tooltip("F1. Keys and mouse.");
     ImGui::SameLine();
     ImGui::Text("%.0f pictures a second", static_cast<double>(ImGui::GetIO().Framerate));
-    show_troubles(simulation, playback);
     scene_panel(simulation, pictures_, requests);
     note(wind_panel(simulation, wind, camera));
     hands_panel(hands);
     note(cloth_panel(simulation));
     picture_panel(look);
+    files_panel(simulation, look, requests);
     note(inside_panel(simulation, look.inside));
     note(times_panel(simulation, history_, look));
     note(method_panel(simulation));
+    compare_panel(simulation, look);
 }
 
-void Panels::show_troubles(const Simulation& simulation, const Playback& playback) {
+/// They stay to be read after what they tell of is over.
+void Panels::note_troubles(const Simulation& simulation, const Playback& playback) {
     const StepReport& report = simulation.world().report();
-    const WorldSettings& settings = simulation.world().settings();
-    const ImVec4 warning{0.98f, 0.72f, 0.40f, 1};
-    ImGui::PushStyleColor(ImGuiCol_Text, warning);
-    ImGui::PushTextWrapPos(0);
-    if (!message.empty()) ImGui::TextUnformatted(message.c_str());
+    std::string present;
     if (playback.behind_real_time)
-        ImGui::TextUnformatted(
-            what_is_slow(look.times.percentile(0.5f),
-                         look.quality.level() + 1 == static_cast<int>(quality_levels().size())));
-    if (report.flags != StepFlags::none)
-        ImGui::TextUnformatted(flags_text(report.flags, speed_of(settings.wind)).c_str());
-    ImGui::PopTextWrapPos();
+        present
+            .append(what_is_slow(look.times.percentile(0.5f),
+                                 look.quality.level() + 1 == static_cast<int>(quality_levels().size())))
+            .append("\n");
+    // A flag that cracks leaves more unsolved than cloth that swings: the times' panel shows how much.
+    const auto flags = static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
+                                              ~static_cast<unsigned>(StepFlags::unsolved));
+    present += flags_text(flags, speed_of(simulation.world().settings().wind));
+    constexpr double long_enough = 3;  // [s]
+    if (!present.empty() && (present.size() >= troubles_.size() || ImGui::GetTime() > troubled_until_)) {
+        troubles_ = present;
+        troubled_until_ = ImGui::GetTime() + long_enough;
+    }
+    if (ImGui::GetTime() > troubled_until_) troubles_.clear();
+}
+
+/// Over the scene's upper left corner.
+void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
+    note_troubles(simulation, playback);
+    if (help || (message.empty() && troubles_.empty())) return;  // the help is in their place
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
+    ImGui::SetNextWindowBgAlpha(0.6f);
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs;
+    ImGui::Begin("messages", nullptr, flags);
+    ImGui::PushTextWrapPos(std::min(34 * em, room - 2 * em));
+    if (!message.empty()) ImGui::TextUnformatted(message.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.98f, 0.72f, 0.40f, 1));
+    if (!troubles_.empty())
+        ImGui::TextUnformatted(troubles_.c_str(), troubles_.c_str() + troubles_.size() - 1);
     ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::End();
 }
 
 void Panels::note(const Result<void>& set) {

@@ -29,6 +29,7 @@ struct Playback {
 struct PanelRequests {
     const SceneEntry* scene = nullptr;  ///< to change to
     bool restart = false;
+    bool reload = false;  ///< the scene with SceneOptions as they are now
 };
 
 /// The times of the stages in the last steps, for the plot.
@@ -65,6 +66,8 @@ class Panels {
     bool collapsed = false;  ///< to a tab
     bool help = false;
     std::string message;  ///< why the last request could not be met, or what came of it
+    /// Pixels that the column takes of the window's right, as last drawn.
+    [[nodiscard]] float covered() const { return covered_; }
     Look look;
 
     /// Keeps the times of the step just taken.
@@ -74,18 +77,19 @@ class Panels {
     /// Between ImGuiLayer's begin() and end(). Applies what is changed to the simulation.
     [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Hands& hands,
                                      const Playback& playback, const render::OrbitCamera& camera);
-    /// What they leave of the window's width, from its left edge on [pixels].
-    [[nodiscard]] float room() const { return room_; }
 
   private:
     void note(const Result<void>& set);
-    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
+    void draw_column(Simulation& simulation, WindControl& wind, Hands& hands,
                      const render::OrbitCamera& camera, PanelRequests& requests);
-    void show_troubles(const Simulation& simulation, const Playback& playback);
+    void show_messages(const Simulation& simulation, const Playback& playback, float room);
+    void note_troubles(const Simulation& simulation, const Playback& playback);
 
-    float room_ = 0;
     StageHistory history_;
     ScenePictures pictures_;
+    std::string troubles_;  // of the last steps, in words
+    float covered_ = 0;
+    double troubled_until_ = 0;  // they are shown [s]
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
@@ -96,6 +100,8 @@ void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelReq
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
 void picture_panel(Look& look);
+void compare_panel(const Simulation& simulation, Look& look);
+void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
 [[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
 /// Keys and mouse, within the `room` left of the column [pixels].

@@ -22,7 +22,7 @@ void quality_controls(QualityChoice& quality) {
     }
     tooltip("How much goes into a picture. Slow machines without a graphics card want less.");
     if (quality.automatic)
-        slider("pictures a second", quality.pictures_a_second, 10, 60, "%.0f at least",
+        slider("at least", quality.pictures_a_second, 10, 60, "%.0f pictures/s",
                "Quality goes down until drawing leaves time for so many.");
     const QualityLevel& now = quality.now();
     if (now.left_out[0] != 0)

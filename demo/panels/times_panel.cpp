@@ -220,7 +220,7 @@ Result<void> times_panel(Simulation& simulation, const StageHistory& history, co
     WorldSettings settings = simulation.world().settings();
     const bool changed = budget_bar(settings, report);
     const auto stages = simulation.world().profile();
-    if (ImGui::TreeNode("Parts of a step")) {
+    if (begin_fold("Parts of a step")) {
         plot_stages(stages, history, {ImGui::GetContentRegionAvail().x, 4 * em});
         stage_table(stages);
         ImGui::TreePop();

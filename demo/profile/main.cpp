@@ -66,12 +66,12 @@ int main(int argc, char** argv) {
     const auto parsed = parse_profile_options(argc, argv);
     if (const auto* exit = std::get_if<EarlyExit>(&parsed)) {
         std::fputs(exit->text.c_str(), exit->status == 0 ? stdout : stderr);
-        return exit->status;
+        return ended("weft_profile", exit->status);
     }
     const auto& options = std::get<ProfileOptions>(parsed);
     if (options.list) {
         std::fputs(scene_list().c_str(), stdout);
-        return 0;
+        return ended("weft_profile", 0);
     }
-    return run(options);
+    return ended("weft_profile", run(options));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "demo/look/settings_file.h"
 #include "demo/method_table.h"
 #include "demo/progress.h"
 
@@ -59,6 +60,8 @@ Result<Simulation> build_simulation(const ProfileOptions& options) {
     if (!scene) return scene.error();
     auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
     if (!simulation) return simulation;
+    if (!options.settings.empty())
+        if (auto loaded = load_settings(options.settings, *simulation); !loaded) return loaded.error();
     const std::vector<SceneCloth>& own = simulation->content().cloths;
     for (int i = static_cast<int>(own.size()); i < options.cloths; ++i) {
         if (auto added = add_copy(simulation->world(), own.front()); !added) return added.error();

@@ -8,8 +8,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr float side = 1.2f;    // of the cloth [m]
-constexpr float height = 0.9f;  // of what it hangs from [m]
+constexpr float side = 1.2f;     // of the cloth [m]
+constexpr float hung_at = 0.9f;  // of what it hangs from [m]
 
 struct Props {
     Fabric fabric;
@@ -34,7 +34,7 @@ class BodyScene : public Scene {
         const GridSize grid = grid_size(options.particles == 0 ? 1600 : options.particles, side, side);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {-0.5f * side, height, -0.5f * side},
+                                .origin = {-0.5f * side, hung_at, -0.5f * side},
                                 .u = {side, 0, 0},
                                 .v = {0, 0, side}});
         if (!mesh) return mesh.error();
@@ -69,8 +69,8 @@ class BodyScene : public Scene {
         Checks checks;
         checks.finite(*view);
         const Vector3 where = to_vector(state->position);
-        checks.at_least("the body's height [m]", where.y(), height - 0.75f * side);
-        checks.at_most("its height [m]", where.y(), height + 0.2f);
+        checks.at_least("the body's height [m]", where.y(), hung_at - 0.75f * side);
+        checks.at_most("its height [m]", where.y(), hung_at + 0.2f);
         // It still swings then, and a tilted box has walked.
         checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())),
                        0.3f);
@@ -104,7 +104,7 @@ class BodyScene : public Scene {
 
 std::unique_ptr<Scene> make_ball_scene() {
     constexpr float mass = 1.5f, radius = 0.14f, inertia = 0.4f * mass * radius * radius;
-    const Vec3 start{0.05f, height + 0.45f, 0.03f};
+    const Vec3 start{0.05f, hung_at + 0.45f, 0.03f};
     return std::make_unique<BodyScene>(
         Props{.fabric = {.areal_density = 0.3f, .warp = 1500, .weft = 1500, .shear = 300},
               .mass = mass,
@@ -115,7 +115,7 @@ std::unique_ptr<Scene> make_ball_scene() {
 
 std::unique_ptr<Scene> make_trampoline_scene() {
     constexpr float mass = 3, edge = 0.24f, inertia = mass * edge * edge / 6;
-    const Vec3 start{0.03f, height + 0.6f, 0};
+    const Vec3 start{0.03f, hung_at + 0.6f, 0};
     const Rotation tilted{0.13f, 0, 0.1f, 0.98641776f};
     return std::make_unique<BodyScene>(Props{
         .fabric = {.areal_density = 0.3f, .warp = 6000, .weft = 6000, .shear = 1500},

@@ -1,6 +1,7 @@
 // A curtain in folds, hung from rings on a rod that are drawn to and fro, in a slow breeze.
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -16,6 +17,39 @@ constexpr std::uint32_t spans = 12;           // between rings; a fold each
 constexpr float steepest = 1.0f;              // angle between fold and rod at a ring [rad]
 constexpr float drawn = 0.35f;                // the rings come nearer by this fraction ...
 constexpr double period = 10.0;               // ... and go back in this time [s]
+
+constexpr float rod_height = top + 0.03f;  // [m]
+constexpr std::uint32_t ring_sides = 18, tube_sides = 6;
+constexpr float tube_radius = 0.003f;  // [m]
+
+/// Triangles of `count` rings, whose vertices are in rows about their tubes.
+std::vector<Triangle> ring_triangles(std::uint32_t count) {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t ring = 0; ring < count; ++ring)
+        for (std::uint32_t i = 0; i < ring_sides; ++i)
+            for (std::uint32_t k = 0; k < tube_sides; ++k) {
+                const auto at = [&](std::uint32_t side, std::uint32_t about) {
+                    return (ring * ring_sides + side % ring_sides) * tube_sides + about % tube_sides;
+                };
+                triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+                triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+            }
+    return triangles;
+}
+
+/// Round the rod and through what hangs from it.
+void append_ring(const Vec3& through, std::vector<Vec3>& vertices) {
+    const float radius = std::hypot(through.y - rod_height, through.z);
+    for (std::uint32_t i = 0; i < ring_sides; ++i) {
+        const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / ring_sides;
+        for (std::uint32_t k = 0; k < tube_sides; ++k) {
+            const float about = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / tube_sides;
+            const float out = radius + tube_radius * std::cos(about);
+            vertices.push_back({through.x + tube_radius * std::sin(about),
+                                rod_height + out * std::cos(around), out * std::sin(around)});
+        }
+    }
+}
 
 /// Points of the folded top edge, evenly spaced along the fabric. The angle to the rod swings as the cosine
 /// of the arc length, which is the curve that a bent strip takes (the sine-generated curve of Langbein and
@@ -57,7 +91,6 @@ class Curtain final : public Scene {
         }
 
         const float reach = 0.5f * width + 0.05f;
-        const float rod_height = top + 0.03f;
         const auto rod =
             world.add_collider({.shape = Capsule{{-reach, rod_height, 0}, {reach, rod_height, 0}, 0.015f}});
         if (!rod) return rod.error();
@@ -68,6 +101,10 @@ class Curtain final : public Scene {
              mesh_,
              {.front = {0.10f, 0.22f, 0.42f}, .back = {0.12f, 0.24f, 0.42f}, .stripe_width = 0.13f}});
         content.drawn_colliders = {*rod};
+        place_rings(0);
+        content.solids.push_back({.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},
+                                  .colour = {0.55f, 0.42f, 0.18f},
+                                  .moving = rings_});
         content.camera = {.target = {0, 1.22f, 0}, .distance = 3.9f, .yaw = 0.35f, .pitch = 0.08f};
         return content;
     }
@@ -77,6 +114,7 @@ class Curtain final : public Scene {
         for (std::uint32_t ring = 0; ring <= spans; ++ring) {
             (void)world.move_pin(cloth_, ring_vertex(ring), ring_place(ring, time_));
         }
+        place_rings(time_);
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
@@ -134,9 +172,15 @@ class Curtain final : public Scene {
         return place;
     }
 
+    void place_rings(double time) {
+        rings_->clear();
+        for (std::uint32_t ring = 0; ring <= spans; ++ring) append_ring(ring_place(ring, time), *rings_);
+    }
+
     ClothId cloth_;
     Mesh mesh_;
     double time_ = 0;
+    std::shared_ptr<std::vector<Vec3>> rings_ = std::make_shared<std::vector<Vec3>>();
 };
 
 }  // namespace

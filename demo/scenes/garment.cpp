@@ -12,18 +12,49 @@ namespace {
 
 constexpr float above_ground = 0.45f;  // the lowest point's height at the start [m]
 
+/// What is no garment's size is in other units, or something else: it becomes a metre high.
+void bring_to_size(Mesh& mesh) {
+    constexpr float smallest = 0.2f, largest = 3;  // [m]
+    Vector3 lower = to_vector(mesh.positions.front()), upper = lower;
+    for (const Vec3& p : mesh.positions) {
+        lower = lower.cwiseMin(to_vector(p));
+        upper = upper.cwiseMax(to_vector(p));
+    }
+    const float size = (upper - lower).maxCoeff();
+    if (!(size > 0) || (size >= smallest && size <= largest)) return;
+    for (Vec3& p : mesh.positions) p = to_vec3(to_vector(p) / size);
+}
+
+std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
+    switch (hold) {
+        case Hold::highest_opening:
+            return highest_opening(mesh);
+        case Hold::top:
+            return topmost(mesh);
+        case Hold::border:
+            return border_vertices(mesh);
+        case Hold::nothing:
+            break;
+    }
+    return {};
+}
+
 /// The file's own triangles, or as many times quartered as comes nearest to `particles`.
-Result<Mesh> load_garment(const std::filesystem::path& file, std::uint32_t particles) {
-    auto loaded = load_obj(file, {.texcoords_are_pattern = true});
+Result<Mesh> load_garment(const SceneOptions& options) {
+    auto loaded = load_obj(options.garment, {.texcoords_are_pattern = true});
+    if (!loaded) loaded = load_obj(options.garment);  // some corners have no texture coordinates
     if (!loaded) return loaded.error();
     Mesh mesh = std::move(*loaded);
+    if (options.y_is_up)
+        for (Vec3& p : mesh.positions) p = {p.x, -p.z, p.y};
+    bring_to_size(mesh);
     drop_unfit_pattern(mesh);
     stand_upright(mesh, above_ground);
-    while (particles > 2 * mesh.positions.size()) mesh = refined(mesh);
+    while (options.particles > 2 * mesh.positions.size()) mesh = refined(mesh);
     return mesh;
 }
 
-class Garment final : public Scene {
+class HungGarment final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
@@ -40,7 +71,7 @@ class Garment final : public Scene {
             return Error{ErrorCode::invalid_argument,
                          "scene garment needs an OBJ file; name one with --garment"};
         }
-        auto mesh = load_garment(options.garment, options.particles);
+        auto mesh = load_garment(options);
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
 
@@ -54,7 +85,7 @@ class Garment final : public Scene {
         // further apart.
         settings.self_collision.distance = world.cloth_info(cloth_)->mean_edge;
         if (auto set = world.set_cloth_settings(cloth_, settings); !set) return set.error();
-        pins_ = highest_opening(mesh_);
+        pins_ = held_vertices(mesh_, options.hold);
         for (const std::uint32_t vertex : pins_) {
             if (auto pinned = world.pin(cloth_, vertex); !pinned) return pinned.error();
         }
@@ -100,7 +131,7 @@ class Garment final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> make_garment_scene() {
-    return std::make_unique<Garment>();
+    return std::make_unique<HungGarment>();
 }
 
 }  // namespace weft::demo

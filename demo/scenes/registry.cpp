@@ -34,7 +34,8 @@
     SCENE(bar, "a wall hanging whose lower edge is fixed to a bar with mass")                               \
     SCENE(release, "a strip is twisted twice round, and let go")                                            \
     SCENE(stack10, "ten sheets are laid on one another")                                                            \
-    SCENE(tear, "a sheet is drawn apart till it tears in two")
+    SCENE(tear, "a sheet is drawn apart till it tears in two")                                               \
+    SCENE(bench, "a strip beside its exact curve, and Cusick's drape: two tests of fabric")
 // clang-format on
 
 namespace weft::demo {

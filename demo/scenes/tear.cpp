@@ -1,6 +1,8 @@
 // A sheet that is drawn apart at both ends, with a nick in its upper border: it tears from there, and falls.
 
-#include <cmath>
+#include <algorithm>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "demo/cutting/cut_scene.h"
@@ -10,24 +12,34 @@
 namespace weft::demo {
 namespace {
 
-constexpr float width = 1.6f, height = 1.0f;  // [m]
-constexpr float top = 1.5f;                   // of the sheet [m]
-constexpr float speed = 0.12f;                // of each end [m/s]
-constexpr float farthest = 0.4f;              // that each end goes [m]
-constexpr double begins = 0.5;                // to be drawn, once it hangs [s]
-constexpr float nick = 0.06f;                 // as a part of the height
+constexpr float sheet_width = 1.6f, sheet_height = 1.0f;  // [m]
+constexpr float top = 1.5f;                               // of the sheet [m]
+constexpr float speed = 0.12f;                            // of each end [m/s]
+constexpr float farthest = 0.4f;                          // that each end goes [m]
+constexpr double begins = 0.5;                            // to be drawn, once it hangs [s]
+constexpr float irregular = 0.5f;  // how far vertices lie from rows, over their distance
+constexpr float nick = 0.06f;      // as a part of the height
 constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
 
 class Tear final : public Scene {
   public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind.velocity = {0.4f, 0, 1.2f};
+        settings.wind.gust = 0.5f;
+        return settings;
+    }
+
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 1500 : options.particles, width, height);
+        const GridSize grid =
+            grid_size(options.particles == 0 ? 1500 : options.particles, sheet_width, sheet_height);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {-0.5f * width, top, 0},
-                                .u = {width, 0, 0},
-                                .v = {0, -height, 0}});
+                                .origin = {-0.5f * sheet_width, top, 0},
+                                .u = {sheet_width, 0, 0},
+                                .v = {0, -sheet_height, 0}});
         if (!mesh) return mesh.error();
+        make_irregular(*mesh);
 
         ClothSettings settings;
         settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
@@ -88,11 +100,25 @@ class Tear final : public Scene {
         if (!count) return count.error();
         if (*count > 0) checks.at_most("the worst strain left", worst[0].strain, 2 * tearing.strain);
         checks.at_least("the sheet's width, once torn [m]", view->bounds.upper.x - view->bounds.lower.x,
-                        width + 2 * farthest - 0.01f);
+                        sheet_width + 2 * farthest - 0.01f);
         return checks.result();
     }
 
   private:
+    /// Tears follow edges: without rows of them they look torn.
+    static void make_irregular(Mesh& mesh) {
+        std::mt19937 random(11);
+        const auto draw = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f - 0.5f; };
+        const float dx = irregular * sheet_width / static_cast<float>(mesh.columns - 1),
+                    dy = irregular * sheet_height / static_cast<float>(mesh.rows - 1);
+        for (std::uint32_t row = 1; row + 1 < mesh.rows; ++row)
+            for (std::uint32_t column = 1; column + 1 < mesh.columns; ++column) {
+                Vec3& p = mesh.positions[row * mesh.columns + column];
+                p.x += dx * draw();
+                p.y += dy * draw();
+            }
+        mesh.rows = mesh.columns = 0;
+    }
     /// Down from the middle of the upper border.
     static std::vector<MeshEdge> nick_of(const GridSize& grid) {
         std::vector<MeshEdge> edges;

@@ -55,7 +55,7 @@ void main() {
     vec3 to = normalize(eye - p), facing = normalize(n) * (dot(n, to) < 0. ? -1. : 1.);
     float sun = max(dot(facing, normalize(vec3(.4, .8, .6))), 0.), sky = .5 + .5 * facing.y;
     float gloss = pow(max(dot(facing, normalize(to + normalize(vec3(.4, .8, .6)))), 0.), 40.);
-    drawn = vec4(colour * (.25 + .2 * sky + .65 * sun) + .12 * gloss, 1);
+    drawn = vec4(colour * (.4 + .3 * sky + .6 * sun) + .1 * gloss, 1);
 }`;
 
 function makeProgram(gl) {
@@ -191,7 +191,7 @@ async function main() {
         gl.useProgram(shaders);
         gl.uniformMatrix4fv(uniform('view'), false, viewFrom(distance, canvas.width / canvas.height));
         gl.uniform3f(uniform('eye'), 0, 0, distance);
-        gl.uniform3f(uniform('colour'), 0.75, 0.16, 0.14);
+        gl.uniform3f(uniform('colour'), 0.85, 0.2, 0.17);
         flag.setVertices(new Float32Array(cloth.memory.buffer, cloth.vertices(), 6 * cloth.vertex_count()));
         flag.draw();
         if (mouse.isDown) {
@@ -201,6 +201,7 @@ async function main() {
         }
         const body = document.body.dataset;
         body.steps = steps, body.crossings = cloth.crossings(), body.glError = gl.getError();
+        body.tip = new Float32Array(cloth.memory.buffer, cloth.vertices() + 24 * (cloth.vertex_count() - 1), 3).join(' ');
         input('report').textContent = `${cloth.vertex_count()} particles, ${mean.toFixed(2)} ms a step`;
         requestAnimationFrame(frame);
     }

@@ -73,7 +73,9 @@ void main() {
     albedo = mix(albedo, shown.rgb, shown.a);
     through = mix(through, shown.rgb, shown.a);
 
-    float sun_seen = sun_visibility(point, smooth_normal);
+    // Where the sun grazes the cloth its own triangles would shade it in stairs.
+    float grazed = smoothstep(0.02, 0.25, abs(dot(smooth_normal, to_sun)));
+    float sun_seen = mix(1.0, sun_visibility(point, smooth_normal), grazed);
     float sky_seen = sky_visibility(point);
     const float wrap = 0.2;
     float n_l = dot(n, to_sun);

@@ -203,6 +203,21 @@ TEST(HeldShapes, AMeshThatDeformsIsLikeOneMadeSo) {
     const std::vector<Vec3> points = points_about({1, 0.5f, 1}, 800);
     const std::vector<Vec4> deformed = surfaces_of(held, points), expected = surfaces_of(anew, points);
     for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(deformed[i].w, expected[i].w, 1e-6f);
+    const std::vector<Vec4> seen = surfaces_of(held, points, 0.02f);
+    std::size_t deep = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(seen[i].w, std::min(expected[i].w, 0.02f), 1e-6f) << "however short its sight";
+        deep += expected[i].w < -0.02f ? 1 : 0;
+    }
+    EXPECT_GT(deep, 30u);
+    held.prepare_deformation();
+    held.put_back({});
+    const std::vector<Vec4> back = surfaces_of(held, points, 0.02f);
+    const HeldShape original = hold(torus(0.5f, 0.2f, 24, 12).mesh());
+    const std::vector<Vec4> first = surfaces_of(original, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_NEAR(back[i].w, std::min(first[i].w, 0.02f), 1e-6f) << "as it was made";
+    ASSERT_TRUE(held.deform(solid.vertices, 1).ok());
 
     solid.vertices.pop_back();
     EXPECT_FALSE(held.deform(solid.vertices, 2).ok());

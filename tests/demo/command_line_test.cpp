@@ -77,6 +77,40 @@ TEST_F(Program, ListsItsScenes) {
     }
 }
 
+TEST_F(Program, NamesAnOptionThatIsNotThere) {
+    expect_refusal(run("--self-collision 2"), "--self-collision 2");
+}
+
+TEST_F(Program, SaysThatItsOutputCannotBeWritten) {
+    std::filesystem::create_directories(folder());
+    const auto err = folder() / "stderr.txt";
+    const int status =
+        std::system((std::string(WEFT_DEMO_PROGRAM) + " --list >/dev/full 2>" + err.string()).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(content_of(err), "weft_demo: standard output cannot be written\n");
+}
+
+TEST_F(Program, SaysThatATraceCannotBeWritten) {
+    expect_refusal(run_headless("--frames 1 --trace /nonexistent/trace.json"), "/nonexistent/trace.json");
+    const Ran full = run_headless("--frames 1 --trace /dev/full");
+    EXPECT_EQ(full.status, 1);
+    EXPECT_EQ(std::ranges::count(full.err, '\n'), 1) << full.err;
+}
+
+TEST_F(Program, TakesSettings) {
+    std::filesystem::create_directories(folder());
+    const std::string file = (folder() / "settings.json").string();
+    std::ofstream(file) << R"({"scene": "sheet", "substeps": 3})";
+    const Ran ran = run_headless("--frames 1 --settings " + file);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("scene sheet"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("3 substeps"), std::string::npos) << ran.out;
+    std::ofstream(file) << R"({"scene": "sheet", "substeps": 0})";
+    expect_refusal(run_headless("--frames 1 --settings " + file), "substeps is 0");
+    std::ofstream(file) << R"({"scene": "nowhere"})";
+    expect_refusal(run_headless("--frames 1 --settings " + file), "nowhere");
+}
+
 TEST_F(Program, ExplainsItself) {
     const Ran ran = run("--help");
     EXPECT_EQ(ran.status, 0);

@@ -8,6 +8,10 @@ std::int64_t reference_target() {
     return HWY_EMU128;
 }
 
+bool has_reference_target() {
+    return (HWY_TARGETS & HWY_EMU128) != 0;
+}
+
 std::vector<std::int64_t> vector_targets() {
     hwy::SetSupportedTargetsForTest(0);
     std::vector<std::int64_t> targets;

@@ -8,6 +8,8 @@ namespace weft::test {
 
 /// Plain C++, one lane after the other: what all others are compared with.
 [[nodiscard]] std::int64_t reference_target();
+/// Builds for other machines than the compiler's leave it out.
+[[nodiscard]] bool has_reference_target();
 /// All others that are compiled and that this machine can run, the widest first.
 [[nodiscard]] std::vector<std::int64_t> vector_targets();
 /// Whether a * b + c is rounded once.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "cloth/frame/validate.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/settings/validate.h"
+#include "cloth/frame/world/world_calls.h"
 #include "engine/error_text.h"
 #include "engine/without_exceptions.h"
 

@@ -1,4 +1,4 @@
-// A CookedCloth as bytes: a head, then the model's lists and the report's, one behind the other.
+// A CookedCloth as bytes: a head, then the model's lists and the report's, one behind the other, then levels.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cloth/frame/cooked/cooked_cloth.h"
-#include "cloth/frame/validate.h"
+#include "cloth/frame/settings/validate.h"
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/state_hash.h"
@@ -25,7 +25,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 2;
+constexpr std::uint32_t cooked_version = 3;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 constexpr std::size_t list_count = 22;
 
@@ -34,6 +34,7 @@ struct CookedHead {
     std::uint32_t version = cooked_version;
     std::uint32_t particles = 0, rows = 0, columns = 0;
     std::array<std::uint64_t, list_count> items{};  ///< of each list
+    std::uint64_t level_bytes = 0;                  ///< of the levels, at the end; 0: there are none
     std::uint64_t bytes = 0;                        ///< of all
     std::uint64_t hash = 0;                         ///< of the head with 0 here, and of all behind it
 };
@@ -90,6 +91,8 @@ Result<CookedHead> read_head(std::span<const std::byte> saved) {
     if (head.bytes != saved.size())
         return refused("is of " + std::to_string(head.bytes) + " bytes, of which there are " +
                        std::to_string(saved.size()));
+    if (head.level_bytes > saved.size() - sizeof head)
+        return refused("says that more of it are levels than there are bytes");
     if (head.hash != hash_of(head, saved.subspan(sizeof head)))
         return refused("is damaged: its checksum is another");
     return head;
@@ -109,10 +112,14 @@ class ListReader {
             is_short_ = true;
             return;
         }
-        list = List(count);
-        if (count == 0) return;
-        std::memcpy(list.data(), left_.data(), count * sizeof(Item));
-        left_ = left_.subspan(count * sizeof(Item));
+        const std::span<const std::byte> bytes = left_.first(count * sizeof(Item));
+        if constexpr (std::is_same_v<List, SharedBuffer<Item>>) {
+            list = List(AlignedBuffer<Item>::from_bytes(bytes));
+        } else {
+            list = List(count);
+            if (count > 0) std::memcpy(list.data(), bytes.data(), bytes.size());
+        }
+        left_ = left_.subspan(bytes.size());
     }
     /// Whether all bytes were needed, and no more.
     [[nodiscard]] bool fits() const { return !is_short_ && left_.empty(); }
@@ -196,7 +203,7 @@ std::size_t CookedCloth::save_size() const noexcept {
     const std::span<const ClothInfo> info(&impl_->cloth.model.info, 1);
     for_each_list(impl_->cloth.model, info, impl_->report,
                   [&](const auto& list) { bytes += list.size() * sizeof(list[0]); });
-    return bytes;
+    return bytes + (impl_->levels ? written_size(*impl_->levels) : 0);
 }
 
 Result<void> CookedCloth::save(std::span<std::byte> to) const {
@@ -217,6 +224,8 @@ Result<void> CookedCloth::save(std::span<std::byte> to) const {
             head.items[list_number++] = list.size();
             at += size;
         });
+        head.level_bytes = bytes - at;
+        if (impl_->levels) write(*impl_->levels, to.subspan(at));
         head.hash = hash_of(head, to.subspan(sizeof head));
         std::memcpy(to.data(), &head, sizeof head);
         return {};
@@ -234,14 +243,21 @@ Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const Cl
         model.columns = head->columns;
         std::vector<ClothInfo> info;
         CookReport report;
-        const ListReader reader(*head, saved.subspan(sizeof(CookedHead)));
+        const std::size_t lists = saved.size() - sizeof(CookedHead) - head->level_bytes;
+        const ListReader reader(*head, saved.subspan(sizeof(CookedHead), lists));
         for_each_list(model, info, report, reader);
         if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model))
             return refused("is not whole, though its checksum is right: cook the mesh again");
         model.info = info[0];
         model.fingerprint = fingerprint_of(model);
         if (auto valid = validate_neighbours(model, settings); !valid) return valid.error();
-        return CookedCloth(std::make_shared<const Impl>(std::move(model), std::move(report), settings));
+        std::optional<SavedLevels> levels;
+        if (head->level_bytes > 0) {
+            levels = read_levels(saved.last(head->level_bytes));
+            if (!levels) return refused("has levels that are not whole: cook the mesh again");
+        }
+        return CookedCloth(std::make_shared<const Impl>(std::move(model), std::move(report), settings,
+                                                        Progress(), levels ? &*levels : nullptr));
     });
 }
 

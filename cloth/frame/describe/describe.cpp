@@ -1,7 +1,7 @@
 // All that a World holds, in words.
 
 #include "cloth/frame/describe/outline.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 

@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "cloth/frame/describe/names.h"
-#include "cloth/frame/fields.h"
+#include "cloth/frame/settings/fields.h"
 #include "weft/cloth_id.h"
 
 namespace weft {

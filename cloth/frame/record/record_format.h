@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "cloth/frame/budget/ladder.h"
-#include "cloth/frame/fields.h"
 #include "cloth/frame/record/call.h"
+#include "cloth/frame/settings/fields.h"
 #include "engine/state_hash.h"
 #include "weft/cloth_id.h"
 #include "weft/maps.h"

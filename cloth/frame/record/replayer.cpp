@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cloth/frame/record/state_hashes.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 

@@ -1,6 +1,6 @@
 // The World's calls for recordings.
 
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 #include "engine/error_text.h"
 
 namespace weft {

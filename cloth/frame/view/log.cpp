@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 #include "engine/hooks.h"
 
 namespace weft {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cloth/frame/view/write_vertices.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/world/world_calls.h"
 
 namespace weft {
 

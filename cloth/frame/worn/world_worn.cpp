@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "cloth/frame/validate.h"
-#include "cloth/frame/world_calls.h"
+#include "cloth/frame/settings/validate.h"
+#include "cloth/frame/world/world_calls.h"
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/vertex_maps.h"
 #include "engine/error_text.h"

@@ -102,14 +102,14 @@ class WEFT_API CookedCloth {
     [[nodiscard]] const ClothInfo& info() const noexcept;
     [[nodiscard]] const CookReport& report() const noexcept;
 
-    /// What the mesh was made into, and the report, without the settings: little-endian, with its version and
-    /// a checksum. As many bytes as save() writes.
+    /// What the mesh was made into, its coarse levels if its method has any, and the report, without the
+    /// settings: little-endian, with its version and a checksum. As many bytes as save() writes.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Error: another size than save_size().
     Result<void> save(std::span<std::byte> to) const;
-    /// The bytes may be a mapped file's, at any address; they are not kept. Makes the rest, solver memory
-    /// above all, by these settings: see tests/bench/MEASUREMENTS.md for how long that takes. Errors: a
-    /// setting out of range; what is no such save, of another version, cut short or damaged.
+    /// The bytes may be a mapped file's, at any address; they are not kept. Makes the rest by these settings,
+    /// at a tenth of the cost of cooking; other levels than those that were saved cost most of that. Errors:
+    /// a setting out of range; what is no such save, of another version, cut short or damaged.
     [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
                                                   const ClothSettings& settings = {});
 

@@ -78,25 +78,32 @@ Result<void> check_blade(const Blade& blade) {
     return {};
 }
 
-/// Which corners of a triangle a cut goes through; true: yes.
-using ThroughCorners = std::array<bool, 3>;
+/// A cut's way over the sides of a triangle.
+struct Crossings {
+    std::array<bool, 3> corners{};  ///< that it goes through
+    std::uint32_t sides = 0;        ///< that it crosses: an odd number where it ends within
+};
 
-ThroughCorners crossed_by(const Passed& passed, const Triangle& triangle, std::span<const Vec3> positions) {
-    ThroughCorners through{};
+Crossings crossings_of(const Passed& passed, const Triangle& triangle, std::span<const Vec3> positions) {
+    Crossings found;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         const std::optional<bool> first =
             passed.nearer_is_first(positions[triangle[k]], positions[triangle[next]]);
-        if (first) through[*first ? k : next] = true;
+        if (!first) continue;
+        found.corners[*first ? k : next] = true;
+        ++found.sides;
     }
-    return through;
+    return found;
 }
 
-/// Takes what the stroke knows of the triangle's ends into account, and out of the stroke.
-void go_on(CutStroke& stroke, std::uint32_t triangle, ThroughCorners& through) {
+/// Takes where the stroke went into the triangle into account, and out of the stroke.
+void go_on(CutStroke& stroke, std::uint32_t triangle, Crossings& crossings) {
     std::erase_if(stroke.ends, [&](const CutStroke::Corners& end) {
-        if (end.triangle == triangle) through[end.first] = true;
-        return end.triangle == triangle;
+        if (end.triangle != triangle) return false;
+        crossings.corners[end.first] = true;
+        ++crossings.sides;
+        return true;
     });
 }
 
@@ -107,18 +114,19 @@ bool add_edge(CutStroke& stroke, const CutStroke::Corners& edge) {
     return true;
 }
 
-/// Whether the cut goes on through the triangle.
-bool pass(CutStroke& stroke, std::uint32_t triangle, ThroughCorners through) {
-    if (std::ranges::count(through, true) == 0) return false;
-    go_on(stroke, triangle, through);
+/// Whether the cut goes on along the triangle.
+bool pass(CutStroke& stroke, std::uint32_t triangle, Crossings crossings) {
+    if (crossings.sides == 0) return false;
+    go_on(stroke, triangle, crossings);
+    const std::array<bool, 3>& through = crossings.corners;
     bool any = false;
     for (std::uint8_t k = 0; k < 3; ++k) {
         const auto next = static_cast<std::uint8_t>((k + 1) % 3);
         if (through[k] && through[next]) any |= add_edge(stroke, {triangle, k, next});
     }
-    if (std::ranges::count(through, true) == 1) {
-        const auto only = std::ranges::find(through, true) - through.begin();
-        stroke.ends.push_back({triangle, static_cast<std::uint8_t>(only), 0});
+    if (crossings.sides % 2 == 1) {
+        const auto first = std::ranges::find(through, true) - through.begin();
+        stroke.ends.push_back({triangle, static_cast<std::uint8_t>(first), 0});
     }
     return any;
 }
@@ -135,7 +143,7 @@ Result<std::vector<MeshEdge>> edges_along(const Mesh& mesh, std::span<const Vec3
         std::erase_if(longer.edges, [&](const auto& edge) { return edge.triangle >= mesh.triangles.size(); });
         bool goes_on = false;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            goes_on |= pass(longer, t, crossed_by(passed, mesh.triangles[t], positions));
+            goes_on |= pass(longer, t, crossings_of(passed, mesh.triangles[t], positions));
         std::vector<MeshEdge> edges;
         if (goes_on)
             for (const CutStroke::Corners& edge : longer.edges)

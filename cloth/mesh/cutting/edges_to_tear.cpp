@@ -87,16 +87,31 @@ bool is_at_border(const Topology& topology, const EdgesOfParticles& edges, std::
                                [&](std::uint32_t e) { return topology.edges[e].is_border(); });
 }
 
+/// Where cloth opens: by which edges, and whether that goes on from a border.
+struct Opening {
+    std::vector<MeshEdge> edges;  ///< none: it does not
+    bool runs_on = false;
+};
+
 /// Of one strained edge: at the end where it opens, if it does at one.
-std::vector<MeshEdge> edges_to_open(const Lying& lying, const EdgesOfParticles& edges, std::uint32_t a,
-                                    std::uint32_t b) {
+Opening opening_at(const Lying& lying, const EdgesOfParticles& edges, std::uint32_t a, std::uint32_t b) {
     if (is_at_border(lying.topology, edges, b) && !is_at_border(lying.topology, edges, a)) std::swap(a, b);
     const Vector3 pull = lying.at(b) - lying.at(a);
     for (const std::uint32_t end : {a, b}) {
-        const std::size_t least = is_at_border(lying.topology, edges, end) ? 1 : 2;
-        std::vector<MeshEdge> across = edges_across(lying, edges, end, pull);
-        if (across.size() >= least) return across;
+        const bool at_border = is_at_border(lying.topology, edges, end);
+        Opening opening{edges_across(lying, edges, end, pull), at_border};
+        if (opening.edges.size() >= (at_border ? 1u : 2u)) return opening;
     }
+    return {};
+}
+
+Result<void> check_strained(std::span<const StrainedEdge> strained, std::size_t vertices) {
+    for (const StrainedEdge& edge : strained)
+        for (const std::uint32_t vertex : {edge.a, edge.b})
+            if (vertex >= vertices)
+                return Error{ErrorCode::invalid_argument, "a strained edge ends at vertex " +
+                                                              std::to_string(vertex) + "; the mesh has " +
+                                                              std::to_string(vertices)};
     return {};
 }
 
@@ -107,21 +122,23 @@ Result<std::vector<MeshEdge>> edges_to_tear(const Mesh& mesh, std::span<const Ve
     return without_exceptions([&]() -> Result<std::vector<MeshEdge>> {
         if (strained.empty()) return std::vector<MeshEdge>();
         if (auto checked = check_positions(mesh, positions); !checked) return checked.error();
+        if (auto checked = check_strained(strained, positions.size()); !checked) return checked.error();
         const Result<Topology> topology = build_topology(mesh);
         if (!topology) return topology.error();
         const EdgesOfParticles edges(*topology);
         const Lying lying{*topology, positions};
+        // A tear that runs takes the strain off what is ahead of it.
+        Opening first;
         std::vector<MeshEdge> torn;
         for (const StrainedEdge& edge : strained) {
-            for (const std::uint32_t vertex : {edge.a, edge.b})
-                if (vertex >= positions.size())
-                    return Error{ErrorCode::invalid_argument, "a strained edge ends at vertex " +
-                                                                  std::to_string(vertex) + "; the mesh has " +
-                                                                  std::to_string(positions.size())};
-            const std::uint32_t a = topology->vertex_to_particle[edge.a],
-                                b = topology->vertex_to_particle[edge.b];
-            for (const MeshEdge& other : edges_to_open(lying, edges, a, b)) torn.push_back(other);
+            Opening opening = opening_at(lying, edges, topology->vertex_to_particle[edge.a],
+                                         topology->vertex_to_particle[edge.b]);
+            if (opening.runs_on)
+                torn.insert(torn.end(), opening.edges.begin(), opening.edges.end());
+            else if (first.edges.empty())
+                first = std::move(opening);
         }
+        if (torn.empty()) return std::move(first.edges);
         return torn;
     });
 }

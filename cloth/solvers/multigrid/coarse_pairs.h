@@ -7,11 +7,11 @@
 #include <compare>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/interpolation.h"
 #include "engine/aligned_buffer.h"
+#include "engine/hooked_vector.h"
 #include "engine/parallel_blocks.h"
 #include "engine/simd/symmetric3.h"
 
@@ -83,11 +83,11 @@ class CoarsePairs {
     template <class AddRow>
     void merge(const AddRow& add_row);
 
-    std::vector<Key> keys_;              // of the finer level's rows
-    std::vector<Placed> order_;          // these, by key
-    std::vector<std::uint32_t> starts_;  // by low node
-    std::vector<PairRows::ActivePair> active_;
-    std::vector<Row> rows_;
+    HookedVector<Key> keys_;              // of the finer level's rows
+    HookedVector<Placed> order_;          // these, by key
+    HookedVector<std::uint32_t> starts_;  // by low node
+    HookedVector<PairRows::ActivePair> active_;
+    HookedVector<Row> rows_;
     std::uint32_t size_ = 0;
     bool has_outer_ = false;
 };

@@ -1,11 +1,12 @@
 #include "cloth/solvers/multigrid/coarsening.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
 
 #include "cloth/system/sparse/stencil.h"
@@ -26,47 +27,72 @@ struct Voronoi {
 std::uint64_t packed(float distance, std::uint32_t number) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | number;
 }
-float distance_of(std::uint64_t pair) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(pair >> 32));
-}
 
-/// Takes and gives the least; keeps its memory.
-class Fronts {
+/// Claims for a source all nodes that are nearer to it than to their present owner. What comes out is the
+/// same in whatever order nodes are gone on from: sums along a way only grow.
+class Claims {
   public:
-    [[nodiscard]] bool empty() const { return heap_.empty(); }
-    void push(std::uint64_t pair) {
-        heap_.push_back(pair);
-        std::ranges::push_heap(heap_, std::greater());
-    }
-    std::uint64_t pop() {
-        std::ranges::pop_heap(heap_, std::greater());
-        const std::uint64_t least = heap_.back();
-        heap_.pop_back();
-        return least;
+    Claims(const SpringGraph& graph, Voronoi& voronoi)
+        : graph_(graph), voronoi_(voronoi), waits_(graph.nodes()) {}
+
+    void operator()(std::uint32_t source) {
+        source_ = source;
+        claimed_ = 0;
+        queue_.clear();
+        heap_.clear();
+        reach(source, 0, [&](std::uint32_t node) { wait(node); });
+        // In the order in which they were reached few are gone on from again, mostly; if not, by distance.
+        for (std::size_t k = 0; k < queue_.size(); ++k) {
+            if (k > 64 + 4 * claimed_) return go_by_distance(k);
+            waits_[queue_[k]] = 0;
+            go_on_from(queue_[k], [&](std::uint32_t node) { wait(node); });
+        }
     }
 
   private:
+    void wait(std::uint32_t node) {
+        if (std::exchange(waits_[node], 1) == 0) queue_.push_back(node);
+    }
+    template <class Then>
+    void reach(std::uint32_t node, float distance, const Then& then) {
+        if (distance >= voronoi_.distance[node]) return;
+        voronoi_.distance[node] = distance;
+        if (std::exchange(voronoi_.owner[node], source_) != source_) ++claimed_;
+        then(node);
+    }
+    template <class Then>
+    void go_on_from(std::uint32_t node, const Then& then) {
+        const float distance = voronoi_.distance[node];
+        for (std::uint32_t e = graph_.offsets[node]; e < graph_.offsets[node + 1]; ++e)
+            reach(graph_.neighbours[e], distance + graph_.lengths[e], then);
+    }
+    /// From the nearest first (Dijkstra 1959), beginning with those that wait.
+    void go_by_distance(std::size_t first) {
+        const auto push = [&](std::uint32_t node) {
+            heap_.push_back(packed(voronoi_.distance[node], node));
+            std::ranges::push_heap(heap_, std::greater());
+        };
+        for (std::size_t k = first; k < queue_.size(); ++k) {
+            waits_[queue_[k]] = 0;
+            push(queue_[k]);
+        }
+        while (!heap_.empty()) {
+            std::ranges::pop_heap(heap_, std::greater());
+            const std::uint64_t nearest = heap_.back();
+            heap_.pop_back();
+            const auto node = static_cast<std::uint32_t>(nearest);
+            if (nearest <= packed(voronoi_.distance[node], node)) go_on_from(node, push);
+        }
+    }
+
+    const SpringGraph& graph_;
+    Voronoi& voronoi_;
+    std::uint32_t source_ = 0;
+    std::size_t claimed_ = 0;
+    std::vector<std::uint32_t> queue_;
+    std::vector<std::uint8_t> waits_;  // by node: it is in the queue
     std::vector<std::uint64_t> heap_;
 };
-
-/// Claims for `source` all nodes that are nearer to it than to their present owner (Dijkstra 1959).
-void claim(const SpringGraph& graph, std::uint32_t source, Voronoi& voronoi, Fronts& fronts) {
-    const auto reach = [&](std::uint32_t node, float distance) {
-        if (distance >= voronoi.distance[node]) return;
-        voronoi.distance[node] = distance;
-        voronoi.owner[node] = source;
-        fronts.push(packed(distance, node));
-    };
-    reach(source, 0);
-    while (!fronts.empty()) {
-        const std::uint64_t front = fronts.pop();
-        const float distance = distance_of(front);
-        const auto node = static_cast<std::uint32_t>(front);
-        if (distance > voronoi.distance[node]) continue;
-        for (std::uint32_t e = graph.offsets[node]; e < graph.offsets[node + 1]; ++e)
-            reach(graph.neighbours[e], distance + graph.lengths[e]);
-    }
-}
 
 /// How many nodes of each component stay.
 std::vector<std::uint32_t> wanted_of(const Components& components, float ratio, std::uint32_t most_direct) {
@@ -79,33 +105,97 @@ std::vector<std::uint32_t> wanted_of(const Components& components, float ratio, 
     return wanted;
 }
 
+/// The node farthest from those that are kept, the lower number first. Distances only fall: the farthest of
+/// each few nodes is looked up anew where it may be out of date.
+class Farthest {
+  public:
+    /// Of nodes at a distance that `is_wanted(node)`.
+    template <class IsWanted>
+    Farthest(const std::vector<float>& distance, const IsWanted& is_wanted) : distance_(distance) {
+        is_out_.resize(distance.size());
+        for (std::uint32_t i = 0; i < distance.size(); ++i) is_out_[i] = is_wanted(i) ? 0 : 1;
+        for (std::uint32_t begin = 0; begin < distance.size(); begin += few)
+            if (const std::uint64_t farthest = farthest_from(begin); farthest > 0) heap_.push_back(farthest);
+        std::ranges::make_heap(heap_);
+    }
+    [[nodiscard]] bool empty() const { return heap_.empty(); }
+    /// Nothing: there is none left.
+    [[nodiscard]] std::optional<std::uint32_t> next() {
+        while (!heap_.empty()) {
+            const std::uint64_t known = heap_.front(), now = farthest_from(begin_of(known));
+            if (now == known) return node_of(known);
+            replace_first(now);
+        }
+        return std::nullopt;
+    }
+    void leave_out(std::uint32_t node) { is_out_[node] = 1; }
+
+  private:
+    static constexpr std::uint32_t few = 16;
+
+    static std::uint32_t node_of(std::uint64_t pair) { return ~static_cast<std::uint32_t>(pair); }
+    static std::uint32_t begin_of(std::uint64_t pair) { return node_of(pair) / few * few; }
+    /// 0 if all are left out: a number's complement is not.
+    [[nodiscard]] std::uint64_t farthest_from(std::uint32_t begin) const {
+        const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + few, distance_.size()));
+        std::uint64_t farthest = 0;
+        for (std::uint32_t i = begin; i < end; ++i)
+            if (is_out_[i] == 0) farthest = std::max(farthest, packed(distance_[i], ~i));
+        return farthest;
+    }
+    /// By what is not more; 0: by nothing.
+    void replace_first(std::uint64_t pair) {
+        if (pair == 0) {
+            pair = heap_.back();
+            heap_.pop_back();
+            if (heap_.empty()) return;
+        }
+        std::size_t at = 0;
+        for (;;) {
+            std::size_t larger = 2 * at + 1;
+            if (larger >= heap_.size()) break;
+            if (larger + 1 < heap_.size() && heap_[larger + 1] > heap_[larger]) ++larger;
+            if (heap_[larger] <= pair) break;
+            heap_[at] = heap_[larger];
+            at = larger;
+        }
+        heap_[at] = pair;
+    }
+
+    const std::vector<float>& distance_;
+    std::vector<std::uint8_t> is_out_;
+    std::vector<std::uint64_t> heap_;
+};
+
 /// Farthest-point sampling (Gonzalez 1985) in each component by itself: its next node is the one farthest
 /// from those before. Nodes that none of them reaches come first.
 Voronoi sample_farthest(const SpringGraph& graph, const Components& components,
                         std::vector<std::uint32_t> wanted, std::vector<std::uint32_t>& kept) {
     Voronoi voronoi{std::vector<float>(graph.nodes(), infinity),
                     std::vector<std::uint32_t>(graph.nodes(), 0)};
-    // Distances only fall: an entry that is out of date is put back with the present one. Ties go to the
-    // lower index.
-    std::priority_queue<std::uint64_t> candidates;
-    Fronts fronts;
-    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (graph.degree(i) > 0 && wanted[components.of_node[i]] > 0) candidates.push(packed(infinity, ~i));
-    }
-    while (!candidates.empty()) {
-        const std::uint64_t candidate = candidates.top();
-        candidates.pop();
-        const float distance = distance_of(candidate);
-        const std::uint32_t node = ~static_cast<std::uint32_t>(candidate);
-        if (voronoi.distance[node] < distance) {
-            candidates.push(packed(voronoi.distance[node], ~node));
-            continue;
-        }
-        std::uint32_t& wanted_here = wanted[components.of_node[node]];
-        if (wanted_here == 0 && distance < infinity) continue;
-        if (wanted_here > 0) --wanted_here;
+    Claims claim(graph, voronoi);
+    const auto keep = [&](std::uint32_t node) {
         kept.push_back(node);
-        claim(graph, node, voronoi, fronts);
+        claim(node);
+    };
+    const auto has_part = [&](std::uint32_t node, const std::vector<std::uint32_t>& of_components) {
+        return graph.degree(node) > 0 && of_components[components.of_node[node]] > 0;
+    };
+    std::vector<std::uint32_t> left = wanted;
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        if (!has_part(i, wanted) || voronoi.distance[i] < infinity) continue;
+        std::uint32_t& left_here = left[components.of_node[i]];
+        if (left_here > 0) --left_here;
+        keep(i);
+    }
+    Farthest farthest(voronoi.distance,
+                      [&](std::uint32_t i) { return has_part(i, left) && voronoi.owner[i] != i; });
+    while (const std::optional<std::uint32_t> node = farthest.next()) {
+        std::uint32_t& left_here = left[components.of_node[*node]];
+        farthest.leave_out(*node);
+        if (left_here == 0) continue;
+        --left_here;
+        keep(*node);
     }
     std::ranges::sort(kept);
     return voronoi;
@@ -157,50 +247,75 @@ class RowSum {
     std::vector<Weight> row_;
 };
 
-/// One Jacobi sweep of the springs' Laplacian on the weights; kept nodes hold theirs.
-Rows smoothed(const SpringGraph& graph, const std::vector<bool>& is_kept, const Rows& rows, RowSum& sum) {
-    Rows result;
-    result.offsets.reserve(rows.offsets.size());
-    result.weights.reserve(2 * rows.weights.size());
-    const auto keep = [&](std::uint32_t i) {
-        const std::span<const Weight> row = rows.row(i);
-        result.weights.insert(result.weights.end(), row.begin(), row.end());
-        result.end_row();
-    };
-    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        float stiffness = 0;
-        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e)
-            stiffness += graph.stiffness[e];
-        if (is_kept[i] || stiffness == 0) {
-            keep(i);
-            continue;
-        }
-        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e)
-            for (const Weight& w : rows.row(graph.neighbours[e]))
-                sum.add(w.coarse, graph.stiffness[e] * w.value);
-        sum.move_to(result, stiffness);
+/// Jacobi sweeps of the springs' Laplacian on the weights; kept nodes hold theirs.
+class Smoothing {
+  public:
+    Smoothing(const SpringGraph& graph, const std::vector<bool>& is_kept, std::uint32_t coarse)
+        : graph_(graph), is_kept_(is_kept), sum_(coarse), stiffness_(graph.nodes()) {
+        for (std::uint32_t i = 0; i < graph.nodes(); ++i)
+            for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e)
+                stiffness_[i] += graph.stiffness[e];
     }
-    return result;
-}
+    [[nodiscard]] Rows operator()(const Rows& rows) {
+        Rows result;
+        result.offsets.reserve(rows.offsets.size());
+        result.weights.reserve(2 * rows.weights.size());
+        for (std::uint32_t i = 0; i < graph_.nodes(); ++i) {
+            if (is_held(i)) {
+                const std::span<const Weight> row = rows.row(i);
+                result.weights.insert(result.weights.end(), row.begin(), row.end());
+                result.end_row();
+                continue;
+            }
+            // What nothing is interpolated along comes to nothing.
+            for (std::uint32_t e = graph_.offsets[i]; e < graph_.offsets[i + 1]; ++e) {
+                const float stiffness = graph_.stiffness[e];
+                if (stiffness == 0) continue;
+                for (const Weight& w : rows.row(graph_.neighbours[e]))
+                    sum_.add(w.coarse, stiffness * w.value);
+            }
+            sum_.move_to(result, stiffness_[i]);
+        }
+        return result;
+    }
+    /// Whether sweeps leave its row as it is.
+    [[nodiscard]] bool is_held(std::uint32_t node) const { return is_kept_[node] || stiffness_[node] == 0; }
+
+  private:
+    const SpringGraph& graph_;
+    const std::vector<bool>& is_kept_;
+    RowSum sum_;
+    std::vector<float> stiffness_;  // of nodes: the sum of their springs'
+};
 
 /// Keeps the largest weights of each row, scaled to sum 1, ascending by node.
 void store_rows(const Rows& rows, Interpolation& interpolation) {
-    std::vector<Weight> row;
+    const auto is_before = [](const Weight& a, const Weight& b) {
+        return a.value > b.value || (a.value == b.value && a.coarse < b.coarse);
+    };
     for (std::uint32_t i = 0; i < interpolation.fine; ++i) {
-        row.assign(rows.row(i).begin(), rows.row(i).end());
-        std::ranges::sort(row, [](const Weight& a, const Weight& b) {
-            return std::pair(-a.value, a.coarse) < std::pair(-b.value, b.coarse);
-        });
-        row.resize(std::min<std::size_t>(row.size(), Interpolation::width));
-        std::ranges::sort(row, {}, &Weight::coarse);
+        std::array<Weight, Interpolation::width> row;
+        std::size_t size = 0;
+        for (const Weight& w : rows.row(i)) {
+            if (size == row.size() && !is_before(w, row.back())) continue;
+            std::size_t at = size < row.size() ? size++ : size - 1;
+            for (; at > 0 && is_before(w, row[at - 1]); --at) row[at] = row[at - 1];
+            row[at] = w;
+        }
+        const std::span<Weight> largest = std::span(row).first(size);
+        for (std::size_t k = 1; k < size; ++k)  // not by std::sort, where compilers see room for more of them
+            for (std::size_t at = k; at > 0 && row[at].coarse < row[at - 1].coarse; --at)
+                std::swap(row[at], row[at - 1]);
         float sum = 0;
-        for (const Weight& w : row) sum += w.value;
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            interpolation.nodes[Interpolation::width * i + k] = row[k].coarse;
-            interpolation.weights[Interpolation::width * i + k] = row[k].value / sum;
+        for (const Weight& w : largest) sum += w.value;
+        for (std::size_t k = 0; k < size; ++k) {
+            interpolation.nodes[Interpolation::width * i + k] = largest[k].coarse;
+            interpolation.weights[Interpolation::width * i + k] = largest[k].value / sum;
         }
     }
 }
+
+}  // namespace
 
 void store_transpose(Interpolation& p) {
     std::uint32_t used = 0;
@@ -220,8 +335,6 @@ void store_transpose(Interpolation& p) {
         p.fine_weights[at] = p.weights[e];
     }
 }
-
-}  // namespace
 
 Components components_of(const SpringGraph& graph) {
     constexpr std::uint32_t none = ~0u;
@@ -270,8 +383,8 @@ Coarsening coarsen(const SpringGraph& graph, const Components& components, float
         }
         rows.end_row();
     }
-    RowSum sum(p.coarse);
-    for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(graph, is_kept, rows, sum);
+    Smoothing smoothed(graph, is_kept, p.coarse);
+    for (int sweep = 0; sweep < sweeps; ++sweep) rows = smoothed(rows);
     store_rows(rows, p);
     store_transpose(p);
     return {std::move(p), std::move(voronoi.owner), std::move(voronoi.distance)};

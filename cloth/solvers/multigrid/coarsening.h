@@ -38,6 +38,9 @@ struct Components {
 };
 [[nodiscard]] Components components_of(const SpringGraph& graph);
 
+/// Makes P^T of what P has by rows.
+void store_transpose(Interpolation& p);
+
 /// What the next level is made from.
 struct Coarsening {
     Interpolation interpolation;

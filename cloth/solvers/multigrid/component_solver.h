@@ -4,13 +4,13 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cloth/solvers/multigrid/coarse_matrix.h"
 #include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "engine/aligned_buffer.h"
+#include "engine/hooked_vector.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
@@ -49,10 +49,10 @@ class ComponentSolver {
     void factorise(std::uint32_t component, const CoarseMatrix& matrix, const CoarsePairs& pairs);
     void solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const;
 
-    std::vector<Component> components_;  // and behind the last of them their ends
-    std::vector<std::uint32_t> nodes_;
-    std::vector<std::uint32_t> number_;  // of each of the level's nodes: its place in nodes_, or none
-    std::vector<LocalLink> links_;
+    HookedVector<Component> components_;  // and behind the last of them their ends
+    HookedVector<std::uint32_t> nodes_;
+    HookedVector<std::uint32_t> number_;  // of each of the level's nodes: its place in nodes_, or none
+    HookedVector<LocalLink> links_;
     AlignedBuffer<double> factors_;  // by columns
 };
 

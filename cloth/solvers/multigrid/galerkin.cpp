@@ -65,39 +65,67 @@ Incidence incidence(std::span<const Link> links, std::uint32_t nodes) {
     return result;
 }
 
+/// A term of a coarse link, the first node of which is known.
 struct Term {
-    std::uint32_t first, second;  // nodes of the coarse link
-    std::uint32_t fine_link;
+    std::uint32_t second, fine_link;
     float factor;
 };
 
-/// All terms, those of each link by fine links, ascending.
-std::vector<Term> terms_of(const std::vector<Link>& links, const Interpolation& p) {
-    std::vector<Term> terms;
-    terms.reserve(8 * links.size());
-    for (std::uint32_t link = 0; link < links.size(); ++link) {
-        RowDifference row = row_difference(p, links[link]);
-        for (const Difference& own : row) {
-            for (const Difference& other : row) {
-                const float factor = -own.value * other.value;
-                if (other.coarse > own.coarse && std::abs(factor) > least_factor)
-                    terms.push_back({own.coarse, other.coarse, link, factor});
-            }
+/// body(first node, term) for all terms of a fine link.
+template <class Body>
+void for_each_term(const Interpolation& p, const Link& link, std::uint32_t number, const Body& body) {
+    RowDifference row = row_difference(p, link);
+    for (const Difference& own : row) {
+        for (const Difference& other : row) {
+            if (other.coarse <= own.coarse) continue;
+            const float factor = -own.value * other.value;
+            if (std::abs(factor) > least_factor) body(own.coarse, Term{other.coarse, number, factor});
         }
     }
-    return terms;
 }
 
-/// By a number below `count`; those of one number stay in order.
-template <class Number>
-std::vector<Term> sorted_by(const Number& number, const std::vector<Term>& terms, std::uint32_t count) {
-    std::vector<std::size_t> next(count + std::size_t{1});
-    for (const Term& term : terms) ++next[number(term) + std::size_t{1}];
-    for (std::uint32_t c = 0; c < count; ++c) next[c + 1] += next[c];
-    std::vector<Term> sorted(terms.size());
-    for (const Term& term : terms) sorted[next[number(term)]++] = term;
-    return sorted;
+/// All terms by first nodes, those of each by fine links, ascending.
+struct Terms {
+    std::vector<std::size_t> offsets;
+    std::vector<Term> terms;
+};
+Terms terms_of(const std::vector<Link>& links, const Interpolation& p) {
+    Terms result;
+    result.offsets.resize(p.coarse + std::size_t{1});
+    for (std::uint32_t k = 0; k < links.size(); ++k)
+        for_each_term(p, links[k], k,
+                      [&](std::uint32_t first, const Term&) { ++result.offsets[first + std::size_t{1}]; });
+    for (std::uint32_t c = 0; c < p.coarse; ++c) result.offsets[c + 1] += result.offsets[c];
+    result.terms.resize(result.offsets.back());
+    std::vector<std::size_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    for (std::uint32_t k = 0; k < links.size(); ++k)
+        for_each_term(p, links[k], k,
+                      [&](std::uint32_t first, const Term& term) { result.terms[next[first]++] = term; });
+    return result;
 }
+
+/// Sorts the terms of one first node by second ones; those of one second node stay in order.
+class SortBySecond {
+  public:
+    explicit SortBySecond(std::uint32_t coarse) : counts_(coarse) {}
+
+    std::span<const Term> operator()(std::span<const Term> terms) {
+        seconds_.clear();
+        for (const Term& term : terms)
+            if (counts_[term.second]++ == 0) seconds_.push_back(term.second);
+        std::ranges::sort(seconds_);
+        std::uint32_t begin = 0;
+        for (const std::uint32_t second : seconds_) begin += std::exchange(counts_[second], begin);
+        sorted_.resize(terms.size());
+        for (const Term& term : terms) sorted_[counts_[term.second]++] = term;
+        for (const std::uint32_t second : seconds_) counts_[second] = 0;
+        return sorted_;
+    }
+
+  private:
+    std::vector<std::uint32_t> counts_, seconds_;
+    std::vector<Term> sorted_;
+};
 
 /// Lists as they grow, link by link.
 struct GrowingLists {
@@ -110,9 +138,9 @@ struct GrowingLists {
         std::vector<float> factors;
     } constants;
 
-    void add(const Term& term, bool is_constant) {
-        if (links.empty() || links.back().first != term.first || links.back().second != term.second) {
-            links.push_back({term.first, term.second});
+    void add(std::uint32_t first, const Term& term, bool is_constant) {
+        if (links.empty() || links.back() != Link{first, term.second}) {
+            links.push_back({first, term.second});
             offsets.push_back(offsets.back());
             constants.offsets.push_back(constants.offsets.back());
         }
@@ -189,42 +217,56 @@ std::vector<Link> links_of(const SpringGraph& graph) {
 
 GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
                                   const std::vector<bool>& is_constant) {
-    const auto first = [](const Term& term) { return term.first; };
-    const auto second = [](const Term& term) { return term.second; };
-    const std::vector<Term> terms =
-        sorted_by(first, sorted_by(second, terms_of(links, p), p.coarse), p.coarse);
     GrowingLists lists;
-    for (const Term& term : terms) lists.add(term, !is_constant.empty() && is_constant[term.fine_link]);
+    const Terms terms = terms_of(links, p);
+    SortBySecond sorted(p.coarse);
+    for (std::uint32_t first = 0; first < p.coarse; ++first) {
+        const std::size_t begin = terms.offsets[first], count = terms.offsets[first + std::size_t{1}] - begin;
+        for (const Term& term : sorted(std::span(terms.terms).subspan(begin, count)))
+            lists.add(first, term, !is_constant.empty() && is_constant[term.fine_link]);
+    }
     return in_groups(lists);
+}
+
+SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
+    Incidence touching = incidence(links, nodes);
+    SpringGraph graph;
+    graph.offsets = std::move(touching.offsets);
+    graph.neighbours = std::move(touching.links);
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            const Link& link = links[graph.neighbours[e]];
+            graph.neighbours[e] = link.first == i ? link.second : link.first;
+        }
+    }
+    return graph;
 }
 
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
                               const std::vector<Link>& fine_links, const GalerkinLists& lists) {
-    std::vector<float> fine_stiffness;
+    const std::uint32_t nodes = coarsening.interpolation.coarse;
+    std::vector<std::uint32_t> starts(nodes + std::size_t{1});  // of the links by their first nodes
+    for (const Link& link : lists.links) ++starts[link.first + std::size_t{1}];
+    for (std::uint32_t i = 0; i < nodes; ++i) starts[i + 1] += starts[i];
+
+    std::vector<float> fine_stiffness(fine_links.size());
     std::vector<float> length(lists.links.size(), std::numeric_limits<float>::infinity());
-    const auto link_between = [&](std::uint32_t a, std::uint32_t b) {
-        const std::pair<std::uint32_t, std::uint32_t> wanted = std::minmax(a, b);
-        const auto at = std::ranges::lower_bound(
-            lists.links, wanted, {}, [](const Link& link) { return std::pair(link.first, link.second); });
-        const bool found =
-            at != lists.links.end() && at->first == wanted.first && at->second == wanted.second;
-        return found ? at - lists.links.begin() : -1;
-    };
-    std::uint32_t e_first = 0;
-    for (const Link& link : fine_links) {
-        e_first = fine.offsets[link.first];
-        while (fine.neighbours[e_first] != link.second) ++e_first;
-        fine_stiffness.push_back(fine.stiffness[e_first]);
-        const std::uint32_t a = coarsening.owner[link.first], b = coarsening.owner[link.second];
-        if (a == b) continue;
-        const auto at = link_between(a, b);
-        if (at < 0) continue;
-        float& shortest = length[static_cast<std::size_t>(at)];
-        shortest = std::min(shortest, coarsening.distance[link.first] + fine.lengths[e_first] +
-                                          coarsening.distance[link.second]);
+    std::size_t number = 0;
+    for (std::uint32_t i = 0; i < fine.nodes(); ++i) {
+        for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e) {
+            const std::uint32_t j = fine.neighbours[e];
+            if (j <= i) continue;
+            fine_stiffness[number++] = fine.stiffness[e];
+            const auto [a, b] = std::minmax(coarsening.owner[i], coarsening.owner[j]);
+            if (a == b) continue;
+            std::uint32_t k = starts[a];
+            while (k < starts[a + 1] && lists.links[k].second < b) ++k;
+            if (k == starts[a + 1] || lists.links[k].second != b) continue;
+            length[k] =
+                std::min(length[k], coarsening.distance[i] + fine.lengths[e] + coarsening.distance[j]);
+        }
     }
 
-    const std::uint32_t nodes = coarsening.interpolation.coarse;
     SpringGraph graph{.offsets = std::vector<std::uint32_t>(nodes + 1),
                       .neighbours = std::vector<std::uint32_t>(2 * lists.links.size()),
                       .stiffness = std::vector<float>(2 * lists.links.size()),

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cloth/solvers/multigrid/coarsening.h"
@@ -60,6 +61,9 @@ struct GalerkinLists {
 [[nodiscard]] GalerkinLists make_galerkin_lists(const std::vector<Link>& links,
                                                 const Interpolation& interpolation,
                                                 const std::vector<bool>& is_constant = {});
+
+/// Who is whose neighbour, without stiffnesses and lengths.
+[[nodiscard]] SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes);
 
 /// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
 [[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,

@@ -1,8 +1,214 @@
 #include "cloth/solvers/multigrid/levels.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <utility>
+
 namespace weft {
 
-std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system) {
+namespace {
+
+/// visit(list) for each list of one level.
+template <class Level, class Visit>
+void for_each_level_list(Level& level, const Visit& visit) {
+    visit(level.lists.links);
+    visit(level.lists.places);
+    visit(level.lists.group_slots);
+    visit(level.lists.fine_links);
+    visit(level.lists.factors);
+    visit(level.lists.constants.offsets);
+    visit(level.lists.constants.fine_links);
+    visit(level.lists.constants.factors);
+    visit(level.interpolation.nodes);
+    visit(level.interpolation.weights);
+    visit(level.interpolation.kept);
+}
+
+template <class Saved, class Visit>
+void for_each_list_of(Saved& saved, const Visit& visit) {
+    visit(saved.slots);
+    visit(saved.constant_links);
+    visit(saved.constant_weights);
+    for (auto& level : saved.levels) for_each_level_list(level, visit);
+}
+
+/// A list's items, and what fills them up to whole words.
+std::size_t padded_bytes(std::size_t bytes) {
+    return (bytes + 7) / 8 * 8;
+}
+
+struct LevelsHead {
+    std::uint32_t kind, levels;
+};
+
+std::uint32_t bits_of(const SystemKind& kind) {
+    return kind.elements | kind.bending << 1 | kind.dihedral << 2 | kind.consistent_mass << 3 |
+           kind.stiffening << 4;
+}
+SystemKind kind_of(std::uint32_t bits) {
+    SystemKind kind{ClothSettings()};
+    kind.elements = (bits & 1) != 0;
+    kind.bending = (bits & 2) != 0;
+    kind.dihedral = (bits & 4) != 0;
+    kind.consistent_mass = (bits & 8) != 0;
+    kind.stiffening = (bits & 16) != 0;
+    return kind;
+}
+
+/// Takes lists, each behind its count.
+class LevelReader {
+  public:
+    explicit LevelReader(std::span<const std::byte> bytes) : left_(bytes) {}
+
+    template <class Number>
+    [[nodiscard]] Number number() {
+        Number value{};
+        is_short_ = is_short_ || left_.size() < sizeof value;
+        if (is_short_) return value;
+        std::memcpy(&value, left_.data(), sizeof value);
+        left_ = left_.subspan(sizeof value);
+        return value;
+    }
+    template <class List>
+    void take(List& list) {
+        using Item = std::remove_cvref_t<decltype(list[0])>;
+        static_assert(std::is_trivially_copyable_v<Item>);
+        const auto count = number<std::uint64_t>();
+        is_short_ = is_short_ || count > left_.size() / sizeof(Item) ||
+                    padded_bytes(count * sizeof(Item)) > left_.size();
+        if (is_short_) return;
+        const std::size_t bytes = count * sizeof(Item);
+        if constexpr (std::is_same_v<List, std::vector<Item>>) {
+            list.resize(count);
+            if (bytes > 0) std::memcpy(list.data(), left_.data(), bytes);
+        } else {
+            list = List(AlignedBuffer<Item>::from_bytes(left_.first(bytes)));
+        }
+        left_ = left_.subspan(padded_bytes(bytes));
+    }
+    [[nodiscard]] bool fits() const { return !is_short_ && left_.empty(); }
+
+  private:
+    std::span<const std::byte> left_;
+    bool is_short_ = false;
+};
+
+template <class Numbers>
+bool are_below(const Numbers& numbers, std::size_t end) {
+    std::uint32_t most = 0;
+    for (const std::uint32_t number : numbers) most = std::max(most, number);
+    return numbers.size() == 0 || most < end;
+}
+
+template <class Numbers>
+bool are_finite(const Numbers& numbers) {
+    float most = 0;  // whether one is not a number does not get lost: comparing with it is false
+    for (const float number : numbers) most = std::abs(number) <= 1e6f ? most : INFINITY;
+    return most == 0;
+}
+
+/// Offsets of `rows` rows, up to `end`.
+bool are_row_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, std::size_t end) {
+    return offsets.size() == rows + 1 && offsets[0] == 0 && offsets[rows] == end &&
+           std::ranges::is_sorted(offsets);
+}
+
+bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
+    return std::ranges::all_of(links,
+                               [=](const Link& l) { return l.first < l.second && l.second < nodes; }) &&
+           std::ranges::adjacent_find(links, std::greater_equal()) == links.end();
+}
+
+/// `fine`: nodes of the finer level, which has so many springs and, of these, constants.
+bool fits_level(const SavedLevels::Level& level, std::uint32_t fine, std::size_t springs,
+                std::size_t constants) {
+    const GalerkinLists& lists = level.lists;
+    const Interpolation& p = level.interpolation;
+    const std::size_t links = lists.links.size(), groups = lists.groups(), lanes = Stencil::lanes;
+    const std::size_t weights = std::size_t{Interpolation::width} * Stencil::whole_groups(fine);
+    return p.fine == fine && p.coarse > 0 && p.coarse <= fine / 2 && p.kept.size() == p.coarse &&
+           p.nodes.size() == weights && p.weights.size() == weights && are_below(p.kept, fine) &&
+           are_below(p.nodes, p.coarse) && are_finite(p.weights) && are_links(lists.links, p.coarse) &&
+           lists.places.size() == links && are_below(lists.places, groups * lanes) &&
+           lists.fine_links.size() % lanes == 0 && lists.factors.size() == lists.fine_links.size() &&
+           are_row_offsets(lists.group_slots, groups, lists.fine_links.size() / lanes) &&
+           are_below(lists.fine_links, springs) && are_finite(lists.factors) &&
+           are_row_offsets(lists.constants.offsets, links, lists.constants.fine_links.size()) &&
+           lists.constants.factors.size() == lists.constants.fine_links.size() &&
+           are_below(lists.constants.fine_links, constants) && are_finite(lists.constants.factors);
+}
+
+}  // namespace
+
+std::size_t written_size(const SavedLevels& levels) {
+    std::size_t bytes = sizeof(LevelsHead) + levels.levels.size() * sizeof(std::uint64_t);
+    for_each_list_of(levels, [&](const auto& list) {
+        bytes += sizeof(std::uint64_t) + padded_bytes(list.size() * sizeof(list[0]));
+    });
+    return bytes;
+}
+
+void write(const SavedLevels& levels, std::span<std::byte> to) {
+    std::ranges::fill(to, std::byte{});
+    std::byte* at = to.data();
+    const auto put = [&](const auto& value) {
+        std::memcpy(at, &value, sizeof value);
+        at += sizeof value;
+    };
+    put(LevelsHead{bits_of(levels.kind), static_cast<std::uint32_t>(levels.levels.size())});
+    for (const SavedLevels::Level& level : levels.levels) {
+        put(level.interpolation.fine);
+        put(level.interpolation.coarse);
+    }
+    for_each_list_of(levels, [&](const auto& list) {
+        const std::size_t bytes = list.size() * sizeof(list[0]);
+        put(std::uint64_t{list.size()});
+        if (bytes > 0) std::memcpy(at, list.data(), bytes);
+        at += padded_bytes(bytes);
+    });
+}
+
+std::optional<SavedLevels> read_levels(std::span<const std::byte> bytes) {
+    LevelReader reader(bytes);
+    const auto head = reader.number<LevelsHead>();
+    if (head.levels > bytes.size() / sizeof(std::uint64_t)) return std::nullopt;
+    SavedLevels levels;
+    levels.kind = kind_of(head.kind);
+    levels.levels.resize(head.levels);
+    for (SavedLevels::Level& level : levels.levels) {
+        level.interpolation.fine = reader.number<std::uint32_t>();
+        level.interpolation.coarse = reader.number<std::uint32_t>();
+    }
+    for_each_list_of(levels, [&](auto& list) { reader.take(list); });
+    if (!reader.fits()) return std::nullopt;
+    return levels;
+}
+
+bool fit(const SavedLevels& levels, std::uint32_t particles, std::size_t entries) {
+    if (levels.levels.empty())
+        return levels.slots.empty() && levels.constant_links.empty() && levels.constant_weights.empty();
+    if (levels.slots.empty() || !are_below(levels.slots, entries / Stencil::lanes) ||
+        !std::ranges::is_sorted(levels.slots) || !are_links(levels.constant_links, particles) ||
+        levels.constant_weights.size() != levels.constant_links.size() ||
+        !are_finite(levels.constant_weights))
+        return false;
+    std::uint32_t fine = particles;
+    std::size_t springs = levels.slots.size() * Stencil::lanes, constants = levels.constant_links.size();
+    for (const SavedLevels::Level& level : levels.levels) {
+        if (!fits_level(level, fine, springs, constants)) return false;
+        fine = level.interpolation.coarse;
+        springs = std::size_t{level.lists.groups()} * Stencil::lanes;
+        constants = 0;
+    }
+    return true;
+}
+
+std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system, SavedLevels* saved) {
+    if (saved != nullptr && fit(*saved, model.particle_count, system.entries()))
+        return std::make_unique<Multigrid>(system, std::move(*saved), model.particle_count);
     Parallel serial(1);
     const ClothSettings settings;
     const AlignedBuffer<Vec4> at_rest(model.particle_count);

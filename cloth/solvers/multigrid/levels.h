@@ -7,12 +7,14 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solvers/multigrid/saved_levels.h"
 #include "cloth/system/implicit_system.h"
 
 namespace weft {
 
 /// Levels with no pins, from the cloth where it starts and the default fabric. `system` is left linearised
-/// about that.
-[[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system);
+/// about that, unless `saved` levels fit it: then those are taken.
+[[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system,
+                                                     SavedLevels* saved = nullptr);
 
 }  // namespace weft

@@ -79,6 +79,40 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     set_pins(positions);
 }
 
+Multigrid::Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles)
+    : system_(&system),
+      slots_(std::move(saved.slots)),
+      constants_{std::move(saved.constant_links), std::move(saved.constant_weights)},
+      pinned_(particles),
+      smooth_(particles),
+      remainder_(particles) {
+    coarse_.reserve(saved.levels.size());
+    for (SavedLevels::Level& level : saved.levels) {
+        const std::uint32_t nodes = level.interpolation.coarse;
+        level.lists.constants.sums = AlignedBuffer<float>(level.lists.groups() * Stencil::lanes);
+        store_transpose(level.interpolation);
+        const SpringGraph graph = graph_between(level.lists.links.span(), nodes);
+        coarse_.emplace_back(std::move(level.lists), std::move(level.interpolation), graph,
+                             components_of(graph));
+    }
+    if (coarse_.empty()) return;
+    weights_ = AlignedBuffer<float>(coarse_.front().interpolation().weights.size());
+    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
+}
+
+SavedLevels Multigrid::constant_part() const {
+    SavedLevels part;
+    part.slots = slots_;
+    part.constant_links = constants_.links;
+    part.constant_weights = constants_.weights;
+    part.levels.reserve(coarse_.size());
+    for (const CoarseLevel& level : coarse_) {
+        part.levels.push_back({level.lists(), level.interpolation()});
+        part.levels.back().lists.constants.sums = {};
+    }
+    return part;
+}
+
 // Until all components are small. Each has a ninth of its nodes on the next level; one that has not lost half
 // of them, since lengths of its springs have overflowed, is left to relaxation.
 void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
@@ -150,7 +184,9 @@ void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
 std::uint32_t Multigrid::spring_of(const Link& link) const {
     const std::uint32_t entry = system_->entry_between(link.first, link.second);
     const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
-    return static_cast<std::uint32_t>(slot - slots_.begin()) * Stencil::lanes + entry % Stencil::lanes;
+    // It is there, but perhaps in levels from a file that was made to mislead.
+    const auto at = std::min<std::ptrdiff_t>(slot - slots_.begin(), std::ssize(slots_.span()) - 1);
+    return static_cast<std::uint32_t>(at) * Stencil::lanes + entry % Stencil::lanes;
 }
 
 template <class Body>
@@ -202,7 +238,8 @@ void Multigrid::unpin(std::uint32_t particle) noexcept {
 }
 
 void Multigrid::set_pins(std::span<const Vec4> positions) {
-    if (coarse_.empty()) return;
+    if (coarse_.empty() || (has_pins_set_ && are_pinned(positions))) return;
+    has_pins_set_ = true;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (positions[i].w == 0) count += links_of_particle(i);
@@ -218,15 +255,23 @@ void Multigrid::set_pins(std::span<const Vec4> positions) {
     for (std::uint32_t k = 0; k < coarse_.front().lists().links.size(); ++k) sum_constant(k);
 }
 
+bool Multigrid::are_pinned(std::span<const Vec4> positions) const {
+    std::uint32_t others = 0;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        others |= pinned_[i] ^ (positions[i].w == 0 ? 1u : 0u);
+    return others == 0;
+}
+
 void Multigrid::reserve_pins(std::size_t count) {
-    // All of them where they have the most springs; and each spring has two ends.
-    std::size_t most = 0, all = 0;
-    for (std::uint32_t i = 0; i < pinned_.size(); ++i) {
-        const std::size_t of_particle = system_->neighbours_of(i).count;
-        most = std::max(most, of_particle);
-        all += of_particle;
+    if (most_links_ == 0) {
+        for (std::uint32_t i = 0; i < pinned_.size(); ++i) {
+            const std::uint32_t of_particle = system_->neighbours_of(i).count;
+            most_links_ = std::max(most_links_, of_particle);
+            all_links_ += of_particle;
+        }
     }
-    held_.reserve(std::min(count * most, all));
+    // All of them where they have the most springs; and each spring has two ends.
+    held_.reserve(std::min(count * most_links_, all_links_));
 }
 
 void Multigrid::reserve_pairs(std::size_t count) {

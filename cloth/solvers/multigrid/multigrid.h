@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "cloth/solvers/multigrid/coarse_level.h"
+#include "cloth/solvers/multigrid/saved_levels.h"
 #include "cloth/system/implicit_system.h"
+#include "engine/hooked_vector.h"
 
 namespace weft {
 
@@ -16,6 +18,11 @@ class Multigrid {
     /// Makes the levels from the system's springs as they are linearised now; `positions` give their lengths,
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
+
+    /// From levels that fit the system; no particle is pinned.
+    Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
+    /// What is constant of these levels, shared with them.
+    [[nodiscard]] SavedLevels constant_part() const;
 
     /// Another's levels for a system of the same springs: what is constant is shared.
     Multigrid(const Multigrid& other, const ImplicitSystem& system) : Multigrid(other) { system_ = &system; }
@@ -61,7 +68,7 @@ class Multigrid {
         SharedBuffer<Link> links;  // ascending
         SharedBuffer<float> weights;
     };
-    using HeldSprings = std::vector<HeldSpring>;
+    using HeldSprings = HookedVector<HeldSpring>;
 
     /// `links`: of the finest level; numbers[k]: which of the constant ones the k-th is, or none.
     void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
@@ -78,6 +85,8 @@ class Multigrid {
     /// Writes the particle's springs from `at` on.
     void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
     void mark(std::uint32_t particle, bool pinned) noexcept;
+    /// Whether those of inverse mass 0 are, and no others.
+    [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
     void gather_pairs(const PairRows* pairs, std::uint32_t first);
     void hold_other_bodies(const PairRows& pairs, std::uint32_t first);
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
@@ -94,6 +103,10 @@ class Multigrid {
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, remainder_;
     bool has_pairs_ = false;
+    bool has_pins_set_ = false;  // what follows from pins was made
+    // Of a particle that has the most, and of all; 0 until they were counted.
+    std::uint32_t most_links_ = 0;
+    std::size_t all_links_ = 0;
 };
 
 }  // namespace weft

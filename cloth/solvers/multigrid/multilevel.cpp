@@ -21,11 +21,11 @@ double rest_area(const ClothModel& model) {
 }  // namespace
 
 MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings& settings,
-                                   std::span<const Vec4> positions)
+                                   std::span<const Vec4> positions, SavedLevels* saved)
     : model_(&model),
       kind_(settings),
       system_(make_system(model, settings)),
-      multigrid_(make_levels(model, *system_)),
+      multigrid_(make_levels(model, *system_, saved != nullptr && saved->kind == kind_ ? saved : nullptr)),
       vectors_(model.particle_count),
       sums_(block_count(model.particle_count)),
       rest_area_(rest_area(model)),
@@ -358,7 +358,7 @@ void MultilevelSolver::reserve_pairs(std::size_t count) {
     multigrid_->reserve_pairs(count);
     const std::span<const std::uint32_t> offsets = model_->component_offsets;
     const auto loose = static_cast<std::uint32_t>(offsets.size() - 1);
-    std::vector<std::uint32_t> component_of(model_->particle_count, loose);
+    HookedVector<std::uint32_t> component_of(model_->particle_count, loose);
     for (std::uint32_t c = 0; c + 1 < offsets.size(); ++c)
         for (std::uint32_t k = offsets[c]; k < offsets[c + 1]; ++k)
             component_of[model_->component_particles[k]] = c;

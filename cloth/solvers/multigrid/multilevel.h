@@ -3,7 +3,6 @@
 // search and more passes where the equation is hard.
 
 #include <memory>
-#include <vector>
 
 #include "cloth/solvers/linear/conjugate_gradient.h"
 #include "cloth/solvers/make_system.h"
@@ -13,12 +12,15 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
+#include "engine/hooked_vector.h"
 
 namespace weft {
 
 class MultilevelSolver final : public Solver {
   public:
-    MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions);
+    /// `saved`: levels of this model, if there are any: taken where they are of the settings' system.
+    MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions,
+                     SavedLevels* saved = nullptr);
     MultilevelSolver(const MultilevelSolver& other, const ClothModel& model);
     [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
         return std::make_unique<MultilevelSolver>(*this, model);
@@ -76,8 +78,8 @@ class MultilevelSolver final : public Solver {
     AlignedBuffer<double> sums_;  // of blocks
     double rest_area_;            // [m^2]
     StepResidual residual_;
-    std::vector<std::uint32_t> component_of_;  // of particles, only with features
-    std::vector<Piece> pieces_;
+    HookedVector<std::uint32_t> component_of_;  // of particles, only with features
+    HookedVector<Piece> pieces_;
 };
 
 }  // namespace weft

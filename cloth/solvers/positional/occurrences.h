@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <vector>
+
+#include "engine/hooked_vector.h"
 
 namespace weft {
 
@@ -16,7 +17,7 @@ class Occurrences {
             if (i < particles) ++offsets_[i + 1];
         std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
         places_.resize(offsets_.back());
-        std::vector<std::uint32_t> next = offsets_;
+        HookedVector<std::uint32_t> next = offsets_;
         for (std::uint32_t at = 0; at < list.size(); ++at)
             if (list[at] < particles) places_[next[list[at]]++] = at;
     }
@@ -30,7 +31,7 @@ class Occurrences {
     }
 
   private:
-    std::vector<std::uint32_t> offsets_, places_;
+    HookedVector<std::uint32_t> offsets_, places_;
 };
 
 }  // namespace weft

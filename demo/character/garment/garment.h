@@ -23,8 +23,8 @@ struct Garment {
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
     bool stands_ready = false;         ///< round a body in its stance; else it has to be brought there
     bool from_waist = false;           ///< it hangs from the waist, not from neck and shoulders
-    std::vector<PaintedMap> maps{};  ///< but pins, which are fixed
-    Mesh fine{};                     ///< of the same shape, to be drawn over the mesh; empty: the mesh is drawn
+    std::vector<PaintedMap> maps{};    ///< but pins, which are fixed
+    Mesh fine{};  ///< of the same shape, to be drawn over the mesh; empty: the mesh is drawn
     std::vector<std::string> notes;  ///< what its reader went on from: a material file that is missing
 };
 

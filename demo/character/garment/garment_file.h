@@ -18,8 +18,8 @@ namespace weft::demo {
 /// coordinates in metres are the flat pattern.
 /// Beside it there may be maps (painted_maps.h).
 ///
-/// Errors: load_obj's; read_maps'; materials none of which ends in "Free"; a garment less than 0.1 m or more than 3 m
-/// high, or wide, for which nobody here is the right size.
+/// Errors: load_obj's; read_maps'; materials none of which ends in "Free"; a garment less than 0.1 m or more
+/// than 3 m high, or wide, for which nobody here is the right size.
 [[nodiscard]] Result<Garment> read_garment(const std::filesystem::path& file);
 
 }  // namespace weft::demo

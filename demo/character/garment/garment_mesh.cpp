@@ -69,16 +69,6 @@ float mean_height(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) 
     return sum / static_cast<float>(vertices.size());
 }
 
-std::vector<std::uint32_t> topmost(const Mesh& mesh) {
-    const auto height = [](const Vec3& p) { return p.y; };
-    const auto [low, high] = std::ranges::minmax(mesh.positions, {}, height);
-    std::vector<std::uint32_t> top;
-    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        if (mesh.positions[vertex].y >= high.y - 0.02f * (high.y - low.y)) top.push_back(vertex);
-    }
-    return top;
-}
-
 Vec3 middle(const Vec3& a, const Vec3& b) {
     return to_vec3(0.5f * (to_vector(a) + to_vector(b)));
 }
@@ -136,6 +126,23 @@ void drop_unfit_pattern(Mesh& mesh) {
         }
     }
     if (!(on_pattern > 0.7f * in_space && on_pattern < 1.4f * in_space)) mesh.pattern.clear();
+}
+
+std::vector<std::uint32_t> topmost(const Mesh& mesh) {
+    const auto height = [](const Vec3& p) { return p.y; };
+    const auto [low, high] = std::ranges::minmax(mesh.positions, {}, height);
+    std::vector<std::uint32_t> top;
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+        if (mesh.positions[vertex].y >= high.y - 0.02f * (high.y - low.y)) top.push_back(vertex);
+    }
+    return top;
+}
+
+std::vector<std::uint32_t> border_vertices(const Mesh& mesh) {
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& part : connected_parts(border_edges(mesh)))
+        all.insert(all.end(), part.begin(), part.end());
+    return all.empty() ? topmost(mesh) : all;
 }
 
 std::size_t count_openings(const Mesh& mesh) {

@@ -24,6 +24,12 @@ void drop_unfit_pattern(Mesh& mesh);
 /// of the topmost fiftieth where the mesh has no opening.
 [[nodiscard]] std::vector<std::uint32_t> highest_opening(const Mesh& mesh);
 
+/// Vertices of the topmost fiftieth.
+[[nodiscard]] std::vector<std::uint32_t> topmost(const Mesh& mesh);
+
+/// Vertices of edges of one triangle, one for each position; the topmost where there are none.
+[[nodiscard]] std::vector<std::uint32_t> border_vertices(const Mesh& mesh);
+
 /// Closed rows of border edges: a skirt has two, a shirt four.
 [[nodiscard]] std::size_t count_openings(const Mesh& mesh);
 

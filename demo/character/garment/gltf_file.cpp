@@ -144,7 +144,8 @@ class GltfReader {
                 if (!is_worn && !with_body_) continue;
                 if (free && !any_free) take_colour(material);
                 any_free = any_free || free;
-                if (auto read = read_primitive(primitive, material.name, free, is_worn ? garment_ : character_.body);
+                if (auto read =
+                        read_primitive(primitive, material.name, free, is_worn ? garment_ : character_.body);
                     !read)
                     return read;
             }
@@ -215,9 +216,8 @@ class GltfReader {
         if (!numbers) numbers = gltf_numbers(model_, found->second, 4);
         if (!numbers) return numbers.error();
         if (numbers->size() != each * vertices)
-            return Error{ErrorCode::malformed_file, std::to_string(numbers->size() / each) +
-                                                        " colours for " + std::to_string(vertices) +
-                                                        " positions"};
+            return Error{ErrorCode::malformed_file, std::to_string(numbers->size() / each) + " colours for " +
+                                                        std::to_string(vertices) + " positions"};
         to.colours.resize(to.mesh.positions.size(), Vec3{1, 1, 1});
         for (std::size_t i = 0; i < numbers->size(); i += each)
             to.colours.push_back({static_cast<float>((*numbers)[i]), static_cast<float>((*numbers)[i + 1]),

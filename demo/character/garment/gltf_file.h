@@ -34,8 +34,8 @@ struct SkinnedCharacter {
 /// Reads .gltf and .glb: the first skin, and of the meshes that have it the primitives of materials whose
 /// name ends in "Free" or begins with "Garment"; vertices of the first are simulated, the others fixed by
 /// their weights. Scales of nodes count, sheared axes do not. Errors name the file and what it lacks: a skin,
-/// joints, a primitive of a Free material, positions, joints or weights, four of both a vertex; triangles of a
-/// body, where it is asked for. Beside it there may be maps (painted_maps.h).
+/// joints, a primitive of a Free material, positions, joints or weights, four of both a vertex; triangles of
+/// a body, where it is asked for. Beside it there may be maps (painted_maps.h).
 [[nodiscard]] Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body = false);
 
 }  // namespace weft::demo

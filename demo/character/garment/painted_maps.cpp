@@ -94,14 +94,16 @@ class MapsReader {
         for (const auto& [name, channel] : channels) {
             if (which != name) continue;
             if (colours_.size() != vertices_)
-                return lines_.error("the garment's vertices have no colours; give each one, or name them by "
-                                    "their numbers");
+                return lines_.error(
+                    "the garment's vertices have no colours; give each one, or name them by "
+                    "their numbers");
             for (std::size_t v = 0; v < vertices_; ++v) values[v] = value * colours_[v].*channel;
             return {};
         }
         const std::size_t dash = which.find('-');
         const auto first = number_of<std::size_t>(which.substr(0, dash));
-        const auto last = dash == std::string_view::npos ? first : number_of<std::size_t>(which.substr(dash + 1));
+        const auto last =
+            dash == std::string_view::npos ? first : number_of<std::size_t>(which.substr(dash + 1));
         if (!first || !last || *first < 1 || *last < *first || *last > vertices_)
             return lines_.error("\"" + std::string(which) +
                                 "\" are no vertices; all, red, green, blue, or numbers from 1 to " +

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <functional>
 
-#include "../crossing_count.h"
-#include "../meshes.h"
+#include "tests/cloth/meshes.h"
 #include "engine/vector.h"
+#include "tests/cloth/contact/crossing_count.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -45,8 +45,9 @@ MeshCut cut_along(const Mesh& mesh, std::uint32_t row, std::uint32_t to = side -
 }
 
 struct Hung {
-    explicit Hung(const ClothSettings& settings = {}, int threads = 1)
+    explicit Hung(const ClothSettings& settings = {}, int threads = 1, bool is_grid = true)
         : world(must(World::create(settings_of(threads)))), mesh(hanging_sheet()) {
+        if (!is_grid) mesh.rows = mesh.columns = 0;
         cloth = must(world.add_cloth(mesh, settings));
         EXPECT_TRUE(world.pin(cloth, first_row()));
         step(10);
@@ -100,7 +101,12 @@ std::vector<Case> cases() {
     return {
         {.name = "by_default"},
         {.name = "euler", .set = [](ClothSettings& s) { s.time_scheme = TimeScheme::backward_euler; }},
-        {.name = "xpbd", .set = [](ClothSettings& s) { s.method = Xpbd{}; }},
+        {.name = "xpbd",
+         .set =
+             [](ClothSettings& s) {
+                 s.method = Xpbd{};
+                 s.substeps = 16;
+             }},
         {.name = "elements", .set = [](ClothSettings& s) { s.finite_elements.enabled = true; }},
         {.name = "tethers", .set = [](ClothSettings& s) { s.tethers.enabled = true; }},
         {.name = "on_a_ball", .prepare = add_ball},
@@ -123,16 +129,16 @@ std::vector<Case> cases() {
          .prepare =
              [](Hung& h) {
                  WorldSettings settings = h.world.settings();
-                 settings.budget = 100000;
+                 settings.budget = 1000;
                  EXPECT_TRUE(h.world.set_settings(settings));
              }},
     };
 }
 
-Hung hung_as(const Case& of, int threads = 1) {
+Hung hung_as(const Case& of, int threads = 1, bool is_grid = true) {
     ClothSettings settings;
     of.set(settings);
-    Hung hung(settings, threads);
+    Hung hung(settings, threads, is_grid);
     of.prepare(hung);
     hung.step(5);
     return hung;
@@ -218,7 +224,9 @@ TEST(RecutCloth, ThePartsComeApart) {
 TEST(RecutCloth, NothingJumps) {
     for (const Case& of : cases()) {
         SCOPED_TRACE(of.name);
-        Hung whole = hung_as(of), cut = hung_as(of);
+        // What Xpbd leaves unsolved is another on a mesh than on a grid.
+        const bool is_grid = std::string(of.name) != "xpbd";
+        Hung whole = hung_as(of, 1, is_grid), cut = hung_as(of, 1, is_grid);
         ASSERT_TRUE(cut.recut(cut_along(cut.mesh, 5, 4)));
         float farthest = 0;
         for (int k = 0; k < 3; ++k) {
@@ -321,6 +329,7 @@ TEST(RecutCloth, RefusesByNameAndChangesNothing) {
     expect_says(hung.world.recut_cloth(hung.cloth, cut.mesh, from), "from[7]: vertex 169 does not exist");
     expect_says(hung.world.recut_cloth(hung.cloth, {}, {}), "no triangles");
     Mesh folded = loose_sheet(2, 3);
+    folded.texcoords.clear();
     folded.positions.push_back(folded.positions[1]);
     expect_says(hung.world.recut_cloth(hung.cloth, folded, std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6}),
                 "vertices 1 and 6 are one particle, but come from vertices 1 and 6");

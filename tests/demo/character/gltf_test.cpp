@@ -45,7 +45,7 @@ struct Model {
     GltfText data;
     std::string nodes, joints, primitives, animation;
 
-    Model() {
+    explicit Model(bool with_body = false) {
         JointAngles rest = JointAngles::at_rest(skeleton);
         rest.root = {0, 1, 0};
         Pose pose;
@@ -71,6 +71,7 @@ struct Model {
         }
         nodes += R"(,{"name":"dress","mesh":0,"skin":0})";
         add_skin(pose, quarter);
+        if (with_body) add_body();
         add_animation(quarter);
     }
 
@@ -111,6 +112,28 @@ struct Model {
         }
     }
 
+    /// A box round the hips that goes with them, each vertex twice, as at seams.
+    void add_body() {
+        std::vector<float> positions, weights;
+        std::vector<std::uint8_t> bones;
+        std::vector<std::uint16_t> indices;
+        const auto last = static_cast<std::uint8_t>(skeleton.size() - 1);
+        for (int v = 0; v < 16; ++v) {
+            positions.insert(positions.end(), {(v & 1) != 0 ? 0.07f : -0.07f, (v & 2) != 0 ? 1.05f : 0.75f,
+                                               (v & 4) != 0 ? 0.06f : -0.06f});
+            bones.insert(bones.end(), {last, 0, 0, 0});
+            weights.insert(weights.end(), {1, 0, 0, 0});
+        }
+        for (const auto& [a, b, c, d] : std::array<std::array<int, 4>, 6>{
+                 {{0, 4, 6, 2}, {1, 3, 7, 5}, {8, 9, 13, 12}, {10, 14, 15, 11}, {0, 2, 3, 1}, {4, 5, 7, 6}}})
+            for (const int v : {a, b, c, a, c, d}) indices.push_back(static_cast<std::uint16_t>(v));
+        const int p = data.add(positions, "VEC3", 5126, 16), b = data.add(bones, "VEC4", 5121, 16);
+        const int w = data.add(weights, "VEC4", 5126, 16), i = data.add(indices, "SCALAR", 5123, 36);
+        primitives += R"(,{"attributes":{"POSITION":)" + std::to_string(p) + R"(,"JOINTS_0":)" +
+                      std::to_string(b) + R"(,"WEIGHTS_0":)" + std::to_string(w) + R"(},"indices":)" +
+                      std::to_string(i) + R"(,"material":2})";
+    }
+
     /// The left thigh goes from where it is forward by 60 degrees in a second.
     void add_animation(const Quaternion& quarter) {
         const Quaternion forward(Eigen::AngleAxisf(-std::numbers::pi_v<float> / 3, Vector3::UnitX()));
@@ -129,7 +152,7 @@ struct Model {
                std::to_string(data.bytes.size()) + R"(}],"bufferViews":[)" + data.views +
                R"(],"accessors":[)" + data.accessors + R"(],"nodes":[)" + nodes +
                R"(],"skins":[{"joints":[)" + joints +
-               R"(],"inverseBindMatrices":0}],"materials":[{"name":"GarmentTop"},{"name":"SkirtFree","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.5,0.2,1]}}],"meshes":[{"primitives":[)" +
+               R"(],"inverseBindMatrices":0}],"materials":[{"name":"GarmentTop"},{"name":"SkirtFree","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.5,0.2,1]}},{"name":"Skin"}],"meshes":[{"primitives":[)" +
                primitives + R"(]}],"animations":[)" + animation + "]}";
     }
 };
@@ -193,6 +216,39 @@ TEST(Gltf, DressesSomebody) {
     const auto both = Character::create(settings);
     ASSERT_FALSE(both.ok());
     EXPECT_NE(both.error().message.find("some.bvh"), std::string::npos) << both.error().message;
+}
+
+TEST(Gltf, ItsOwnBodyIsMetAsItsSkin) {
+    for (const bool with_body : {true, false}) {
+        const Model model(with_body);
+        const TemporaryFile buffer("skinned.bin", model.data.bytes);
+        const TemporaryFile file("skinned.gltf", model.json(buffer.path().filename().string()));
+        EXPECT_TRUE(read_gltf(file.path()).value().body.mesh.positions.empty()) << "nobody asked for it";
+        CharacterSettings settings;
+        settings.garment = file.path();
+        settings.surface = BodySurface::skin;
+        auto character = Character::create(settings);
+        EXPECT_EQ(character.ok(), with_body);
+        if (!character) {
+            EXPECT_NE(character.error().message.find("no triangles but the garment's"), std::string::npos);
+            EXPECT_NE(character.error().message.find("skinned.gltf"), std::string::npos);
+            continue;
+        }
+        EXPECT_EQ(character->skin().size(), 16u);
+        EXPECT_EQ(character->garment().mesh.positions.size(),
+                  read_gltf(file.path())->garment.mesh.positions.size());
+        auto world = World::create({.threads = 1});
+        const auto entered = character->enter(*world);
+        ASSERT_TRUE(entered.ok()) << entered.error().message;
+        const float before = (*character->skin_places())[0].y;
+        for (int step = 0; step < 60; ++step) {
+            character->before_step(*world, step / 60.0, 1.0f / 60);
+            world->step(1.0f / 60);
+        }
+        EXPECT_NEAR((*character->skin_places())[0].y, before, 0.05f);
+        for (const Vec4& p : world->cloth(character->cloth())->positions)
+            EXPECT_FALSE(p.w > 0 && std::abs(p.x) < 0.06f && p.y > 0.8f && p.y < 1 && std::abs(p.z) < 0.05f);
+    }
 }
 
 TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {

@@ -1,5 +1,5 @@
 // What somebody dressed costs and how well it is worn: WEFT_CHARACTER_TABLE=SECONDS prints a row for each
-// motion and garment, of so much time.
+// motion and garment, of so much time; WEFT_CHARACTER_SKIN has the skin met.
 
 #include <gtest/gtest.h>
 
@@ -96,6 +96,7 @@ TEST(CharacterTable, Prints) {
                 if (*motion) settings.motion = data_folder() / "motion" / (std::string(motion) + ".bvh");
                 if (*garment) settings.garment = data_folder() / "garments" / (std::string(garment) + ".obj");
                 settings.speed = speed;
+                if (std::getenv("WEFT_CHARACTER_SKIN") != nullptr) settings.surface = BodySurface::skin;
                 settings.cloth.fabric.areal_density = 0.16f;
                 settings.cloth.self_collision.enabled = true;
                 settings.cloth.self_collision.method = SelfCollisionMethod::contact;

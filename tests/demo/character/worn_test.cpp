@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "demo/character/character.h"
 #include "demo/character/garment/wear.h"
 #include "demo/export/write_back.h"
@@ -121,6 +123,65 @@ TEST(Worn, FixedVerticesAreWhereTheBodyIs) {
     for (std::size_t i = 0; i < made->capsules().size(); ++i) {
         const auto collider = world->collider(made->colliders()[i]);
         EXPECT_EQ(std::get<TaperedCapsule>(collider->shape).a.y, made->capsules()[i].a.y);
+    }
+}
+
+/// Somebody in a small dress, in a World of their own.
+struct Walker {
+    explicit Walker(BodySurface surface) : world(std::move(World::create({.threads = 1})).value()) {
+        CharacterSettings settings = with_contact();
+        settings.particles = 800;
+        settings.surface = surface;
+        character.emplace(std::move(Character::create(settings)).value());
+        EXPECT_TRUE(character->enter(world).ok());
+    }
+    void run(int steps) {
+        for (const int end = step + steps; step < end; ++step) {
+            character->before_step(world, step / 60.0, dt);
+            world.step(dt);
+        }
+    }
+    [[nodiscard]] Vector3 vertex(std::uint32_t v) const {
+        const ClothView view = *world.cloth(character->cloth());
+        return xyz(view.positions[view.vertex_to_particle[v]]);
+    }
+    [[nodiscard]] std::vector<float> lengths() const {
+        std::vector<float> found;
+        for (const Triangle& t : character->garment().mesh.triangles)
+            for (std::size_t c = 0; c < 3; ++c)
+                found.push_back((vertex(t[c]) - vertex(t[(c + 1) % 3])).norm());
+        return found;
+    }
+
+    World world;
+    std::optional<Character> character;
+    int step = 0;
+};
+
+/// Beside one who stays no edge is longer or shorter by more than a twentieth.
+TEST(Worn, TeleportsKeepWhatHangs) {
+    for (const BodySurface surface : {BodySurface::capsules, BodySurface::skin}) {
+        Walker stays(surface), goes(surface);
+        stays.run(120);
+        goes.run(120);
+        for (const Transform& by : {Transform{.translation = {40, 0, 0}}, Transform{.rotation = {0, 1, 0, 0}},
+                                    Transform{.translation = {-8, 0, 3}, .rotation = {0, 0.6f, 0, 0.8f}}}) {
+            const std::vector<float> before = goes.lengths();
+            const Vector3 from = goes.vertex(0);
+            ASSERT_TRUE(goes.character->teleport(goes.world, by).ok());
+            const std::vector<float> at_once = goes.lengths();
+            for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(at_once[i] / before[i], 1, 1e-3f);
+            EXPECT_GT((goes.vertex(0) - from).norm(), 5);
+            for (int k = 0; k < 3; ++k) {
+                stays.run(1);
+                goes.run(1);
+                const std::vector<float> expected = stays.lengths(), after = goes.lengths();
+                float worst = 0;
+                for (std::size_t i = 0; i < before.size(); ++i)
+                    worst = std::max(worst, std::abs(after[i] / expected[i] - 1));
+                EXPECT_LT(worst, 0.05f) << "after " << k + 1 << " steps";
+            }
+        }
     }
 }
 

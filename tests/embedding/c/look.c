@@ -39,8 +39,58 @@ static void vertices(const WeftWorld* world, WeftClothId cloth) {
         const WeftVec4 at = view.positions[view.vertex_to_particle[i]];
         CHECK(places[i][1] == at.x && places[i][2] == at.y && places[i][3] == at.z && places[i][4] == 0);
     }
+    {
+        const WeftVec4 pinned = view.positions[view.vertex_to_particle[11]];
+        CHECK(pinned.x == 0.5f && pinned.y == 1.01f && pinned.z == -1.5f); /* the origin was shifted by 1 m */
+    }
     streams.positions.stride = 8;
     REFUSES(WEFT_INVALID_ARGUMENT, "", weft_world_write_vertices(world, cloth, &streams, 0, SIZE_MAX));
+}
+
+typedef struct Whole {
+    float place[3], place_before[3], normal[3], normal_before[3], tangent[4];
+    float texcoord[2];
+} Whole;
+
+static WeftStream stream_at(void* first, const Whole* all, size_t count) {
+    WeftStream stream;
+    stream.data = first;
+    stream.bytes = count * sizeof(Whole) - (size_t)((const char*)first - (const char*)all);
+    stream.stride = sizeof(Whole);
+    return stream;
+}
+
+static float length_of(const float v[3]) {
+    return sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Each stream has what it is called. */
+static void all_streams(const WeftWorld* world, WeftClothId cloth) {
+    static Whole all[144];
+    WeftClothView view = {.struct_size = sizeof view};
+    WeftVertexStreams streams = {.struct_size = sizeof streams};
+    uint32_t i;
+    TAKES(weft_world_cloth(world, cloth, &view));
+    streams.positions = stream_at(all[0].place, all, 144);
+    streams.previous_positions = stream_at(all[0].place_before, all, 144);
+    streams.normals = stream_at(all[0].normal, all, 144);
+    streams.previous_normals = stream_at(all[0].normal_before, all, 144);
+    if (view.texcoords != NULL) {
+        streams.tangents = stream_at(all[0].tangent, all, 144);
+        streams.texcoords = stream_at(all[0].texcoord, all, 144);
+    }
+    TAKES(weft_world_write_vertices(world, cloth, &streams, 0, SIZE_MAX));
+    for (i = 0; i < 144; ++i) {
+        const uint32_t particle = view.vertex_to_particle[i];
+        CHECK(all[i].place[1] == view.positions[particle].y);
+        CHECK(all[i].place_before[1] == view.previous_positions[particle].y);
+        CHECK(all[i].normal[2] == view.normals[particle].z);
+        CHECK(fabsf(length_of(all[i].normal_before) - 1) < 1e-5f &&
+              all[i].normal_before[2] != all[i].normal[2]);
+        if (view.texcoords == NULL) continue;
+        CHECK(fabsf(length_of(all[i].tangent) - 1) < 1e-5f && fabsf(all[i].tangent[3]) == 1);
+        CHECK(all[i].texcoord[0] == view.texcoords[i].x && all[i].texcoord[1] == view.texcoords[i].y);
+    }
 }
 
 static void reports(const WeftWorld* world, WeftClothId cloth) {
@@ -72,6 +122,7 @@ void look_at(WeftWorld* world, WeftClothId cloth, const char* folder) {
     const char* text = NULL;
     char file[512];
     vertices(world, cloth);
+    all_streams(world, cloth);
     reports(world, cloth);
     TAKES(weft_world_debug_draw(world, &canvas, WEFT_DRAW_STRAIN | WEFT_DRAW_COSTS));
     CHECK(drawn.lines > 0 && drawn.texts > 0);
@@ -108,6 +159,12 @@ typedef struct Bytes {
     unsigned char* data;
     size_t count;
 } Bytes;
+static WeftBool never(void* user, const void* bytes, size_t count) {
+    (void)user;
+    (void)bytes;
+    (void)count;
+    return 0;
+}
 static WeftBool append(void* user, const void* bytes, size_t count) {
     Bytes* const to = user;
     to->data = realloc(to->data, to->count + count);
@@ -119,7 +176,7 @@ static WeftBool append(void* user, const void* bytes, size_t count) {
 void record(const char* folder) {
     char file[512];
     Bytes bytes = {NULL, 0};
-    const WeftRecordingSink sink = {append, &bytes};
+    const WeftRecordingSink sink = {append, &bytes}, other = {never, NULL};
     WeftReplay replay = {.struct_size = sizeof replay};
     int to_file;
     snprintf(file, sizeof file, "%s/c.weftrec", folder);
@@ -127,11 +184,17 @@ void record(const char* folder) {
         WeftWorld* world = NULL;
         WeftMesh* mesh = NULL;
         WeftClothId cloth;
+        WeftClothSettings settings;
         int i;
         TAKES(weft_world_create(NULL, &world));
         TAKES(weft_mesh_make_sheet(NULL, &mesh));
+        weft_cloth_settings_init(&settings, sizeof settings);
+        settings.self_collision.enabled = 1;
+        settings.self_collision.distance = 5; /* more particles than Weft keeps a list of */
+        REFUSES(WEFT_INVALID_ARGUMENT, "distance", weft_world_add_cloth(world, mesh, &settings, &cloth));
         TAKES(to_file ? weft_world_start_recording(world, file)
                       : weft_world_start_recording_to(world, &sink));
+        REFUSES(WEFT_INVALID_ARGUMENT, "record", weft_world_start_recording_to(world, &other));
         TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
         for (i = 0; i < 3; ++i) TAKES(weft_world_step(world, 1.0f / 60));
         TAKES(weft_world_stop_recording(world));
@@ -150,7 +213,7 @@ void record(const char* folder) {
 }
 
 static void drawn_mesh(void) {
-    static WeftVec4 places[5];
+    static WeftVec4 places[9];
     const WeftVec3 corners[3] = {{-0.2f, 0.01f, -0.2f}, {0.2f, 0.01f, -0.2f}, {0, 0.01f, 0.2f}};
     const uint32_t triangle[3] = {0, 2, 1};
     WeftDrawnSurface surface;
@@ -159,7 +222,7 @@ static void drawn_mesh(void) {
     WeftWorld* world = NULL;
     WeftMesh* mesh = NULL;
     WeftClothId cloth;
-    /* An array of floats may begin 4 bytes behind a multiple of 16; its next such place does not. */
+    /* Floats need not lie at a multiple of 16 bytes; the first such place in them does. */
     WeftVec4* const aligned = (WeftVec4*)(((uintptr_t)places + 15) / 16 * 16);
     memset(&surface, 0, sizeof surface);
     surface.struct_size = sizeof surface;
@@ -174,7 +237,8 @@ static void drawn_mesh(void) {
     TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
     TAKES(weft_drawn_mesh_bind(world, cloth, &surface, &settings, &drawn));
     CHECK(weft_drawn_mesh_size(drawn) == 3);
-    TAKES(weft_drawn_mesh_update(drawn, world, cloth, aligned, NULL, NULL, 0, SIZE_MAX));
+    TAKES(weft_drawn_mesh_update(drawn, world, cloth, aligned, aligned + 4, NULL, 0, SIZE_MAX));
+    CHECK(fabsf(aligned[4].y - 1) < 1e-5f && aligned[4].w == 0);
     CHECK(fabsf(aligned[1].x - 0.2f) < 1e-5f && fabsf(aligned[1].y - 0.01f) < 1e-5f && aligned[1].w == 1);
     REFUSES(WEFT_INVALID_ARGUMENT, "aligned",
             weft_drawn_mesh_update(drawn, world, cloth, (WeftVec4*)((char*)aligned + 4), NULL, NULL, 0, 1));
@@ -200,7 +264,7 @@ static void clock_of_loop(void) {
 }
 
 static void log_line(void* user, int32_t level, const char* line) {
-    CHECK(level == WEFT_LOG_WARNING && strlen(line) > 0);
+    CHECK((level == WEFT_LOG_NOTE || level == WEFT_LOG_WARNING) && strlen(line) > 0);
     *(int*)user += 1;
 }
 
@@ -232,6 +296,16 @@ static void hooks(void) {
     CHECK(report.welded_count == 1 && report.welded->vertex == 4 && report.loose_count > 0 &&
           report.turned_count == 0);
     CHECK(weft_memory_in_use().bytes > 0);
+    {
+        WeftWorld* world = NULL;
+        WeftClothId cloth;
+        WeftClothView seen = {.struct_size = sizeof seen};
+        TAKES(weft_world_create(NULL, &world));
+        TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
+        TAKES(weft_world_cloth(world, cloth, &seen));
+        CHECK(seen.vertices == 5 && seen.particles == 4 && seen.triangle_count == 1);
+        weft_world_destroy(world);
+    }
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     TAKES(weft_set_hooks(NULL));

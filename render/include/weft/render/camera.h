@@ -21,6 +21,9 @@ struct OrbitCamera {
     float yaw = 0.6f;           ///< [rad]; 0 looks along -Z
     float pitch = 0.25f;        ///< [rad], within +-1.5
     float vertical_fov = 0.7f;  ///< [rad]
+    /// Where panels cover a part of the picture: how far left of its middle the target is drawn, in halves of
+    /// its width, and how much smaller all is drawn, > 0.
+    float shift = 0, shrink = 1;
 
     [[nodiscard]] Vec3 eye() const;
     [[nodiscard]] Matrix4 view() const;

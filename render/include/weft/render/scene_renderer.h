@@ -153,6 +153,10 @@ class SceneRenderer {
     /// Precondition: width and height are from 1 to 16384.
     [[nodiscard]] Image capture(const View& view, int width, int height,
                                 const std::function<void()>& overlay = nullptr);
+    /// Whether a processor draws, and not a graphics card.
+    [[nodiscard]] bool drawn_by_processor() const;
+    /// Waits until all that was drawn is there.
+    void wait() const;
     /// Of a picture some frames ago: the driver draws behind, and is not waited for. Zeros before.
     [[nodiscard]] DrawTimes draw_times() const;
 

@@ -1,0 +1,264 @@
+#include "cloth/frame/contact/feature_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace weft {
+
+namespace {
+
+// Bodies' particles begin at whole groups of a system's rows.
+constexpr std::uint32_t group = 16;
+constexpr std::uint32_t whole_groups(std::uint32_t particles) {
+    return (particles + group - 1) / group * group;
+}
+
+// Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
+// the way out becomes speed, with which they would bounce.
+constexpr float parted_in_a_step = 0.2f;
+
+// Room for crossings: one a particle, and at least so many.
+constexpr std::size_t least_crossings = 1024;
+
+std::size_t room_for_crossings(std::size_t particles) {
+    return std::max(least_crossings, particles);
+}
+
+}  // namespace
+
+FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
+    cloths_.reserve(bodies.size());
+    bodies_.reserve(bodies.size());
+    ranges_.reserve(bodies.size());
+    restitutions_.reserve(bodies.size());
+    for (const ContactCloth& body : bodies) add(body);
+    std::size_t particles = 0;
+    for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
+    body_room_ = bodies.size();
+    particle_room_ = particles;
+    const std::size_t pairs = room_for_pairs(particles);
+    finder_.reserve(bodies_);
+    pairs_ = PairList(pairs);
+    rows_.reserve(particles, pairs);
+    settler_.reserve(particles, bodies.size(), pairs);
+    const std::size_t crossings = room_for_crossings(particles);
+    crossings_ = CrossingList(crossings);
+    tangles_.reserve(
+        {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
+    rows_.untangling().reserve(crossings);
+    memory_ = AlignedBuffer<TangleMemory>(particles);
+    exempt_ = AlignedBuffer<std::uint8_t>(pairs);
+    laws_ = AlignedBuffer<PairLaw>(pairs);
+    wanted_ = AlignedBuffer<float>(pairs);
+    narrowing_.reserve(pairs);
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
+    partials_ = AlignedBuffer<float>(blocks);
+    holders_ = AlignedBuffer<Holder>(blocks);
+    for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
+        *buffer = AlignedBuffer<Vec4>(particles);
+    if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
+    zones_.reserve(particles, pairs);
+    colliding_ = AlignedBuffer<std::uint32_t>(pairs);
+}
+
+bool FeatureContact::has_room_for(std::span<const ContactCloth> bodies) {
+    std::size_t particles = 0;
+    for (const ContactCloth& body : bodies) particles += whole_groups(body.mesh->particles());
+    const bool needs_zones = std::ranges::any_of(bodies, &ContactCloth::by_zones);
+    if (bodies.size() > body_room_ || particles > particle_room_ || (needs_zones && !has_zone_memory()))
+        return false;
+    begin();
+    for (const ContactCloth& body : bodies) add(body);
+    const bool has_room = finder_.has_room_for(bodies_);
+    begin();
+    return has_room;
+}
+
+void FeatureContact::begin() noexcept {
+    cloths_.clear();
+    bodies_.clear();
+    ranges_.clear();
+    restitutions_.clear();
+    if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
+    may_cross_ = is_uncertain_ = has_all_near_ = false;
+    holder_ = Holder::none;
+    tangles_.clear();
+}
+
+void FeatureContact::add(const ContactCloth& body) {
+    const std::uint32_t first =
+        ranges_.empty() ? 0 : ranges_.back().first + whole_groups(ranges_.back().count);
+    cloths_.push_back(body);
+    bodies_.push_back(
+        {.mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask});
+    ranges_.push_back({first, body.mesh->particles()});
+    restitutions_.push_back(body.restitution);
+    // Room that cloths elsewhere, or gone, were given is to be seen in nothing.
+    const std::size_t particles = first + whole_groups(body.mesh->particles());
+    pairs_.limit = room_for_pairs(particles);
+    crossings_.limit = room_for_crossings(particles);
+}
+
+void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
+                           const ExpectedMotion& expected) {
+    const std::uint32_t first = bodies_[body].first;
+    const auto holder_of = [&](std::uint32_t i) {
+        if (positions[i].w == 0) return Holder::pin;
+        return expected.held.empty() || xyz(expected.held[i]).isZero(0) ? Holder::none : Holder::collider;
+    };
+    h_ = expected.h;
+    const auto place_block = [&](const BlockRange& range) {
+        Holder firmest = Holder::none;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Holder holder = holder_of(i);
+            start_[first + i] = positions[i];
+            displacements_[first + i] = to_vec4(expected.h * xyz(expected.velocities[i]), 0);
+            firmest = std::max(firmest, holder);
+        }
+        return firmest;
+    };
+    holder_ = parallel.reduce(static_cast<std::uint32_t>(positions.size()), holders_.span(), holder_,
+                              place_block, [](Holder a, Holder b) { return std::max(a, b); });
+}
+
+void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
+    may_cross_ = true;
+    std::ranges::copy(memory, memory_.data() + bodies_[body].first);
+}
+
+std::span<const TangleMemory> FeatureContact::memory(std::size_t body) const {
+    return memory_.span().subspan(bodies_[body].first, bodies_[body].mesh->particles());
+}
+
+void FeatureContact::find_tangles(Parallel& parallel) {
+    finder_.find_crossings(parallel, bodies_, start_.span(), crossings_);
+    tangles_.find({bodies_, start_.span(), pairs_, h_}, crossings_, memory_.span());
+}
+
+/// Which pairs of those found last are let alone; empty: none.
+std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
+    if (!tangles_.any()) return {};
+    tangles_.exempt(parallel, pairs_, exempt_.span());
+    return exempt_.span();
+}
+
+// A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
+bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
+    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_, pair.corners[0]);
+    const std::uint32_t first = bodies_[body].first;
+    const RestFilter& near = cloths_[body].near_at_rest;
+    if (near.offsets.empty()) return false;
+    const std::span<const std::uint32_t> of_b = std::span(pair.corners).subspan(corners_of_a);
+    const auto [least, most] = std::ranges::minmax(of_b);
+    for (std::uint32_t a = 0; a < corners_of_a; ++a) {
+        const std::uint32_t i = pair.corners[a] - first, begin = near.offsets[i], end = near.offsets[i + 1];
+        if (begin == end || most - first < near.neighbours[begin] || least - first > near.neighbours[end - 1])
+            continue;
+        for (const std::uint32_t b : of_b)
+            if (near.leaves_alone(i, b - first)) return true;
+    }
+    return false;
+}
+
+// Where two edges are nearest at an end of one, a vertex and a triangle are as near there, and have the
+// force.
+void FeatureContact::make_laws(Parallel& parallel) {
+    const bool is_alone = bodies_.size() == 1;
+    const std::span<const std::uint8_t> exempt = find_exempt(parallel);
+    parallel.ranges(pairs_.size, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const FeaturePair& pair = pairs_.pairs[k];
+            const bool is_at_border = pairs_.shapes[k].is_at_border();
+            const std::uint32_t of_a = pairs_.corners_of_a(k);
+            const std::size_t a = is_alone ? 0 : body_of(bodies_, pair.corners[0]);
+            const std::size_t b = is_alone ? 0 : body_of(bodies_, pair.corners[3]);
+            const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
+                                       !(pairs_.shapes[k].normal.w > 0) ||
+                                       (a == b && are_near_at_rest(pair, of_a));
+            const float radius =
+                0.5f * (cloths_[a].radius + cloths_[b].radius) * (is_at_border ? of_borders : 1);
+            const float gap = std::min(pairs_.shapes[k].normal.w, radius);
+            laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
+                        .friction = a == b ? cloths_[a].friction
+                                           : std::sqrt(cloths_[a].friction * cloths_[b].friction)};
+            wanted_[k] = projected_gap * laws_[k].radius;
+        }
+    });
+}
+
+void FeatureContact::set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(base_positions.size()), [&](const BlockRange& range) {
+        std::copy(base_positions.data() + range.begin, base_positions.data() + range.end,
+                  base_.data() + first + range.begin);
+    });
+}
+
+void FeatureContact::set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    set_base(parallel, body, positions);
+    const std::uint32_t first = bodies_[body].first;
+    for (std::size_t i = 0; i < positions.size(); ++i) base_[first + i].w = 0;
+}
+
+void FeatureContact::make_rows(Parallel& parallel, float gamma) {
+    rows_.untangling().begin(tangles_.rows(), base_.span(), gamma);
+    rows_.begin(parallel, pairs_, laws_.span(), base_.span(), gamma);
+}
+
+void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            displacements_[first + i] = to_vec4(xyz(positions[i]) - xyz(start_[first + i]), 0);
+    });
+}
+
+FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
+    if (uses_zones()) return settle_by_zones(parallel);
+    const std::uint32_t near = pairs_.size;
+    const bool overflowed = pairs_.overflowed;
+    const std::span<const std::uint8_t> exempt =
+        tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
+    settler_.project(parallel, island(), pairs_, exempt, {.each = wanted_.span()}, projections,
+                     displacements_.span());
+    FeatureCounts counts = cut(parallel, is_pushed);
+    counts.pairs = near;
+    counts.tangles = tangles_.counts();
+    counts.overflowed |= overflowed;
+    return counts;
+}
+
+bool FeatureContact::crosses_anew(Parallel& parallel) {
+    if (may_cross_ || is_uncertain_) return false;
+    for_ranges(parallel, ranges_, [&](const BlockRange& range) {  // the bases are of no more use
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(base_[i], xyz(start_[i]) + xyz(displacements_[i]));
+    });
+    finder_.find_crossings(parallel, bodies_, base_.span(), crossings_);
+    return crossings_.size > 0;
+}
+
+void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
+                               std::span<Vec4> velocities) const {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 wanted = xyz(positions[i]) - xyz(start_[first + i]);
+            const Vector3 change = xyz(displacements_[first + i]) - wanted;
+            if (change.isZero(0)) continue;
+            set_xyz(positions[i], xyz(start_[first + i]) + xyz(displacements_[first + i]));
+            set_xyz(velocities[i], xyz(velocities[i]) + change / h);
+        }
+    });
+}
+
+std::size_t FeatureContact::bytes() const noexcept {
+    return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
+           laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
+           exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
+           partials_.bytes() + holders_.bytes() + zones_.bytes() + colliding_.bytes();
+}
+
+}  // namespace weft

@@ -1,0 +1,132 @@
+// What is near what, at a substep's start and for the motion that is to be cut at its end.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloth/frame/contact/feature_contact.h"
+#include "collision/contact/contours.h"
+
+namespace weft {
+
+void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*(reach.of_cloth);
+    finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders);
+}
+
+// No more than the rigid motion is taken out: a common motion that brings layers together, which keeps them
+// from meeting but not from coming within the radius, would hide them until they are too near. A turn brings
+// nothing nearer, and a garment that turns has ten times as many pairs with it.
+void FeatureContact::detect(Parallel& parallel) {
+    const auto search = [&] {
+        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+        has_all_near_ = !pairs_.overflowed;
+    };
+    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
+    std::ranges::copy(settler_.relative(), searched_.data());
+    search();
+    if (pairs_.overflowed) {
+        std::ranges::fill(searched_.span(), Vec4{});
+        search();
+    }  // what is near now, where too much would come near on the way
+    if (may_cross_) find_tangles(parallel);
+    make_laws(parallel);
+}
+
+/// From the motion that was searched for to the one that is to be cut.
+struct FeatureContact::Change {
+    bool is_covered = true;  ///< no pair comes within reach that is not listed
+    float longest = 0;       ///< of the motions that are to be cut [m]
+};
+
+/// Whether each motion ends near the way that was searched: see PairNarrowing.
+FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
+    constexpr float with_rounding = 0.49f, never = -1;
+    const auto find_block = [&](const BlockRange& range) {
+        const float slack =
+            with_rounding * (of_borders * cloths_[body_of(bodies_, range.begin)].radius - reach);
+        float longest = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
+            const float length2 = way.squaredNorm();
+            const float part = length2 > 0 ? std::clamp(way.dot(end) / length2, 0.0f, 1.0f) : 0.0f;
+            if (!((end - part * way).norm() <= slack)) return never;
+            longest = std::max(longest, end.norm());
+        }
+        return longest;
+    };
+    const auto add = [&](float a, float b) { return std::min(a, b) < 0 ? never : std::max(a, b); };
+    const float longest = reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, find_block, add);
+    return {longest >= 0, longest};
+}
+
+// Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
+void FeatureContact::find_for_cut(Parallel& parallel) {
+    settler_.split(parallel, island(), displacements_.span());
+    if (std::exchange(has_all_near_, false)) {
+        float reach = 0;
+        for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
+        const Change change = change_of_motion(parallel, reach);
+        if (change.is_covered) {
+            narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
+            return;
+        }
+    }
+    find(parallel, settler_.relative(), {&ContactCloth::floor});
+}
+
+// Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far
+// in the next step, and never come home.
+float FeatureContact::find_for_part_of_way(Parallel& parallel) {
+    constexpr float shorter = 0.25f;
+    constexpr int most_tries = 4;
+    float longest_cut = 0;
+    for (int k = 0;; ++k) {
+        find_for_cut(parallel);
+        if (!pairs_.overflowed || k == most_tries) return longest_cut;
+        const CommonMotion common = holder_ == Holder::pin ? CommonMotion{} : settler_.common();
+        const auto shorten_block = [&](const BlockRange& range) {
+            float longest = 0;
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                const Vector3 way = xyz(displacements_[i]);
+                const Vector3 part = give_back(common, xyz(start_[i]), way, shorter);
+                set_xyz(displacements_[i], part);
+                if (start_[i].w == 0) longest = std::max(longest, (way - part).norm());
+            }
+            return longest;
+        };
+        const auto greater = [](float a, float b) { return std::max(a, b); };
+        longest_cut += reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, shorten_block, greater);
+    }
+}
+
+FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
+    if (uses_zones()) return settle_by_zones(parallel);
+    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
+    const float pins_cut = find_for_part_of_way(parallel);
+    float least_floor = cloths_.front().floor;
+    for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
+    Island all = island();
+    all.is_pinned = holder_ == Holder::pin;
+    all.is_free = holder_ == Holder::none && !is_pushed;
+    const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
+                                                {.floor = least_floor}, displacements_.span());
+    is_uncertain_ = result.uncertain > 0;
+    if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
+    return {.truncated = result.truncated,
+            .pin_lag = result.pinned_lag + pins_cut,
+            .lost = result.motion_lost,
+            .overflowed = result.list_was_incomplete};
+}
+
+// Rounding can take the gap of a pair that is not listed, even where all move alike.
+FeatureCounts FeatureContact::stand_still() {
+    FeatureCounts counts{.lost = 1, .overflowed = true};
+    for (const ParticleRange& range : ranges_) {
+        std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});
+        counts.truncated += range.count;
+    }
+    return counts;
+}
+
+}  // namespace weft

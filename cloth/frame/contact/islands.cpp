@@ -1,0 +1,36 @@
+#include "cloth/frame/contact/islands.h"
+
+#include <numeric>
+#include <tuple>
+
+namespace weft {
+
+void Islands::reserve(std::size_t cloths) {
+    order_.reserve(cloths);
+    parents_.reserve(cloths);
+}
+
+void Islands::begin(std::span<const Bounds> boxes) {
+    parents_.resize(boxes.size());
+    std::iota(parents_.begin(), parents_.end(), 0u);
+    order_.clear();
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (boxes[i].lower.x <= boxes[i].upper.x) order_.push_back(i);
+    std::ranges::sort(order_, {}, [&](std::uint32_t i) { return std::tuple(boxes[i].lower.x, i); });
+}
+
+std::uint32_t Islands::root(std::uint32_t cloth) {
+    while (parents_[cloth] != cloth) cloth = parents_[cloth] = parents_[parents_[cloth]];
+    return cloth;
+}
+
+void Islands::join(std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t a = root(i), b = root(j);
+    parents_[std::max(a, b)] = std::min(a, b);
+}
+
+void Islands::end() {
+    for (std::uint32_t i = 0; i < parents_.size(); ++i) parents_[i] = root(i);
+}
+
+}  // namespace weft

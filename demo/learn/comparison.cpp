@@ -1,0 +1,104 @@
+#include "demo/learn/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/vector.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr int balanced_every = 30;  // steps
+
+/// The scene from its start with the shown one's settings, but for what `change` changes about its cloths.
+template <class Change>
+Result<Simulation> again(Simulation& shown, const Change& change) {
+    Overrides overrides;
+    overrides.threads = shown.world().settings().threads;
+    auto made = Simulation::create(shown.entry(), shown.options(), overrides);
+    if (!made) return made;
+    if (auto set = made->world().set_settings(shown.world().settings()); !set) return set.error();
+    for (std::size_t i = 0; i < made->content().cloths.size(); ++i) {
+        auto settings = shown.world().cloth_settings(shown.content().cloths[i].id);
+        if (!settings) return settings.error();
+        change(*settings);
+        if (auto set = made->world().set_cloth_settings(made->content().cloths[i].id, *settings); !set)
+            return set.error();
+    }
+    return made;
+}
+
+void follow(float& mean, float value) {
+    mean = mean == 0 ? value : mean + (value - mean) / 60;
+}
+
+}  // namespace
+
+Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fairness fairness) {
+    Comparison comparison;
+    comparison.method_ = other;
+    comparison.fairness_ = fairness;
+    auto second = again(shown, [&](ClothSettings& settings) {
+        const bool positional = std::holds_alternative<Xpbd>(other) || std::holds_alternative<Fibres>(other);
+        if (positional) settings.fabric.stiffening = 0;  // which they refuse
+        settings.method = other;
+        settings.time_scheme = TimeScheme::of_method;
+    });
+    if (!second) return second.error();
+    auto exact = again(shown, [](ClothSettings& settings) {
+        settings.method = Multilevel{.passes = 6, .iterations = 6};
+        settings.time_scheme = TimeScheme::of_method;
+        settings.substeps = 8;
+    });
+    if (!exact) return exact.error();
+    comparison.simulations_.push_back(std::move(*second));
+    comparison.simulations_.push_back(std::move(*exact));
+    return comparison;
+}
+
+void Comparison::step(const Simulation& shown, float dt) {
+    const float shown_took = shown.world().report().milliseconds;
+    const float other_took = simulations_[0].step(dt).milliseconds;
+    simulations_[1].step(dt);
+    follow(shown_.milliseconds, shown_took);
+    follow(other_.milliseconds, other_took);
+    measure(shown, simulations_[1], shown_);
+    measure(simulations_[0], simulations_[1], other_);
+    if (fairness_ == Fairness::same_time && ++steps_ % balanced_every == 0) balance();
+}
+
+/// As many substeps of the other's cloths as take the shown one's time.
+void Comparison::balance() {
+    if (shown_.milliseconds <= 0 || other_.milliseconds <= 0) return;
+    const float wanted = static_cast<float>(other_.substeps) * shown_.milliseconds / other_.milliseconds;
+    const int substeps = std::clamp(static_cast<int>(std::lround(wanted)), 1, 64);
+    if (substeps == other_.substeps) return;
+    for (const SceneCloth& cloth : simulations_[0].content().cloths) {
+        auto settings = simulations_[0].world().cloth_settings(cloth.id);
+        settings->substeps = substeps;
+        (void)simulations_[0].world().set_cloth_settings(cloth.id, *settings);
+    }
+    other_.substeps = substeps;
+    other_.milliseconds = 0;  // measured anew
+}
+
+void Comparison::measure(const Simulation& of, const Simulation& exact, Side& side) {
+    double sum = 0;
+    float most = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < of.content().cloths.size(); ++i) {
+        const auto mine = of.world().cloth(of.content().cloths[i].id);
+        const auto its = exact.world().cloth(exact.content().cloths[i].id);
+        if (!mine || !its || mine->positions.size() != its->positions.size()) continue;
+        for (std::size_t p = 0; p < mine->positions.size(); ++p) {
+            const float away = (xyz(mine->positions[p]) - xyz(its->positions[p])).norm();
+            sum += static_cast<double>(away) * static_cast<double>(away);
+            most = std::max(most, away);
+        }
+        count += mine->positions.size();
+    }
+    side.usual = count > 0 ? 1e3f * static_cast<float>(std::sqrt(sum / static_cast<double>(count))) : 0;
+    side.farthest = 1e3f * most;
+}
+
+}  // namespace weft::demo

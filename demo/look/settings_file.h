@@ -1,0 +1,33 @@
+#pragma once
+// What the panels can set, as a JSON file:
+//
+//     {"scene": "flag",
+//      "wind": {"velocity": [6, 0, 1], "gusts": 0.5, "swirl_size": 0.8},
+//      "substeps": 4, "budget": 0,
+//      "material": {"areal_density": 0.12, "warp": 400, "weft": 400, "shear": 100, "bending": 5e-6,
+//                   "damping": 2e-4, "stiffening": 0},
+//      "method": "multilevel", "iterations": 2, "passes": 3, "effort": 1.5, "cloth_substeps": 1,
+//      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005, "friction":
+//      1}
+//
+// in metres, seconds and kilograms. What is left out stays as it is; "passes" and "effort" are of the method
+// multilevel alone, "iterations" of those that iterate.
+
+#include <filesystem>
+#include <string>
+
+#include "demo/scene_simulation.h"
+
+namespace weft::demo {
+
+/// Error: the file cannot be written.
+[[nodiscard]] Result<void> save_settings(const std::filesystem::path& file, const Simulation& simulation);
+
+/// The scene that a file of settings names; "" if none. Errors: it cannot be read, or is no JSON object.
+[[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
+
+/// Gives the world and all cloths what the file says, or, with an error, nothing. Errors name the file and
+/// the key, and say what would be right.
+[[nodiscard]] Result<void> load_settings(const std::filesystem::path& file, Simulation& simulation);
+
+}  // namespace weft::demo

@@ -1,0 +1,183 @@
+// Whole triangles are kept out of what is thin or sharp: particles alone would let it through between them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/vector.h"
+#include "struck_sheet.h"
+#include "tests/collision/cuts.h"
+#include "weft/weft.h"
+
+namespace weft::test {
+namespace {
+
+constexpr float step_length = 1.0f / 60;
+
+using Segment = std::pair<Vector3, Vector3>;
+
+/// A level sheet of 1 m about the origin.
+struct LevelSheet {
+    World world = World::create({.threads = 1}).value();
+    ClothId cloth;
+    std::uint32_t side;
+
+    explicit LevelSheet(std::uint32_t side, const ClothSettings& settings = {},
+                        const Vec3& origin = {-0.5f, 0, -0.5f})
+        : side(side) {
+        const Mesh mesh =
+            make_sheet({.rows = side, .columns = side, .origin = origin, .u = {1, 0, 0}, .v = {0, 0, 1}})
+                .value();
+        cloth = world.add_cloth(mesh, settings).value();
+    }
+    void pin_border() {
+        std::vector<std::uint32_t> border;
+        for (std::uint32_t i = 0; i < side * side; ++i)
+            if (i / side == 0 || i / side == side - 1 || i % side == 0 || i % side == side - 1)
+                border.push_back(i);
+        EXPECT_TRUE(world.pin(cloth, border));
+    }
+    [[nodiscard]] ClothView view() const { return world.cloth(cloth).value(); }
+    /// In metres a second.
+    [[nodiscard]] double mean_speed() const {
+        double sum = 0;
+        for (const Vec4& v : view().velocities) sum += static_cast<double>(xyz(v).norm());
+        return sum / static_cast<double>(view().velocities.size());
+    }
+};
+
+/// How often segments go through the cloth's triangles.
+int pierced(const ClothView& view, const std::vector<Segment>& segments) {
+    int count = 0;
+    for (const Triangle& t : view.triangles) {
+        const auto corner = [&](std::size_t k) {
+            return Vector3(xyz(view.positions[t[k]])).cast<double>().eval();
+        };
+        const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
+        for (const auto& [p, q] : segments)
+            count += cuts<Eigen::Vector3d>(p.cast<double>(), q.cast<double>(), a, b, c) ? 1 : 0;
+    }
+    return count;
+}
+
+std::vector<Segment> edges_of(const Box& box) {
+    const Eigen::Quaternionf turn(box.rotation.w, box.rotation.x, box.rotation.y, box.rotation.z);
+    const auto corner = [&](std::uint32_t k) {
+        const auto side = [&](std::uint32_t bit) { return (k & bit) != 0 ? 1.0f : -1.0f; };
+        return Vector3(to_vector(box.center) +
+                       turn * to_vector(box.half_extents).cwiseProduct(Vector3(side(1), side(2), side(4))));
+    };
+    std::vector<Segment> edges;
+    for (std::uint32_t k = 0; k < 8; ++k)
+        for (const std::uint32_t bit : {1u, 2u, 4u})
+            if ((k & bit) == 0) edges.emplace_back(corner(k), corner(k | bit));
+    return edges;
+}
+
+TEST(ThinColliders, ABarIsCarriedAtAnySpeed) {
+    for (const float speed : {1.0f, 5.0f, 30.0f})
+        for (const int k : {3, 12}) {
+            const Struck struck =
+                strike({Striker::Kind::bar, speed, 0.005f}, 32, 0.05f * static_cast<float>(k));
+            EXPECT_EQ(struck.carried, 1) << speed << " m/s, phase " << k;
+            EXPECT_TRUE(struck.sound);
+            EXPECT_LT(struck.fastest, 3 * speed + 5);
+        }
+}
+
+TEST(ThinColliders, ASwungSwordIsCarried) {
+    EXPECT_EQ(strike({Striker::Kind::sword, 5, 0.005f}, 32, 0.35f).carried, 1);
+    EXPECT_GT(strike({Striker::Kind::sword, 30, 0.005f}, 32, 0.35f).carried, 0.9f);
+}
+
+TEST(ThinColliders, ANeedleDoesNotStickThrough) {
+    LevelSheet sheet(24);
+    sheet.pin_border();
+    const auto needle = [](float y) {
+        return TaperedCapsule{{0.013f, y, 0.021f}, {0.013f, y + 0.3f, 0.021f}, 0.0005f, 0.004f};
+    };
+    const ColliderId id = sheet.world.add_collider({.shape = needle(0.05f)}).value();
+    for (int k = 1; k <= 40; ++k) {
+        const float y = 0.05f - 0.5f * static_cast<float>(k) * step_length;
+        ASSERT_TRUE(sheet.world.move_collider(id, {.shape = needle(y)}));
+        sheet.world.step(step_length);
+        ASSERT_EQ(pierced(sheet.view(), {{{0.013f, y, 0.021f}, {0.013f, y + 0.3f, 0.021f}}}), 0) << k;
+    }
+}
+
+/// Pushed up into a sheet that is held all round, at half a metre a second.
+void expect_pierces_nothing(LevelSheet& sheet, const ColliderId id, const auto& at, const auto& edges_at) {
+    for (int k = 1; k <= 40; ++k) {
+        const float y = 0.5f * static_cast<float>(k) * step_length;
+        ASSERT_TRUE(sheet.world.move_collider(id, Collider{.shape = at(y)}));
+        sheet.world.step(step_length);
+        ASSERT_EQ(pierced(sheet.view(), edges_at(y)), 0) << k;
+    }
+}
+
+TEST(ThinColliders, ABoxSticksOutOfNoTriangleAsItMoves) {
+    // A corner up, and an edge up.
+    for (const Rotation& turn :
+         {Rotation{-0.3649f, 0, 0.2798f, 0.8881f}, Rotation{0, 0, 0.38268f, 0.92388f}}) {
+        LevelSheet sheet(24);
+        sheet.pin_border();
+        const auto box = [&](float y) { return Box{{0.011f, -0.22f + y, 0.017f}, turn, {0.1f, 0.1f, 0.1f}}; };
+        const ColliderId id = sheet.world.add_collider({.shape = box(0)}).value();
+        expect_pierces_nothing(sheet, id, box, [&](float y) { return edges_of(box(y)); });
+    }
+}
+
+TEST(ThinColliders, AHullSticksOutOfNoTriangleAsItMoves) {
+    LevelSheet sheet(24);
+    sheet.pin_border();
+    const std::vector<Vec3> points = {{0, 0.25f, 0}, {0.2f, 0, 0}, {-0.1f, 0, 0.17f}, {-0.1f, 0, -0.17f}};
+    const ShapeId shape = sheet.world.add_shape(ConvexHull{points}).value();
+    const auto hull = [&](float y) { return PlacedShape{shape, {0.011f, -0.3f + y, 0.017f}}; };
+    const ColliderId id = sheet.world.add_collider({.shape = hull(0)}).value();
+    expect_pierces_nothing(sheet, id, hull, [&](float y) {
+        const Vector3 at = to_vector(hull(y).position);
+        std::vector<Segment> edges;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = i + 1; j < 4; ++j)
+                edges.emplace_back(at + to_vector(points[i]), at + to_vector(points[j]));
+        return edges;
+    });
+}
+
+// A rod of 1 cm under cells of 5 cm. It does not come to rest there; see MEASUREMENTS.md.
+TEST(ThinColliders, AThinRodHoldsCloth) {
+    LevelSheet sheet(21);
+    const Segment axis{{0.013f, -0.05f, -0.7f}, {0.013f, -0.05f, 0.7f}};
+    (void)sheet.world.add_collider({.shape = Capsule{to_vec3(axis.first), to_vec3(axis.second), 0.005f}});
+    for (int k = 0; k < 300; ++k) {
+        sheet.world.step(step_length);
+        ASSERT_EQ(pierced(sheet.view(), {axis}), 0) << k;
+    }
+    EXPECT_LT(sheet.mean_speed(), 1);
+    float highest = -1;
+    for (const Vec4& x : sheet.view().positions) highest = std::max(highest, x.y);
+    EXPECT_GT(highest, -0.06f);
+}
+
+TEST(ThinColliders, WhatHasPiercedClothCanBeDrawnOut) {
+    LevelSheet sheet(24);
+    sheet.pin_border();
+    const auto needle = [](float y) {
+        return Collider{.shape = Capsule{{0.013f, y, 0.021f}, {0.013f, y + 0.3f, 0.021f}, 0.003f},
+                        .friction = 0};
+    };
+    const ColliderId id = sheet.world.add_collider(needle(0.05f)).value();
+    ASSERT_TRUE(sheet.world.place_collider(id, needle(-0.1f)));
+    for (int k = 1; k <= 60; ++k) {
+        ASSERT_TRUE(sheet.world.move_collider(id, needle(-0.1f + 0.005f * static_cast<float>(k))));
+        sheet.world.step(step_length);
+    }
+    for (int k = 0; k < 120; ++k) sheet.world.step(step_length);
+    for (const Vec4& x : sheet.view().positions) EXPECT_LT(std::abs(x.y), 0.1f);
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,377 @@
+// Cloth that meets itself and other cloth by contact, as a host sees it: nothing passes through.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "crossing_count.h"
+#include "tests/cloth/fixtures.h"
+#include "weft/weft.h"
+
+namespace weft::test {
+namespace {
+
+WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
+    WorldSettings settings;
+    settings.gravity = gravity;
+    settings.wind.air_density = 0;
+    settings.threads = threads;
+    return settings;
+}
+
+ClothSettings with_contact() {
+    ClothSettings settings;
+    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    return settings;
+}
+
+/// A level sheet of 0.4 m, turned so that its mesh does not lie over another's.
+Mesh level_sheet(float height, float turn = 0, std::uint32_t side = 13) {
+    const float c = 0.4f * std::cos(turn), s = 0.4f * std::sin(turn);
+    return make_sheet({.rows = side,
+                       .columns = side,
+                       .origin = {-0.5f * (c + s), height, -0.5f * (c - s)},
+                       .u = {c, 0, -s},
+                       .v = {s, 0, c}})
+        .value();
+}
+
+std::vector<std::uint32_t> border_of(std::uint32_t side) {
+    std::vector<std::uint32_t> border;
+    for (std::uint32_t i = 0; i < side; ++i)
+        border.insert(border.end(), {i, side * (side - 1) + i, side * i, side * i + side - 1});
+    return border;
+}
+
+float mean_height(const World& world, ClothId id) {
+    float sum = 0;
+    const ClothView view = world.cloth(id).value();
+    for (const Vec4& x : view.positions) sum += x.y;
+    return sum / static_cast<float>(view.positions.size());
+}
+
+/// Sheets above one another, the lowest held at its border.
+struct Stack {
+    explicit Stack(int count, const ClothSettings& settings = with_contact(), int threads = 1,
+                   float apart = 0.05f)
+        : world(World::create(still_air(threads)).value()) {
+        for (int k = 0; k < count; ++k)
+            cloths.push_back(
+                world
+                    .add_cloth(level_sheet(apart * static_cast<float>(k), 0.3f * static_cast<float>(k)),
+                               settings)
+                    .value());
+        EXPECT_TRUE(world.pin(cloths[0], border_of(13)));
+    }
+    [[nodiscard]] std::vector<Vec4> positions() const {
+        std::vector<Vec4> all;
+        for (const ClothId id : cloths) {
+            const ClothView view = world.cloth(id).value();
+            all.insert(all.end(), view.positions.begin(), view.positions.end());
+        }
+        return all;
+    }
+
+    World world;
+    std::vector<ClothId> cloths;
+};
+
+TEST(ClothOnCloth, StaysOnItInItsOrderAndCrossesNothing) {
+    Stack stack(3);
+    for (int k = 0; k < 90; ++k) {
+        stack.world.step(h);
+        ASSERT_EQ(crossings(stack.world, stack.cloths), 0) << "in step " << k;
+    }
+    EXPECT_GT(mean_height(stack.world, stack.cloths[1]), mean_height(stack.world, stack.cloths[0]));
+    EXPECT_GT(mean_height(stack.world, stack.cloths[2]), mean_height(stack.world, stack.cloths[1]));
+    EXPECT_GT(stack.world.report().self_contacts, 0u);
+}
+
+TEST(ClothOnCloth, FallsThroughWhereContactIsOffOrMasked) {
+    ClothSettings masked = with_contact();
+    masked.self_collision.mask = 2;
+    for (const ClothSettings& settings : {ClothSettings{}, masked}) {
+        Stack stack(2, settings);
+        for (int k = 0; k < 60; ++k) stack.world.step(h);
+        EXPECT_LT(mean_height(stack.world, stack.cloths[1]), -1);
+    }
+}
+
+TEST(ClothOnCloth, MeetsWhenOnlyOneOfItsLayersIsInTheOthersMask) {
+    ClothSettings one = with_contact(), other = with_contact();
+    one.self_collision.layers = 6;
+    other.self_collision.mask = 2;
+    World world = World::create(still_air()).value();
+    const ClothId below = world.add_cloth(level_sheet(0), one).value();
+    const ClothId above = world.add_cloth(level_sheet(0.05f, 0.3f), other).value();
+    ASSERT_TRUE(world.pin(below, border_of(13)));
+    for (int k = 0; k < 60; ++k) world.step(h);
+    EXPECT_GT(mean_height(world, above), mean_height(world, below));
+}
+
+TEST(ClothOnCloth, GivesTheSameBytesOnAnyThreads) {
+    const auto after = [](int threads) {
+        Stack stack(4, with_contact(), threads, 0.03f);
+        for (int k = 0; k < 45; ++k) stack.world.step(h);
+        return std::pair(stack.positions(), stack.world.state_hash());
+    };
+    const auto expected = after(1);
+    for (const int threads : {2, 3, 4}) {
+        const auto found = after(threads);
+        EXPECT_TRUE(same_bytes(found.first, expected.first)) << threads;
+        EXPECT_EQ(found.second, expected.second) << threads;
+    }
+}
+
+TEST(ClothOnCloth, FarClothDoesNotNotice) {
+    const auto far_cloth_after = [](bool alone) {
+        World world = World::create(still_air()).value();
+        const ClothId far = world.add_cloth(level_sheet(5), with_contact()).value();
+        if (!alone) {
+            const ClothId held = world.add_cloth(level_sheet(0), with_contact()).value();
+            EXPECT_TRUE(world.pin(held, border_of(13)));
+            EXPECT_TRUE(world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()));
+        }
+        for (int k = 0; k < 20; ++k) world.step(h);
+        const ClothView view = world.cloth(far).value();
+        return std::vector<Vec4>(view.positions.begin(), view.positions.end());
+    };
+    EXPECT_TRUE(same_bytes(far_cloth_after(true), far_cloth_after(false)));
+}
+
+TEST(ClothOnCloth, KeepsTheMomentumOfBoth) {
+    World world = World::create(still_air(1, {})).value();
+    ClothSettings settings = with_contact();
+    settings.air_damping = 0;
+    const std::array cloths{world.add_cloth(level_sheet(0), settings).value(),
+                            world.add_cloth(level_sheet(0.06f, 0.3f), settings).value()};
+    // A push of gravity makes the upper one fall, then there is none.
+    ASSERT_TRUE(world.pin(cloths[0], border_of(13)));
+    WorldSettings pull = still_air();
+    ASSERT_TRUE(world.set_settings(pull));
+    world.step(h);
+    ASSERT_TRUE(world.set_settings(still_air(1, {})));
+    ASSERT_TRUE(world.unpin(cloths[0], border_of(13)));
+    const auto momentum = [&] {
+        double sum = 0;
+        for (const ClothId id : cloths) {
+            const ClothView view = world.cloth(id).value();
+            for (std::size_t i = 0; i < view.velocities.size(); ++i)
+                sum += static_cast<double>(view.velocities[i].y / view.positions[i].w);
+        }
+        return sum;
+    };
+    for (int k = 0; k < 12; ++k) world.step(h);  // BDF2 goes on with what a push was for some steps
+    const double before = momentum();
+    ASSERT_LT(before, 0);
+    ASSERT_EQ(world.report().self_contacts, 0u);
+    for (int k = 0; k < 60; ++k) world.step(h);
+    EXPECT_NEAR(momentum(), before, 1e-4 * std::abs(before));
+    EXPECT_EQ(crossings(world, cloths), 0);
+}
+
+/// A sheet folded in two, its halves `apart`, that falls onto the ground.
+struct Packet {
+    explicit Packet(const ClothSettings& settings, float apart = 0.02f)
+        : world(World::create(still_air()).value()) {
+        Mesh mesh = make_sheet({.rows = 9, .columns = 25, .origin = {}, .u = {0.6f, 0, 0}, .v = {0, 0, 0.2f}})
+                        .value();
+        for (Vec3& x : mesh.positions) {
+            const float beyond = x.x - 0.3f, length = 0.5f * 3.14159265f * apart;
+            const float turn = std::clamp(beyond / length + 0.5f, 0.0f, 1.0f) * 3.14159265f;
+            const float flat = std::max(std::abs(beyond) - 0.5f * length, 0.0f);
+            x = {0.3f - flat + 0.5f * apart * std::sin(turn), 0.1f + 0.5f * apart * (1 - std::cos(turn)),
+                 x.z + 0.02f * x.x};
+        }
+        cloth = world.add_cloth(mesh, settings).value();
+        EXPECT_TRUE(world.add_collider({Plane{{0, 1, 0}, 0}}));
+    }
+    World world;
+    ClothId cloth;
+};
+
+TEST(FoldedCloth, CrossesNothingByAnyMethod) {
+    const std::vector<std::pair<const char*, Method>> methods{{"Multilevel", Multilevel{}},
+                                                              {"Jacobi", Jacobi{}},
+                                                              {"Chebyshev", Chebyshev{}},
+                                                              {"ConjugateGradient", ConjugateGradient{}},
+                                                              {"Xpbd", Xpbd{}},
+                                                              {"Fibres", Fibres{}}};
+    for (const auto& [name, method] : methods) {
+        ClothSettings settings = with_contact();
+        settings.method = method;
+        Packet packet(settings);
+        ASSERT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0);
+        for (int k = 0; k < 60; ++k) {
+            packet.world.step(h);
+            ASSERT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0) << name << " in step " << k;
+        }
+        EXPECT_FALSE(has(packet.world.report().flags, StepFlags::state_restored)) << name;
+    }
+}
+
+TEST(FoldedCloth, CrossesNothingWithSubstepsAndElements) {
+    for (const bool elements : {false, true}) {
+        for (const int substeps : {1, 3}) {
+            ClothSettings settings = with_contact();
+            settings.finite_elements.enabled = elements;
+            settings.substeps = substeps;
+            Packet packet(settings);
+            for (int k = 0; k < 40; ++k) packet.world.step(h);
+            EXPECT_EQ(crossings(packet.world, std::span(&packet.cloth, 1)), 0) << elements << substeps;
+        }
+    }
+}
+
+TEST(FoldedCloth, FallsAsOneThatDoesNotTouchItself) {
+    Packet packet(with_contact(), 0.004f);
+    const float before = mean_height(packet.world, packet.cloth);
+    for (int k = 0; k < 6; ++k) packet.world.step(h);
+    const float fallen = before - mean_height(packet.world, packet.cloth), t = 6 * h;
+    EXPECT_NEAR(fallen, 0.5f * 9.81f * t * t, 0.1f * fallen);
+}
+
+/// Root mean square [m/s].
+double speed_of(const World& world, ClothId id) {
+    double squares = 0;
+    const ClothView view = world.cloth(id).value();
+    for (const Vec4& v : view.velocities) squares += static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z);
+    return std::sqrt(squares / static_cast<double>(view.velocities.size()));
+}
+
+/// A sheet of 0.3 m on a larger one that is held everywhere and falls along x by so much.
+struct Slope {
+    static constexpr std::uint32_t side = 13;
+    static constexpr float edge = 0.3f / (side - 1);
+
+    Slope(float angle, float friction)
+        : down(std::cos(angle), -std::sin(angle), 0), up(std::sin(angle), std::cos(angle), 0) {
+        ClothSettings settings = with_contact();
+        settings.self_collision.friction = friction;
+        settings.air_damping = 0;
+        const auto lying = [&](float height, float length, std::uint32_t particles) {
+            const Eigen::Vector3f at = height * up - 0.5f * length * down, along = length * down;
+            return make_sheet({.rows = particles,
+                               .columns = particles,
+                               .origin = {at.x(), at.y(), -0.5f * length},
+                               .u = {along.x(), along.y(), along.z()},
+                               .v = {0, 0, length}})
+                .value();
+        };
+        const ClothId below = world.add_cloth(lying(0, 20 * edge, 21), settings).value();
+        for (std::uint32_t i = 0; i < 21 * 21; ++i) EXPECT_TRUE(world.pin(below, i));
+        cloth = world.add_cloth(lying(0.31f * edge, 0.3f, side), settings).value();
+        cloths = {below, cloth};
+    }
+    [[nodiscard]] float mean(const Eigen::Vector3f& direction) const {
+        float sum = 0;
+        const ClothView view = world.cloth(cloth).value();
+        for (const Vec4& x : view.positions) sum += direction.dot(Eigen::Vector3f(x.x, x.y, x.z));
+        return sum / static_cast<float>(view.positions.size());
+    }
+
+    Eigen::Vector3f down, up;
+    World world = World::create(still_air()).value();
+    ClothId cloth;
+    std::array<ClothId, 2> cloths;
+};
+
+TEST(ClothOnCloth, RestsOnASlopeOfClothThatIsHeldEverywhere) {
+    Slope slope(0.349f, 0.5f);  // 20 degrees
+    for (int k = 0; k < 120; ++k) slope.world.step(h);
+    EXPECT_GT(slope.mean(slope.up), 0.25f * Slope::edge);
+    EXPECT_LT(speed_of(slope.world, slope.cloth), 2e-3);
+    const float before = slope.mean(slope.down);
+    for (int k = 0; k < 60; ++k) slope.world.step(h);
+    EXPECT_NEAR(slope.mean(slope.down), before, 1e-4f);  // 1 mm in 10 s
+    EXPECT_EQ(crossings(slope.world, slope.cloths), 0);
+}
+
+// By Coulomb's law; faster than half an edge a step, it does not know yet which triangles it comes over, and
+// meets them as if they were uneven.
+TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
+    constexpr float angle = 0.611f;  // 35 degrees
+    for (const float friction : {0.3f, 0.5f}) {
+        Slope slope(angle, friction);
+        const float before = slope.mean(slope.down);
+        constexpr int steps = 20;
+        for (int k = 0; k < steps; ++k) slope.world.step(h);
+        const float seconds = steps * h;
+        const float way = 0.5f * 9.81f * (std::sin(angle) - friction * std::cos(angle)) * seconds * seconds;
+        EXPECT_NEAR((slope.mean(slope.down) - before) / way, 1, 0.45f) << friction;
+    }
+}
+
+TEST(ClothOnCloth, ComesToRestOnTheGround) {
+    World world = World::create(still_air()).value();
+    ASSERT_TRUE(world.add_collider({Plane{{0, 1, 0}, -0.02f}}));
+    const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
+                            world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()).value()};
+    for (int k = 0; k < 600; ++k) world.step(h);
+    for (const ClothId id : cloths) EXPECT_LT(speed_of(world, id), 2e-3);
+    EXPECT_GT(mean_height(world, cloths[1]), mean_height(world, cloths[0]) + 5e-3f);
+    EXPECT_EQ(crossings(world, cloths), 0);
+}
+
+TEST(FoldedCloth, StopsAPinThatWouldGoThroughItAndSaysSo) {
+    Stack stack(2);
+    ASSERT_TRUE(stack.world.pin(stack.cloths[1], 84));
+    for (int k = 0; k < 20; ++k) stack.world.step(h);
+    StepFlags flags = StepFlags::none;
+    float lag = 0;
+    for (int k = 0; k < 20; ++k) {
+        ASSERT_TRUE(stack.world.move_pin(stack.cloths[1], 84, {0, -0.05f * static_cast<float>(k), 0}));
+        const StepReport& report = stack.world.step(h);
+        flags = flags | report.flags;
+        lag = std::max(lag, report.pin_lag);
+        ASSERT_EQ(crossings(stack.world, stack.cloths), 0) << "in step " << k;
+    }
+    EXPECT_TRUE(has(flags, StepFlags::pins_stopped));
+    EXPECT_GT(lag, 0.01f);
+}
+
+TEST(FoldedCloth, HasNoCrossingHoweverFastItIsThrown) {
+    for (const float speed : {5.0f, 50.0f}) {
+        World world = World::create(still_air(1, {})).value();
+        const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
+                                world.add_cloth(level_sheet(0.5f, 0.4f), with_contact()).value()};
+        ASSERT_TRUE(world.pin(cloths[0], border_of(13)));
+        ASSERT_TRUE(world.pin(cloths[1], border_of(13)));
+        for (int k = 0; k < 12; ++k) {
+            for (const std::uint32_t i : border_of(13)) {
+                const Vec4 x = world.cloth(cloths[1]).value().positions[i];
+                ASSERT_TRUE(world.move_pin(cloths[1], i, {x.x, x.y - speed * h, x.z}));
+            }
+            world.step(h);
+            ASSERT_EQ(crossings(world, cloths), 0) << speed << " m/s, step " << k;
+        }
+    }
+}
+
+TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
+    World world = World::create(still_air()).value();
+    const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
+                            world.add_cloth(level_sheet(0.03f, 0.3f), with_contact()).value()};
+    const std::uint64_t bytes_with = world.cloth_info(cloths[0])->bytes;
+    ClothSettings off = with_contact();
+    off.self_collision.enabled = false;
+    ASSERT_TRUE(world.set_cloth_settings(cloths[0], off));
+    EXPECT_LT(world.cloth_info(cloths[0])->bytes, bytes_with);
+    const ClothId plain = world.add_cloth(level_sheet(2), off).value();
+    EXPECT_EQ(world.cloth_info(cloths[0])->bytes, world.cloth_info(plain)->bytes);
+    for (int k = 0; k < 5; ++k) world.step(h);
+    ASSERT_TRUE(world.set_cloth_settings(cloths[0], with_contact()));
+    ClothSettings avoidance = with_contact();
+    avoidance.self_collision.method = SelfCollisionMethod::avoidance;
+    for (int k = 0; k < 5; ++k) world.step(h);
+    ASSERT_TRUE(world.set_cloth_settings(cloths[1], avoidance));
+    for (int k = 0; k < 5; ++k) world.step(h);
+    ASSERT_TRUE(world.remove_cloth(cloths[0]));
+    for (int k = 0; k < 5; ++k) world.step(h);
+    EXPECT_FALSE(has(world.report().flags, StepFlags::state_restored));
+}
+
+}  // namespace
+}  // namespace weft::test

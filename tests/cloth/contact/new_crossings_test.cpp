@@ -1,0 +1,120 @@
+// The check that builds with assertions make after every substep: nothing crosses that did not at the start.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "cloth/frame/contact/feature_contact.h"
+#include "crossing_count.h"
+
+namespace weft::test {
+namespace {
+
+/// Two triangles of 1 m, one 0.1 m above the other, through the frame's part that features have.
+struct TwoTriangles {
+    static constexpr float apart = 0.1f;
+    std::vector<Vec4> low = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 1, 1}};
+    std::vector<Vec4> high = {{0.2f, apart, -0.5f, 1}, {0.2f, apart, 1.5f, 1}, {0.4f, apart, 0.2f, 1}};
+    std::vector<Vec4> velocities = std::vector<Vec4>(3);
+    std::vector<ContactMesh::Triangle> triangles = {{0, 1, 2}};
+    ContactMesh low_mesh{low, triangles}, high_mesh{high, triangles};
+    std::vector<ContactCloth> bodies{{.mesh = &low_mesh, .radius = 0.02f, .floor = 1e-4f},
+                                     {.mesh = &high_mesh, .radius = 0.02f, .floor = 1e-4f}};
+    FeatureContact space{bodies};
+    Parallel parallel{1};
+
+    TwoTriangles() {
+        space.begin();
+        for (const ContactCloth& body : bodies) space.add(body);
+        const ExpectedMotion still{.velocities = velocities, .h = 0.01f};
+        space.place(parallel, 0, low, still);
+        space.place(parallel, 1, high, still);
+    }
+    /// One corner of the upper one goes down by so much [m].
+    void arrive(float down) {
+        std::vector<Vec4> moved = high;
+        moved[2].y -= down;
+        space.arrive(parallel, 0, low);
+        space.arrive(parallel, 1, moved);
+    }
+};
+
+TEST(NewCrossings, AreSeenWhereTheMotionIsNotCut) {
+    TwoTriangles scene;
+    scene.space.detect(scene.parallel);
+    scene.arrive(0.5f * TwoTriangles::apart);
+    EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
+    scene.arrive(1.5f * TwoTriangles::apart);
+    EXPECT_TRUE(scene.space.crosses_anew(scene.parallel));
+}
+
+TEST(NewCrossings, AreNoneWhereItIsCut) {
+    TwoTriangles scene;
+    scene.space.detect(scene.parallel);
+    scene.arrive(1.5f * TwoTriangles::apart);
+    EXPECT_GT(scene.space.settle(scene.parallel, false).truncated, 0u);
+    EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
+}
+
+TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
+    TwoTriangles scene;
+    for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;
+    scene.high[2].y -= 0.05f;
+    scene.high[0].y += 0.05f;
+    scene.space.begin();
+    for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+    const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
+    scene.space.place(scene.parallel, 0, scene.low, still);
+    scene.space.place(scene.parallel, 1, scene.high, still);
+    const std::vector<TangleMemory> nothing(3);
+    for (const std::size_t body : {0u, 1u}) scene.space.recall(body, nothing);
+    scene.space.detect(scene.parallel);
+    scene.arrive(0);
+    const FeatureCounts counts = scene.space.settle(scene.parallel, false);
+    EXPECT_GT(counts.tangles.crossings, 0u);
+    EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
+}
+
+// More pairs than there is room for, so that all go the way that they have in common; and they lie so near
+// that rounding at the end of that way takes the gaps between them.
+TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
+    constexpr std::uint32_t triangles = 80;
+    constexpr float apart = 2e-9f, h = 0.01f;
+    std::vector<Vec4> start, end;
+    std::vector<ContactMesh::Triangle> corners;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const float angle = 0.37f * static_cast<float>(t) + 2.1f * static_cast<float>(k);
+            const Vec4 x{0.3f * std::cos(angle), apart * static_cast<float>(t), 0.3f * std::sin(angle), 1};
+            start.push_back(x);
+            end.push_back({x.x, x.y + 0.8f + 0.37f * x.x - 0.21f * x.z, x.z, 1});
+        }
+        corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const ContactMesh mesh{start, corners};
+    const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
+    FeatureContact space{std::span(&body, 1)};
+    Parallel parallel{1};
+    std::vector<Vec4> velocities(start.size());
+    space.begin();
+    space.add(body);
+    space.place(parallel, 0, start, {.velocities = velocities, .h = h});
+    space.detect(parallel);
+    space.arrive(parallel, 0, end);
+
+    const FeatureCounts counts = space.settle(parallel, false);
+
+    EXPECT_TRUE(counts.overflowed);
+    EXPECT_EQ(counts.truncated, start.size());
+    EXPECT_FALSE(space.crosses_anew(parallel));
+    space.hand_back(parallel, 0, h, end, velocities);
+    Soup soup;
+    soup.add({.positions = end, .triangles = corners});
+    EXPECT_EQ(soup.crossings(), 0);
+    EXPECT_FLOAT_EQ(velocities[0].y, -(0.8f + 0.37f * start[0].x - 0.21f * start[0].z) / h);
+}
+
+}  // namespace
+}  // namespace weft::test

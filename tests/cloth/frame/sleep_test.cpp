@@ -1,0 +1,403 @@
+// Cloth that sleeps and cloth that is switched off, as a host sees them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "tests/cloth/fixtures.h"
+#include "weft/weft.h"
+
+namespace weft::test::sleeping {
+namespace {
+
+constexpr float sleepy = 0.01f;
+constexpr std::uint32_t side = 17, middle = side * side / 2;
+const std::vector<std::uint32_t> corners{0, side - 1, side*(side - 1), side* side - 1};
+
+ClothSettings that_sleeps() {
+    ClothSettings settings;
+    settings.air_damping = 4;
+    settings.sleep_speed = sleepy;
+    return settings;
+}
+ClothSettings that_meets() {
+    ClothSettings settings = that_sleeps();
+    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    return settings;
+}
+
+/// A level sheet of 0.3 m.
+ClothId add_sheet(World& world, float height, const ClothSettings& settings, float x = 0) {
+    const Mesh mesh = make_sheet({.rows = side,
+                                  .columns = side,
+                                  .origin = {x - 0.15f, height, -0.15f},
+                                  .u = {0.3f, 0, 0},
+                                  .v = {0, 0, 0.3f}})
+                          .value();
+    return world.add_cloth(mesh, settings).value();
+}
+
+World make_world(int threads = 1) {
+    WorldSettings settings;
+    settings.threads = threads;
+    return World::create(settings).value();
+}
+
+void run(World& world, int steps) {
+    for (int i = 0; i < steps; ++i) world.step(h);
+}
+
+/// Until it sleeps; false: it did not within so many steps.
+bool sleeps_within(World& world, ClothId cloth, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        if (world.is_asleep(cloth).value()) return true;
+        world.step(h);
+    }
+    return false;
+}
+
+std::vector<Vec4> positions_of(const World& world, ClothId cloth) {
+    const auto span = world.cloth(cloth)->positions;
+    return {span.begin(), span.end()};
+}
+
+float farthest(const World& world, ClothId cloth, const std::vector<Vec4>& from) {
+    float most = 0;
+    const auto now = world.cloth(cloth)->positions;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        most = std::max(most, std::hypot(now[i].x - from[i].x, now[i].y - from[i].y, now[i].z - from[i].z));
+    return most;
+}
+
+/// A sheet that sleeps on the ground under a ball, and another that hangs.
+struct Room {
+    explicit Room(int threads = 1) : world(make_world(threads)) {
+        ground = world.add_collider({.shape = Plane{}}).value();
+        ball = world.add_collider({.shape = Sphere{{0, 1, 0}, 0.1f}}).value();
+        cloth = add_sheet(world, 0.02f, that_sleeps());
+        EXPECT_TRUE(sleeps_within(world, cloth, 600));
+    }
+    World world;
+    ColliderId ground, ball;
+    ClothId cloth;
+};
+
+TEST(Sleep, StillClothStandsStillAndIsNotStepped) {
+    Room room;
+    const std::vector<Vec4> asleep = positions_of(room.world, room.cloth);
+    run(room.world, 200);
+    EXPECT_TRUE(room.world.is_asleep(room.cloth).value());
+    EXPECT_EQ(farthest(room.world, room.cloth, asleep), 0);
+    EXPECT_EQ(room.world.report().cloths, 1u);
+    EXPECT_EQ(room.world.report().sleeping_cloths, 1u);
+    EXPECT_EQ(room.world.report().particles, 0u);
+    const ClothView view = *room.world.cloth(room.cloth);
+    for (std::size_t i = 0; i < view.positions.size(); ++i) {
+        EXPECT_EQ(view.previous_positions[i].y, view.positions[i].y);
+        EXPECT_EQ(view.velocities[i].y, 0);
+    }
+}
+
+TEST(Sleep, NeverWithoutTheSetting) {
+    World world = make_world();
+    ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+    const ClothId cloth = add_sheet(world, 0.02f, {});
+    EXPECT_FALSE(sleeps_within(world, cloth, 300));
+    EXPECT_EQ(world.report().sleeping_cloths, 0u);
+}
+
+TEST(Sleep, WakingShowsNoStep) {
+    World world = make_world();
+    const ClothId cloth = add_sheet(world, 1, that_sleeps());
+    ASSERT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, side - 1}));
+    ASSERT_TRUE(sleeps_within(world, cloth, 3000));
+    const std::vector<Vec4> asleep = positions_of(world, cloth);
+    ASSERT_TRUE(world.wake(cloth));
+    float most = 0;
+    for (int i = 0; i < 20; ++i) {
+        world.step(h);
+        const ClothView view = *world.cloth(cloth);
+        for (std::size_t k = 0; k < view.positions.size(); ++k)
+            most = std::max(most, std::abs(view.positions[k].y - view.previous_positions[k].y));
+    }
+    EXPECT_LT(most, h * sleepy);
+    EXPECT_LT(farthest(world, cloth, asleep), 2e-3f);
+}
+
+/// Whether the cloth is awake right after a step that follows the change.
+bool wakes_by(const std::function<void(Room&)>& change) {
+    Room room;
+    change(room);
+    room.world.step(h);
+    return !room.world.is_asleep(room.cloth).value();
+}
+
+TEST(Sleep, WakesByWhatMovesNearIt) {
+    EXPECT_FALSE(wakes_by([](Room&) {}));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ball, {.shape = Sphere{{0, 0.1f, 0}, 0.1f}}));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ball, {.shape = Sphere{{0, 0.9f, 0}, 0.1f}}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.place_collider(room.ball, {.shape = Sphere{{0, 0.1f, 0}, 0.1f}}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ground, {.shape = Plane{}, .thickness = 0.01f}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_collider(room.ground, {.shape = Plane{}, .is_trigger = true}));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) {
+        Collider passing{.shape = Sphere{{0, 0.1f, 0}, 0.1f}, .is_trigger = true};
+        ASSERT_TRUE(room.world.place_collider(room.ball, passing));
+        room.world.step(h);
+        passing.shape = Sphere{{0, 0.05f, 0}, 0.1f};
+        ASSERT_TRUE(room.world.move_collider(room.ball, passing));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.remove_collider(room.ball)); }));
+    EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.remove_collider(room.ground)); }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.add_collider({.shape = Sphere{{0.1f, 0, 0}, 0.05f}}));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.add_collider({.shape = Sphere{{2, 0, 0}, 0.05f}}));
+    }));
+}
+
+TEST(Sleep, WakesByWhatTheHostChanges) {
+    EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.wake(room.cloth)); }));
+    EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.pin(room.cloth, 4)); }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ClothSettings settings = room.world.cloth_settings(room.cloth).value();
+        settings.fabric.bending *= 2;
+        ASSERT_TRUE(room.world.set_cloth_settings(room.cloth, settings));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        WorldSettings settings = room.world.settings();
+        settings.wind.velocity.x = 2;
+        ASSERT_TRUE(room.world.set_settings(settings));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        WorldSettings settings = room.world.settings();
+        settings.gravity.y = -1;
+        ASSERT_TRUE(room.world.set_settings(settings));
+    }));
+    EXPECT_FALSE(wakes_by([](Room& room) {
+        WorldSettings settings = room.world.settings();
+        settings.contact_reports = 16;
+        ASSERT_TRUE(room.world.set_settings(settings));
+    }));
+}
+
+TEST(Sleep, APinThatMovesWakesItAndKeepsItAwake) {
+    World world = make_world();
+    const ClothId cloth = add_sheet(world, 1, that_sleeps());
+    ASSERT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, side - 1}));
+    ASSERT_TRUE(sleeps_within(world, cloth, 3000));
+    const Vec4 pin = world.cloth(cloth)->positions[0];
+    for (int i = 1; i <= 120; ++i) {  // slower than what counts as still
+        ASSERT_TRUE(world.move_pin(cloth, 0, {pin.x, pin.y + 1e-4f * static_cast<float>(i), pin.z}));
+        world.step(h);
+        ASSERT_FALSE(world.is_asleep(cloth).value()) << "step " << i;
+    }
+    EXPECT_NEAR(world.cloth(cloth)->positions[0].y, pin.y + 0.012f, 1e-5f);
+}
+
+TEST(Sleep, WakesWhenWhatItIsWornOnMoves) {
+    const std::vector<float> leash(side * side, 0.05f);
+    const auto places = [](const World& world, ClothId cloth, float higher) {
+        std::vector<Vec3> all;
+        const ClothView view = *world.cloth(cloth);
+        for (const std::uint32_t i : view.vertex_to_particle)
+            all.push_back({view.positions[i].x, view.positions[i].y + higher, view.positions[i].z});
+        return all;
+    };
+    EXPECT_TRUE(
+        wakes_by([&](Room& room) { ASSERT_TRUE(room.world.set_map(room.cloth, Map::leash, leash)); }));
+    const auto in_frame = [](Room& room) { ASSERT_TRUE(room.world.set_frame(room.cloth, {})); };
+    EXPECT_FALSE(wakes_by(in_frame));
+    EXPECT_TRUE(wakes_by([&](Room& room) {
+        in_frame(room);
+        ASSERT_TRUE(room.world.set_frame(room.cloth, {.translation = {0.01f, 0, 0}}));
+    }));
+    EXPECT_TRUE(wakes_by([](Room& room) {
+        ASSERT_TRUE(room.world.move_cloth(room.cloth, {.translation = {0, 1, 0}}));
+    }));
+    Room room;
+    ASSERT_TRUE(room.world.set_map(room.cloth, Map::leash, leash));
+    const auto skin = places(room.world, room.cloth, 0);
+    ASSERT_TRUE(room.world.set_skin(room.cloth, skin, {}));
+    ASSERT_TRUE(sleeps_within(room.world, room.cloth, 600));
+    ASSERT_TRUE(room.world.set_skin(room.cloth, skin, {}));
+    room.world.step(h);
+    EXPECT_TRUE(room.world.is_asleep(room.cloth).value());
+    ASSERT_TRUE(room.world.set_skin(room.cloth, places(room.world, room.cloth, 0.1f), {}));
+    room.world.step(h);
+    EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
+}
+
+TEST(Sleep, GustsLetNoneAndSteadyAirDoes) {
+    WorldSettings settings;
+    settings.wind = {.velocity = {0.5f, 0, 0}, .gust = 0.3f};
+    World world = World::create(settings).value();
+    ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+    ClothSettings heavy = that_sleeps();
+    heavy.fabric.areal_density = 2;
+    const ClothId cloth = add_sheet(world, 0.02f, heavy);
+    EXPECT_FALSE(sleeps_within(world, cloth, 600));
+    settings.wind.gust = 0;
+    ASSERT_TRUE(world.set_settings(settings));
+    EXPECT_TRUE(sleeps_within(world, cloth, 600));
+}
+
+TEST(Sleep, ClothsThatTouchSleepAndWakeTogether) {
+    World world = make_world();
+    ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+    const ClothId lower = add_sheet(world, 0.02f, that_meets());
+    const ClothId upper = add_sheet(world, 0.05f, that_meets(), 0.05f);
+    const ClothId aside = add_sheet(world, 0.02f, that_meets(), 2);
+    ASSERT_TRUE(sleeps_within(world, lower, 1200));
+    EXPECT_TRUE(world.is_asleep(upper).value());
+    ASSERT_TRUE(sleeps_within(world, aside, 1200));
+    ASSERT_TRUE(world.is_asleep(lower).value());
+
+    const Vec4 corner = world.cloth(upper)->positions[0];
+    ASSERT_TRUE(world.pin(upper, 0));
+    ASSERT_TRUE(world.move_pin(upper, 0, {corner.x, corner.y + 0.01f, corner.z}));
+    world.step(h);
+    EXPECT_FALSE(world.is_asleep(upper).value());
+    EXPECT_FALSE(world.is_asleep(lower).value());
+    EXPECT_TRUE(world.is_asleep(aside).value());
+    EXPECT_EQ(world.report().sleeping_cloths, 1u);
+}
+
+TEST(Sleep, ClothThatFallsOnItWakesItAndWhatLayOnItFallsWhenItGoes) {
+    World world = make_world();
+    const ClothId lower = add_sheet(world, 0.5f, that_meets());
+    ASSERT_TRUE(world.pin(lower, corners));
+    ASSERT_TRUE(sleeps_within(world, lower, 3000));
+    const ClothId upper = add_sheet(world, 0.7f, that_meets());
+    bool woke = false;
+    for (int i = 0; i < 60; ++i) {
+        world.step(h);
+        woke |= !world.is_asleep(lower).value();
+    }
+    EXPECT_TRUE(woke);
+    ASSERT_TRUE(sleeps_within(world, upper, 3000));
+    const float height = world.cloth(upper)->positions[middle].y;
+    ASSERT_TRUE(world.remove_cloth(lower));
+    run(world, 30);
+    EXPECT_LT(world.cloth(upper)->positions[middle].y, height - 0.3f);
+}
+
+TEST(Sleep, GoesOnFromASaveWithTheSameBytesOnAnyThreads) {
+    Room first(1), second(4);
+    EXPECT_EQ(first.world.state_hash(), second.world.state_hash());
+    std::vector<std::byte> save(first.world.save_size());
+    ASSERT_TRUE(first.world.save(save));
+    ASSERT_TRUE(first.world.wake(first.cloth));
+    run(first.world, 10);
+    ASSERT_TRUE(first.world.restore(save));
+    EXPECT_TRUE(first.world.is_asleep(first.cloth).value());
+    EXPECT_EQ(first.world.state_hash(), second.world.state_hash());
+    for (Room* room : {&first, &second}) {
+        ASSERT_TRUE(room->world.move_collider(room->ball, {.shape = Sphere{{0, 0.1f, 0}, 0.1f}}));
+        run(room->world, 10);
+    }
+    EXPECT_EQ(first.world.state_hash(), second.world.state_hash());
+    ClothSettings awake = that_sleeps();
+    awake.sleep_speed = 0;
+    ASSERT_TRUE(first.world.set_cloth_settings(first.cloth, awake));
+    EXPECT_FALSE(first.world.restore(save));
+}
+
+TEST(Enabled, ClothThatIsOffIsNotThereAndStaysWhereItIs) {
+    World world = make_world();
+    const ClothId off = add_sheet(world, 0.5f, that_meets());
+    const ClothId falls = add_sheet(world, 0.6f, that_meets());
+    run(world, 5);
+    ASSERT_TRUE(world.set_enabled(off, false));
+    const std::vector<Vec4> before = positions_of(world, off);
+    run(world, 30);
+    EXPECT_EQ(farthest(world, off, before), 0);
+    EXPECT_EQ(world.cloth(off)->previous_positions[3].y, world.cloth(off)->positions[3].y);
+    EXPECT_LT(world.cloth(falls)->positions[middle].y, 0.45f);
+    EXPECT_EQ(world.report().cloths, 1u);
+    EXPECT_EQ(world.report().particles, side * side);
+    EXPECT_FALSE(world.cloth_settings(off).value().enabled);
+}
+
+TEST(Enabled, SwitchedOnItFallsFromRestAndComesClearOfWhatWentIntoIt) {
+    World world = make_world();
+    const ClothId off = add_sheet(world, 0.5f, that_meets());
+    ASSERT_TRUE(world.pin(off, corners));
+    const ClothId falls = add_sheet(world, 0.52f, that_meets(), 0.1f);
+    run(world, 3);
+    ASSERT_TRUE(world.set_enabled(off, false));
+    run(world, 2);
+    ASSERT_TRUE(world.pin(falls, middle));  // half way through
+    const Vec4 held = world.cloth(falls)->positions[middle];
+    ASSERT_TRUE(world.set_enabled(off, true));
+    ASSERT_TRUE(world.unpin(falls, middle));
+    run(world, 200);
+    EXPECT_EQ(world.report().crossings, 0u);
+    EXPECT_EQ(world.report().restored_cloths, 0u);
+    EXPECT_LT(world.cloth(falls)->positions[middle].y, held.y + 0.005f);
+}
+
+TEST(Enabled, FeelsNothingOfWhereItsFrameWentMeanwhile) {
+    World world = make_world();
+    const ClothId cloth = add_sheet(world, 0.5f, that_sleeps());
+    ASSERT_TRUE(world.set_frame(cloth, {}));
+    world.step(h);
+    ASSERT_TRUE(world.set_enabled(cloth, false));
+    for (int i = 1; i < 10; ++i) {
+        ASSERT_TRUE(world.set_frame(cloth, {.translation = {static_cast<float>(i), 0, 0}}));
+        world.step(h);
+    }
+    ClothSettings settings = world.cloth_settings(cloth).value();
+    settings.enabled = true;
+    settings.frame_inertia = {0, 0, 0};
+    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
+    const float x = world.cloth(cloth)->positions[middle].x;
+    run(world, 5);
+    EXPECT_NEAR(world.cloth(cloth)->positions[middle].x, x, 1e-3f);
+}
+
+TEST(Enabled, ByItsSettingAlike) {
+    World world = make_world();
+    ClothSettings settings = that_meets();
+    settings.enabled = false;
+    const ClothId cloth = add_sheet(world, 0.5f, settings);
+    run(world, 10);
+    EXPECT_EQ(world.cloth(cloth)->positions[middle].y, 0.5f);
+    settings.enabled = true;
+    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
+    run(world, 30);
+    EXPECT_LT(world.cloth(cloth)->positions[middle].y, 0.45f);
+}
+
+TEST(Enabled, WhatLayAsleepOnItWakes) {
+    World world = make_world();
+    const ClothId lower = add_sheet(world, 0.5f, that_meets());
+    ASSERT_TRUE(world.pin(lower, corners));
+    const ClothId upper = add_sheet(world, 0.52f, that_meets());
+    ASSERT_TRUE(sleeps_within(world, upper, 3000));
+    ASSERT_TRUE(world.set_enabled(lower, false));
+    world.step(h);
+    EXPECT_FALSE(world.is_asleep(upper).value());
+}
+
+TEST(Enabled, StaleIdsAreRefused) {
+    World world = make_world();
+    EXPECT_FALSE(world.set_enabled({}, false));
+    EXPECT_FALSE(world.is_asleep({}));
+    EXPECT_FALSE(world.wake({}));
+}
+
+}  // namespace
+}  // namespace weft::test::sleeping

@@ -1,0 +1,265 @@
+// Bending: gradients against finite differences, energies against those of bent plates, and a strip of cloth
+// that hangs over an edge against the heavy elastica.
+
+#include "cloth/mesh/bending.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <span>
+
+#include "strips.h"
+#include "tests/cloth/meshes.h"
+
+namespace weft::test {
+namespace {
+
+double exact_angle(const std::array<Eigen::Vector3d, 4>& x) {
+    const Eigen::Vector3d edge = x[1] - x[0];
+    const Eigen::Vector3d n2 = edge.cross(x[2] - x[0]), n3 = (x[3] - x[0]).cross(edge);
+    return std::atan2(n2.cross(n3).dot(edge.normalized()), n2.dot(n3));
+}
+
+TEST(Dihedral, GradientIsTheAnglesDerivative) {
+    constexpr double step = 1e-6;
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::array<Vector3, 4> x;
+        for (Vector3& p : x) p = {coordinate(random), coordinate(random), coordinate(random)};
+        const Dihedral hinge = dihedral(x, 0);
+        std::array<Eigen::Vector3d, 4> at;
+        for (std::size_t k = 0; k < 4; ++k) at[k] = x[k].cast<double>();
+        EXPECT_NEAR(static_cast<double>(hinge.angle), exact_angle(at), 1e-4);
+        for (std::size_t k = 0; k < 4; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                auto up = at, down = at;
+                up[k][axis] += step;
+                down[k][axis] -= step;
+                const double slope =
+                    std::remainder(exact_angle(up) - exact_angle(down), 2 * std::numbers::pi) / (2 * step);
+                EXPECT_NEAR(static_cast<double>(hinge.gradient[k][axis]), slope,
+                            2e-3 * (1 + std::abs(slope)));
+            }
+        }
+    }
+}
+
+TEST(Dihedral, CollapsedTrianglesHaveABoundedGradient) {
+    const Vector3 origin = Vector3::Zero(), x_axis = Vector3::UnitX();
+    const std::array<Vector3, 4> point{origin, origin, origin, origin};
+    const std::array<Vector3, 4> line{origin, x_axis, 2 * x_axis, 0.5f * x_axis};
+    for (const auto& x : {point, line}) {
+        const Dihedral hinge = dihedral(x, 0.1f);
+        EXPECT_TRUE(std::isfinite(hinge.angle));
+        for (const Vector3& g : hinge.gradient) EXPECT_LE(g.norm(), 40);
+    }
+}
+
+/// x^T Q x / 2 of quadratic bending with rigidity 1, in double precision.
+double quadratic_energy(const Bending& bending, const std::vector<Eigen::Vector3d>& x) {
+    double energy = 0;
+    for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float k) {
+        energy -= 0.25 * static_cast<double>(k) * (x[i] - x[j]).squaredNorm();
+    });
+    return energy;
+}
+
+/// Equilateral triangles of side 1 in the plane z = 0.
+Mesh equilateral(std::uint32_t rows, std::uint32_t columns) {
+    Mesh mesh = loose_sheet(rows, columns);
+    for (std::uint32_t r = 0; r < rows; ++r)
+        for (std::uint32_t c = 0; c < columns; ++c)
+            mesh.positions[r * columns + c] = {static_cast<float>(c) + 0.5f * static_cast<float>(r % 2),
+                                               static_cast<float>(r) * std::sqrt(0.75f), 0};
+    mesh.triangles.clear();
+    for (std::uint32_t r = 0; r + 1 < rows; ++r) {
+        for (std::uint32_t c = 0; c + 1 < columns; ++c) {
+            const std::uint32_t a = r * columns + c, b = a + columns;
+            if (r % 2 == 0) {
+                mesh.triangles.push_back({a, a + 1, b});
+                mesh.triangles.push_back({a + 1, b + 1, b});
+            } else {
+                mesh.triangles.push_back({a, a + 1, b + 1});
+                mesh.triangles.push_back({a, b + 1, b});
+            }
+        }
+    }
+    return mesh;
+}
+
+/// B/2 kappa^2 per area, away from the border, where some edges are missing: the difference of two sizes has
+/// none of it.
+double energy_per_area(const std::function<Mesh(std::uint32_t)>& mesh_of, double direction) {
+    double energy[2], area[2];
+    for (int k = 0; k < 2; ++k) {
+        const std::uint32_t size = k == 0 ? 21 : 41;
+        const ClothModel model = cook(mesh_of(size)).value();
+        std::vector<Eigen::Vector3d> x;
+        double inside = 0;
+        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+            const Eigen::Vector3d p = xyz(model.positions[i]).cast<double>();
+            const double along = std::cos(direction) * p.x() + std::sin(direction) * p.y();
+            x.emplace_back(0, 0, 0.5 * along * along);
+            inside += static_cast<double>(model.rest_area[i]);
+        }
+        energy[k] = quadratic_energy(bending_elements(model), x);
+        area[k] = inside;
+    }
+    // energy = density area + border length; lengths go as the square root of areas, up to a row.
+    const double ratio = std::sqrt(area[1] / area[0]);
+    return (energy[1] - ratio * energy[0]) / (area[1] - ratio * area[0]);
+}
+
+TEST(QuadraticBending, RegularMeshesBendToCylindersAsThePlateDoes) {
+    const auto grid = [](std::uint32_t n) {
+        Mesh mesh = loose_sheet(n, n);
+        for (Vec3& p : mesh.positions)
+            p = {p.x * static_cast<float>(n - 1), p.z * static_cast<float>(n - 1), 0};
+        return mesh;
+    };
+    const auto triangles = [](std::uint32_t n) { return equilateral(n, n); };
+    for (const double direction : {0.0, 0.3, 0.785, 1.2, 2.5})
+        EXPECT_NEAR(energy_per_area(triangles, direction), 0.5, 0.01) << direction;
+    // Along the threads; half as stiff again along the diagonals, whose triangles cannot tell twist from
+    // bending.
+    for (const double direction : {0.0, std::numbers::pi / 2})
+        EXPECT_NEAR(energy_per_area(grid, direction), 0.5, 0.01) << direction;
+    EXPECT_NEAR(energy_per_area(grid, std::numbers::pi / 4), 0.75, 0.01);
+}
+
+TEST(QuadraticBending, FlatClothHasNoneAndRigidMotionAddsNone) {
+    const ClothModel model = cook(strip(12, 5, 0.1f, true)).value();
+    const Bending bending = bending_elements(model);
+    std::vector<Eigen::Vector3d> flat, bent, moved;
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        const Eigen::Vector3d p = xyz(model.positions[i]).cast<double>();
+        flat.emplace_back(turn * p + Eigen::Vector3d(3, 1, -2));
+        bent.emplace_back(std::sin(p.x()), p.z() * p.z(), std::cos(p.x()));
+        moved.emplace_back(turn * bent.back() + Eigen::Vector3d(3, 1, -2));
+    }
+    EXPECT_NEAR(quadratic_energy(bending, flat), 0, 1e-4);
+    const double energy = quadratic_energy(bending, bent);
+    EXPECT_GT(energy, 0.01);
+    EXPECT_NEAR(quadratic_energy(bending, moved), energy, 1e-5 * energy);
+}
+
+/// Two triangles about the z axis, one of them turned up by `degrees` from where both lie flat.
+Mesh folded_panel(float degrees) {
+    const float angle = degrees * std::numbers::pi_v<float> / 180;
+    Mesh mesh;
+    mesh.positions = {
+        {0, 0, -0.1f}, {0, 0, 0.1f}, {-0.1f, 0, 0}, {0.1f * std::cos(angle), 0.1f * std::sin(angle), 0}};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+    return mesh;
+}
+
+/// Of such a panel, in [0, 360).
+double fold_of(std::span<const Vec4> positions, std::span<const std::uint32_t> particles) {
+    const Vec4 &edge = positions[particles[0]], &fixed = positions[particles[2]],
+               &turned = positions[particles[3]];
+    const double from =
+        std::atan2(static_cast<double>(fixed.y - edge.y), static_cast<double>(fixed.x - edge.x));
+    const double to =
+        std::atan2(static_cast<double>(turned.y - edge.y), static_cast<double>(turned.x - edge.x));
+    const double degrees = (to - from) * 180 / std::numbers::pi + 180;
+    return degrees - 360 * std::floor(degrees / 360);
+}
+
+class FoldedPanel : public testing::TestWithParam<float> {};
+
+// A hinge's angle jumps from 180 to -180 degrees where its panels meet: what rests near there must not feel
+// it.
+TEST_P(FoldedPanel, RestsWhereItWasFoldedAndComesBackFromBothSides) {
+    for (const float push : {0.0f, 15.0f, -15.0f}) {
+        SCOPED_TRACE(push);
+        Cloth cloth(cook(folded_panel(GetParam())).value(), [] {
+            ClothSettings settings;
+            settings.air_damping = 2;
+            settings.fabric.areal_density = 0.2f;
+            settings.fabric.bending = 1e-3f;
+            settings.finite_elements = {.enabled = true, .dihedral = true};
+            return settings;
+        }());
+        const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
+        const Vec3 pushed = folded_panel(GetParam() + push).positions[3];
+        Vec4& turned = cloth.state.positions[particles[3]];
+        turned = {pushed.x, pushed.y, pushed.z, turned.w};
+        for (const std::uint32_t vertex : {0u, 1u, 2u}) cloth.pin(particles[vertex]);
+        const auto from_rest = [&] {
+            const double fold = fold_of(cloth.state.positions.span(), particles);
+            return std::abs(std::remainder(fold - static_cast<double>(GetParam()), 360.0));
+        };
+        for (int step = 0; step < 60; ++step) {
+            relax_to_rest(cloth, {0, 0, 0}, 0.05f, 1);
+            ASSERT_LE(from_rest(), std::abs(push) + 0.5f) << "the long way round, in step " << step;
+        }
+        EXPECT_LE(from_rest(), 1);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Degrees, FoldedPanel,
+                         testing::Values(10.0f, 90.0f, 170.0f, 179.0f, 181.0f, 190.0f, 350.0f));
+
+struct Cantilever {
+    bool irregular, dihedral;
+    double gamma, reach, drop;  ///< Gamma = rho g L^3 / B; over L
+};
+void PrintTo(const Cantilever& c, std::ostream* out) {
+    *out << (c.irregular ? "irregular" : "regular") << (c.dihedral ? " dihedral " : " quadratic ") << c.gamma;
+}
+
+class HeavyElastica : public testing::TestWithParam<Cantilever> {};
+
+// Of length 1, clamped in the middle of its first cells, which is where the edges that bend there stand for;
+// B = 1.
+TEST_P(HeavyElastica, StripHangsAsTheElasticaDoes) {
+    const Cantilever& expected = GetParam();
+    constexpr std::uint32_t columns = 24, rows = 3;
+    constexpr float cell = 1.0f / (columns + 0.5f), g = 9.81f;
+    ClothSettings settings;
+    settings.air_damping = 0;
+    settings.fabric.damping = 0;
+    settings.fabric.areal_density = static_cast<float>(expected.gamma) / g;
+    settings.fabric.warp = settings.fabric.weft = 1e4f;
+    settings.fabric.shear = 5e3f;
+    settings.fabric.bending = 1;
+    settings.finite_elements = {.enabled = true, .dihedral = expected.dihedral};
+    Cloth cloth(cook(strip(columns + 1, rows, cell, expected.irregular)).value(), settings);
+    const auto at = [&](std::uint32_t row, std::uint32_t column) {
+        return cloth.model.vertex_to_particle[row * (columns + 2) + column];
+    };
+    for (std::uint32_t r = 0; r <= rows; ++r) {
+        cloth.pin(at(r, 0));
+        cloth.pin(at(r, 1));
+    }
+    relax_to_rest(cloth, {0, -g, 0}, 0.3f, 40);
+    double reach = 0, drop = 0;
+    for (std::uint32_t r = 0; r <= rows; ++r) {
+        const Vec4& tip = cloth.state.positions[at(r, columns + 1)];
+        reach += static_cast<double>(tip.x + 0.5f * cell) / (rows + 1);
+        drop -= static_cast<double>(tip.y) / (rows + 1);
+    }
+    EXPECT_NEAR(reach, expected.reach, 0.03 * expected.reach);
+    EXPECT_NEAR(drop, expected.drop, 0.03 * expected.drop);
+}
+
+std::vector<Cantilever> cantilevers() {
+    std::vector<Cantilever> all;
+    for (const bool irregular : {false, true})
+        for (const bool dihedral : {false, true})
+            for (const auto& [gamma, reach, drop] :
+                 {std::array{1.0, .99125, .12347}, std::array{5.0, .84666, .49591},
+                  std::array{10.0, .65635, .70020}, std::array{30.0, .34276, .87309}})
+                all.push_back({irregular, dihedral, gamma, reach, drop});
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(Gamma, HeavyElastica, testing::ValuesIn(cantilevers()));
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,409 @@
+// CookedCloth, as a host uses it: made beside the frame, added as often as is wanted, read back from a file.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <future>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/state_hash.h"
+#include "weft/weft.h"
+
+namespace weft::test {
+namespace {
+
+/// All of its springs of one kind are of one length.
+Mesh hung_sheet(float height) {
+    return make_sheet({.rows = 12,
+                       .columns = 48,
+                       .origin = {0, height, 0},
+                       .u = {47 / 128.0f, 0, 0},
+                       .v = {0, 0, 11 / 32.0f}})
+        .value();
+}
+
+World windy_world() {
+    WorldSettings settings;
+    settings.threads = 1;
+    settings.wind = {.velocity = {1, 0, 2}, .gust = 0.4f};
+    settings.contact_reports = 32;
+    World world = World::create(settings).value();
+    EXPECT_TRUE(world.add_collider({.shape = Sphere{{0.2f, 0.3f, 0.2f}, 0.15f}}));
+    return world;
+}
+
+struct CookedKind {
+    std::string name;
+    ClothSettings settings;
+    bool grid = true;
+};
+
+std::vector<CookedKind> cooked_kinds() {
+    std::vector<CookedKind> all;
+    const auto add = [&](const char* name, auto change) {
+        for (const bool grid : {true, false}) {
+            CookedKind made{name + std::string(grid ? "OfGrid" : "OfMesh"), {}, grid};
+            change(made.settings);
+            all.push_back(made);
+        }
+    };
+    add("Plain", [](ClothSettings&) {});
+    add("Tethers", [](ClothSettings& s) { s.tethers.enabled = true; });
+    add("Contact", [](ClothSettings& s) {
+        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    });
+    add("Zones", [](ClothSettings& s) {
+        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
+    });
+    add("Avoidance", [](ClothSettings& s) { s.self_collision.enabled = true; });
+    add("Sleep", [](ClothSettings& s) { s.sleep_speed = 1e-3f; });
+    add("Stiffening", [](ClothSettings& s) { s.fabric.stiffening = 100; });
+    add("Elements", [](ClothSettings& s) { s.finite_elements.enabled = true; });
+    add("Dihedral", [](ClothSettings& s) {
+        s.finite_elements = {.enabled = true, .dihedral = true, .consistent_mass = true};
+    });
+    add("Jacobi", [](ClothSettings& s) { s.method = Jacobi{}; });
+    add("Chebyshev", [](ClothSettings& s) { s.method = Chebyshev{}; });
+    add("Gradients", [](ClothSettings& s) { s.method = ConjugateGradient{}; });
+    add("Fibres", [](ClothSettings& s) { s.method = Fibres{}; });
+    add("Xpbd", [](ClothSettings& s) { s.method = Xpbd{}; });
+    add("Explicit", [](ClothSettings& s) { s.method = SymplecticEuler{}; });
+    return all;
+}
+
+class CookedCase : public testing::TestWithParam<CookedKind> {
+  protected:
+    static Mesh mesh(float height) {
+        Mesh made = hung_sheet(height);
+        made.positions[0].x = -0.0f;  // which must not come out as 0
+        if (!GetParam().grid) made.rows = made.columns = 0;
+        return made;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, CookedCase, testing::ValuesIn(cooked_kinds()),
+                         [](const auto& info) { return info.param.name; });
+
+// What one does to itself must be nothing to the others.
+TEST_P(CookedCase, MovesAsByItsMeshWhateverBecomesOfTheOthers) {
+    const ClothSettings& settings = GetParam().settings;
+    World by_mesh = windy_world(), cooked_world = windy_world(), other = windy_world();
+    ClothId a, b, changed;
+    {
+        const CookedCloth cooked = CookedCloth::create(mesh(0.6f), settings).value();
+        EXPECT_EQ(cooked.info().particles, 576u);
+        a = by_mesh.add_cloth(mesh(0.6f), settings).value();
+        changed = other.add_cloth(cooked).value();
+        b = cooked_world.add_cloth(cooked).value();
+        // Another one that lies on it.
+        ASSERT_TRUE(by_mesh.add_cloth(mesh(0.602f), settings));
+        ASSERT_TRUE(cooked_world.add_cloth(CookedCloth::create(mesh(0.602f), settings).value()));
+    }
+    ASSERT_TRUE(by_mesh.pin(a, 0));
+    ASSERT_TRUE(cooked_world.pin(b, 0));
+    ASSERT_TRUE(other.pin(changed, {{3, 7, 9}}));
+    ClothSettings stiff = settings;
+    stiff.fabric.warp *= 2;
+    stiff.fabric.shear *= 3;
+    stiff.fabric.areal_density *= 2;
+    if (stiff.fabric.stiffening > 0) stiff.fabric.stiffening *= 2;
+    ASSERT_TRUE(other.set_cloth_settings(changed, stiff));
+    if (!settings.finite_elements.consistent_mass) {  // which goes with no maps
+        const std::vector<float> map(576, 2.5f);
+        ASSERT_TRUE(other.set_map(changed, Map::stiffness, map));
+        ASSERT_TRUE(other.set_map(changed, Map::mass, map));
+    }
+    for (int step = 0; step < 20; ++step) {
+        by_mesh.step(1.0f / 60);
+        other.step(1.0f / 60);
+        cooked_world.step(1.0f / 60);
+        ASSERT_EQ(by_mesh.state_hash(), cooked_world.state_hash()) << "step " << step;
+    }
+    ASSERT_TRUE(other.remove_cloth(changed));
+    for (int step = 0; step < 20; ++step) {
+        by_mesh.step(1.0f / 60);
+        cooked_world.step(1.0f / 60);
+    }
+    EXPECT_EQ(by_mesh.state_hash(), cooked_world.state_hash());
+}
+
+TEST_P(CookedCase, ChangesAsOneByItsMeshDoes) {
+    const ClothSettings& settings = GetParam().settings;
+    World by_mesh = windy_world(), cooked_world = windy_world();
+    const CookedCloth cooked = CookedCloth::create(mesh(0.6f), settings).value();
+    const ClothId a = by_mesh.add_cloth(mesh(0.6f), settings).value();
+    const ClothId b = cooked_world.add_cloth(cooked).value();
+    ClothSettings stiff = settings;
+    stiff.fabric.weft *= 2;
+    if (stiff.fabric.stiffening > 0) stiff.fabric.stiffening *= 2;
+    for (const auto& [world, cloth] : {std::pair(&by_mesh, a), std::pair(&cooked_world, b)}) {
+        ASSERT_TRUE(world->pin(cloth, {{0, 47}}));
+        ASSERT_TRUE(world->set_cloth_settings(cloth, stiff));
+        for (int step = 0; step < 5; ++step) world->step(1.0f / 60);
+        ASSERT_TRUE(world->unpin(cloth, 0));
+        for (int step = 0; step < 5; ++step) world->step(1.0f / 60);
+    }
+    EXPECT_EQ(by_mesh.state_hash(), cooked_world.state_hash());
+}
+
+TEST_P(CookedCase, ComesBackFromItsBytes) {
+    const ClothSettings& settings = GetParam().settings;
+    World made = windy_world(), read = windy_world();
+    const CookedCloth cooked = CookedCloth::create(mesh(0.6f), settings).value();
+    std::vector<std::byte> bytes(cooked.save_size() + 1);
+    ASSERT_TRUE(cooked.save(std::span(bytes).subspan(1)));
+    const auto loaded = CookedCloth::load(std::span(bytes).subspan(1), settings);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->info(), cooked.info());
+    EXPECT_EQ(loaded->report(), cooked.report());
+    const ClothId a = made.add_cloth(cooked).value(), b = read.add_cloth(*loaded).value();
+    ASSERT_TRUE(made.pin(a, 5));
+    ASSERT_TRUE(read.pin(b, 5));
+    for (int step = 0; step < 10; ++step) {
+        made.step(1.0f / 60);
+        read.step(1.0f / 60);
+    }
+    EXPECT_EQ(made.state_hash(), read.state_hash());
+}
+
+TEST(CookedCloth, IsMadeAndAddedOnAnyThread) {
+    const CookedCloth shared = CookedCloth::create(hung_sheet(0.5f)).value();
+    std::vector<std::future<std::uint64_t>> hashes;
+    for (int k = 0; k < 4; ++k)
+        hashes.push_back(std::async(std::launch::async, [&shared] {
+            World world = windy_world();
+            const CookedCloth own = CookedCloth::create(hung_sheet(0.9f)).value();
+            const ClothId a = world.add_cloth(shared).value(), b = world.add_cloth(own).value();
+            EXPECT_TRUE(world.pin(a, 0));
+            ClothSettings stiff;
+            stiff.fabric.warp *= 2;
+            EXPECT_TRUE(world.set_cloth_settings(b, stiff));
+            for (int step = 0; step < 10; ++step) world.step(1.0f / 60);
+            return world.state_hash();
+        }));
+    const std::uint64_t first = hashes[0].get();
+    for (int k = 1; k < 4; ++k) EXPECT_EQ(hashes[static_cast<std::size_t>(k)].get(), first);
+}
+
+TEST(CookedCloth, OfManyTakesLittleMoreThanTheirStates) {
+    const Mesh mesh = make_sheet({.rows = 64, .columns = 64}).value();
+    World world = World::create().value();
+    const ClothInfo alone = world.cloth_info(world.add_cloth(mesh).value()).value();
+    EXPECT_EQ(alone.shared_bytes, 0u);
+    const CookedCloth cooked = CookedCloth::create(mesh).value();
+    const ClothInfo one = world.cloth_info(world.add_cloth(cooked).value()).value();
+    EXPECT_NEAR(static_cast<double>(one.bytes + one.shared_bytes), static_cast<double>(alone.bytes),
+                0.01 * static_cast<double>(alone.bytes));
+    EXPECT_LT(one.bytes, alone.bytes / 2);
+    EXPECT_EQ(one.particles, alone.particles);
+}
+
+// WEFT_COOKED_TABLE=100: so many flags, each of a cooking of its own, and all of one.
+TEST(CookedCloth, Table) {
+    const char* const count = std::getenv("WEFT_COOKED_TABLE");
+    if (count == nullptr) GTEST_SKIP() << "set WEFT_COOKED_TABLE to a number of cloths";
+    const int cloths = std::atoi(count);
+    const auto now = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    std::printf(
+        "particles      | by meshes, ms each, MB | cooked, ms | added, ms each, MB | file MB | read, ms\n");
+    for (const std::uint32_t side : {64u, 128u, 316u}) {
+        for (const bool grid : {true, false}) {
+            Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
+            if (!grid) mesh.rows = mesh.columns = 0;
+            const int number =
+                static_cast<int>(std::max(1u, static_cast<std::uint32_t>(cloths) * 4096 / (side * side)));
+            World alone = World::create({.threads = 1}).value(),
+                  shared = World::create({.threads = 1}).value();
+            const double start = now();
+            double own = 0, of_cooked = 0;
+            for (int k = 0; k < number; ++k)
+                own += static_cast<double>(alone.cloth_info(alone.add_cloth(mesh).value())->bytes);
+            const double cooking = now();
+            const CookedCloth cooked = CookedCloth::create(mesh).value();
+            const double adding = now();
+            for (int k = 0; k < number; ++k) {
+                const ClothInfo info = *shared.cloth_info(shared.add_cloth(cooked).value());
+                of_cooked += static_cast<double>(info.bytes + (k == 0 ? info.shared_bytes : 0));
+            }
+            const double added = now();
+            std::vector<std::byte> bytes(cooked.save_size());
+            ASSERT_TRUE(cooked.save(bytes));
+            const double reading = now();
+            ASSERT_TRUE(CookedCloth::load(bytes));
+            std::printf("%6u %s x %3d | %.1f, %.1f | %.1f | %.3f, %.1f | %.2f | %.1f\n", side * side,
+                        grid ? "grid" : "mesh", number, (cooking - start) / number, own * 1e-6,
+                        adding - cooking, (added - adding) / number, of_cooked * 1e-6,
+                        static_cast<double>(bytes.size()) * 1e-6, now() - reading);
+        }
+    }
+}
+
+TEST(CookedCloth, StandsWhereItIsPut) {
+    World world = World::create({.gravity = {0, 0, 0}}).value();
+    const CookedCloth cooked = CookedCloth::create(hung_sheet(1)).value();
+    const float half = std::sqrt(0.5f);
+    const ClothId there =
+        world.add_cloth(cooked, {.translation = {1, 2, 3}, .rotation = {0, half, 0, half}}).value();
+    const ClothView& view = *world.cloth(there);
+    // A quarter turn about y takes x to -z and z to x.
+    EXPECT_NEAR(view.positions[47].x, 1, 1e-6);
+    EXPECT_NEAR(view.positions[47].y, 3, 1e-6);
+    EXPECT_NEAR(view.positions[47].z, 3 - 47 / 128.0f, 1e-6);
+    EXPECT_NEAR(view.positions[528].x, 1 + 11 / 32.0f, 1e-6);
+    EXPECT_NEAR(view.bounds.upper.x, 1 + 11 / 32.0f, 1e-6);
+    EXPECT_NEAR(std::abs(view.normals[50].y), 1, 1e-6);
+    EXPECT_EQ(view.previous_positions[47].z, view.positions[47].z);
+
+    const auto far = world.add_cloth(cooked, {.translation = {2e5f, 0, 0}});
+    ASSERT_FALSE(far);
+    EXPECT_NE(far.error().message.find("vertex 0"), std::string::npos) << far.error().message;
+    EXPECT_FALSE(world.add_cloth(cooked, {.translation = {}, .rotation = {0, 0, 0, 2}}));
+    world.step(1.0f / 60);
+    EXPECT_EQ(world.report().cloths, 1u);
+}
+
+TEST(CookedCloth, OfAnArtistsMeshSaysWhatItDid) {
+    Mesh mesh = make_sheet({.rows = 5, .columns = 6}).value();
+    mesh.rows = mesh.columns = 0;
+    const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    mesh.positions.push_back(mesh.positions[7]);  // 30: split for a renderer
+    mesh.positions.push_back({0.1f, 2, 0});       // 31: a fin's
+    mesh.positions.push_back({3, 3, 3});          // 32: loose
+    for (std::uint32_t& corner : mesh.triangles[0]) corner = corner == 7 ? 30 : corner;
+    const Triangle inner = mesh.triangles[15];
+    mesh.triangles.push_back({inner[0], inner[1], 31});        // at an edge that has two
+    mesh.triangles.push_back({inner[1], inner[0], inner[2]});  // once more
+    mesh.triangles.push_back({inner[0], inner[0], inner[1]});  // none
+    std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+    mesh.texcoords.clear();
+
+    const auto cooked = CookedCloth::create(mesh);
+    ASSERT_TRUE(cooked) << cooked.error().message;
+    const CookReport& report = cooked->report();
+    EXPECT_EQ(report.welded, (std::vector<CookReport::Welded>{{30, 7}}));
+    EXPECT_EQ(report.turned, std::vector<std::uint32_t>{3});
+    EXPECT_EQ(report.loose, (std::vector<std::uint32_t>{31, 32}));
+    EXPECT_EQ(report.dropped, (std::vector<CookReport::Dropped>{{triangles, DropReason::crowded_edge},
+                                                                {triangles + 1, DropReason::doubled},
+                                                                {triangles + 2, DropReason::no_area}}));
+    const ClothInfo& info = cooked->info();
+    EXPECT_EQ(info.welded_vertices, 1u);
+    EXPECT_EQ(info.turned_triangles, 1u);
+    EXPECT_EQ(info.dropped_triangles, 3u);
+    EXPECT_EQ(info.loose_particles, 2u);
+    EXPECT_EQ(info.misoriented_edges, 0u);
+    EXPECT_EQ(info.triangles, triangles);
+
+    World world = World::create().value();
+    const ClothId cloth = world.add_cloth(*cooked).value();
+    ASSERT_TRUE(world.pin(cloth, 0));
+    for (int step = 0; step < 60; ++step) world.step(1.0f / 60);
+    EXPECT_EQ(world.report().flags, StepFlags::none);
+    EXPECT_TRUE(std::isfinite(world.cloth(cloth)->positions[5].y));
+}
+
+TEST(CookedCloth, RefusesWhatAddClothRefuses) {
+    const auto no_mesh = CookedCloth::create({});
+    ASSERT_FALSE(no_mesh);
+    EXPECT_EQ(no_mesh.error().message, World::create()->add_cloth(Mesh{}).error().message);
+    ClothSettings bad;
+    bad.substeps = 0;
+    EXPECT_FALSE(CookedCloth::create(hung_sheet(1), bad));
+}
+
+std::vector<std::byte> saved_mesh() {
+    Mesh mesh = make_sheet({.rows = 4, .columns = 5}).value();
+    mesh.rows = mesh.columns = 0;
+    const CookedCloth cooked = CookedCloth::create(mesh).value();
+    std::vector<std::byte> bytes(cooked.save_size());
+    EXPECT_TRUE(cooked.save(bytes));
+    return bytes;
+}
+
+TEST(CookedCloth, IsRefusedIfAnyByteIsCutOffOrAnother) {
+    const std::vector<std::byte> whole = saved_mesh();
+    ASSERT_TRUE(CookedCloth::load(whole));
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        ASSERT_FALSE(CookedCloth::load(std::span(whole).first(size))) << size << " bytes";
+    std::vector<std::byte> longer = whole;
+    longer.push_back({});
+    EXPECT_FALSE(CookedCloth::load(longer));
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        for (const unsigned flip : {1u, 128u, 255u}) {
+            std::vector<std::byte> other = whole;
+            other[at] ^= static_cast<std::byte>(flip);
+            const auto loaded = CookedCloth::load(other);
+            ASSERT_FALSE(loaded) << "byte " << at;
+            ASSERT_EQ(loaded.error().code, ErrorCode::malformed_file);
+        }
+    }
+}
+
+/// The checksum made right again.
+void seal(std::vector<std::byte>& bytes) {
+    constexpr std::size_t head = 224, sum_at = head - 8;
+    std::fill_n(bytes.begin() + sum_at, 8, std::byte{});
+    StateHash hash;
+    struct Head {
+        std::array<std::byte, head> bytes;
+    } of_file;
+    std::memcpy(&of_file, bytes.data(), head);
+    hash.add(of_file);
+    hash.add(std::span<const std::byte>(bytes).subspan(head));
+    const std::uint64_t value = hash.value();
+    std::memcpy(bytes.data() + sum_at, &value, 8);
+}
+
+// What names what is not there, though nothing says that it is damaged.
+TEST(CookedCloth, NamesNothingThatIsNotThere) {
+    const std::vector<std::byte> whole = saved_mesh();
+    std::vector<std::byte> sealed = whole;
+    seal(sealed);
+    ASSERT_EQ(sealed, whole) << "the test seals as saving does";
+    World world = World::create({.threads = 1}).value();
+    int refused = 0, tried = 0;
+    for (const std::uint32_t value : {0xfffffff0u, 20u, 1u << 31}) {
+        for (std::size_t at = 12; at + 4 <= whole.size(); at += 4) {
+            if (at >= 208 && at < 304) continue;  // the size and the sum, then counts that nothing reads
+            std::vector<std::byte> other = whole;
+            std::memcpy(other.data() + at, &value, 4);
+            seal(other);
+            ++tried;
+            const auto loaded = CookedCloth::load(other);
+            if (!loaded) ++refused;
+            if (!loaded || tried % 5 != 0) continue;
+            // What is taken may move as it likes, but reads and writes its own memory alone.
+            const auto cloth = world.add_cloth(*loaded);
+            if (!cloth) continue;
+            if (world.pin(*cloth, 7)) world.step(1.0f / 60);
+            ASSERT_TRUE(world.remove_cloth(*cloth));
+        }
+    }
+    EXPECT_GT(refused, tried / 5);  // most of it are numbers, which may be any
+}
+
+TEST(CookedCloth, SaysWhyItRefuses) {
+    std::vector<std::byte> bytes = saved_mesh();
+    const auto message = [&] { return CookedCloth::load(bytes).error().message; };
+    bytes[8] = std::byte{99};
+    EXPECT_NE(message().find("version 99"), std::string::npos) << message();
+    bytes[0] = std::byte{'X'};
+    EXPECT_NE(message().find("WEFTCOOK"), std::string::npos) << message();
+    bytes.resize(4);
+    EXPECT_NE(message().find("cut short"), std::string::npos) << message();
+
+    const CookedCloth cooked = CookedCloth::create(hung_sheet(1)).value();
+    std::vector<std::byte> small(cooked.save_size() - 1);
+    EXPECT_FALSE(cooked.save(small));
+}
+
+}  // namespace
+}  // namespace weft::test

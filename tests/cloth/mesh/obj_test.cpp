@@ -1,0 +1,413 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+#include "cloth/mesh/cook.h"
+#include "tests/cloth/meshes.h"
+#include "weft/mesh.h"
+#include "weft/world.h"
+
+namespace weft {
+namespace {
+
+/// A file that lasts as long as the test, in a folder of the test's own.
+class ObjFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(testing::TempDir()) / (std::string("weft_") + info->name());
+        std::filesystem::create_directories(folder_);
+        file_ = folder_ / "cloth.obj";
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    void write(std::string_view text) const { std::ofstream(file_, std::ios::binary) << text; }
+
+    Result<Mesh> load(std::string_view text, const ObjOptions& options = {},
+                      ObjReport* report = nullptr) const {
+        write(text);
+        return load_obj(file_, options, report);
+    }
+
+    /// The load must fail, with a message that has all these parts.
+    void expect_error(std::string_view text, std::initializer_list<const char*> parts,
+                      const ObjOptions& options = {}) const {
+        const Result<Mesh> mesh = load(text, options);
+        ASSERT_FALSE(mesh) << text;
+        EXPECT_EQ(mesh.error().code, ErrorCode::malformed_file);
+        EXPECT_NE(mesh.error().message.find("cloth.obj:"), std::string::npos) << mesh.error().message;
+        for (const char* part : parts)
+            EXPECT_NE(mesh.error().message.find(part), std::string::npos)
+                << '"' << part << "\" in: " << mesh.error().message;
+    }
+
+    std::filesystem::path folder_, file_;
+};
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(ObjFile, ReadsTriangles) {
+    const Mesh mesh = test::must(load(std::string(square) + "f 1 2 3\nf 1 3 4\n"));
+    ASSERT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.positions[2].x, 1);
+    EXPECT_EQ(mesh.positions[2].y, 1);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_TRUE(mesh.texcoords.empty());
+    EXPECT_TRUE(mesh.pattern.empty());
+    EXPECT_EQ(mesh.rows, 0u);
+}
+
+TEST_F(ObjFile, CutsFacesIntoFansAndCountsThem) {
+    ObjReport report;
+    const Mesh mesh =
+        test::must(load(std::string(square) + "v 0 2 0\nf 1 2 3 4\nf 4 3 5\nf 1 2 3 5 4\n", {}, &report));
+    EXPECT_EQ(mesh.triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 1, 2}, {0, 2, 4}, {0, 4, 3}}));
+    EXPECT_EQ(report.triangulated_faces, 2u);
+    EXPECT_EQ(report.ignored_lines, 0u);
+}
+
+TEST_F(ObjFile, ToleratesAndCountsLinesOfOtherKinds) {
+    ObjReport report;
+    const Mesh mesh =
+        test::must(load("# a comment\n\n   \nmtllib none.mtl\no thing\nv 0 0 0\nvv 0 0 0\nv 1 0 0 # "
+                        "here\nvn 0 0 1\nv 0 1 0\n"
+                        "g a b\nusemtl x\ns off\nf 1//1 2//1 3//1\nt 0 1 2\nl 1 2\n",
+                        {}, &report));
+    EXPECT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_EQ(report.ignored_lines, 9u);
+}
+
+TEST_F(ObjFile, ReadsEveryFormOfCorner) {
+    const std::string head = std::string(square) + "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n";
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -4 -3 -2",
+          "f -4/-3 -3/-2 -2/-1", " \tf  1\t2  3  ", "f -4/-3/-1 2/2/1 3/3/1"}) {
+        const Mesh mesh = test::must(load(head + face + "\n"));
+        EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << face;
+        EXPECT_EQ(mesh.texcoords.empty(),
+                  std::strchr(face, '/') == nullptr || std::strstr(face, "//") != nullptr);
+    }
+}
+
+TEST_F(ObjFile, NegativeIndicesCountBackFromTheirLine) {
+    const Mesh mesh =
+        test::must(load("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf -3 -2 -1\n"));
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
+}
+
+TEST_F(ObjFile, FacesMayComeBeforeTheirVertices) {
+    EXPECT_EQ(test::must(load("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n")).triangles,
+              (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST_F(ObjFile, LineEndingsContinuationsAndByteOrderMarksMakeNoDifference) {
+    const Mesh expected = test::must(load(std::string(square) + "f 1 2 3\nf 1 3 4"));
+    for (const char* text : {
+             "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3\r\nf 1 3 4\r\n",
+             "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3\rf 1 3 4\r",
+             "v 0 \\\n0 0\nv 1\\\r\n0 0\nv 1 1 0\nv 0 1 \\\n\\\n0\nf 1 2 3\nf 1 \\\n3 4",
+             "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
+             "v 0 0 0\n# from C:\\cloth\\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
+             "v +0 .0 0.\nv 1e0 0 0\nv 10e-1 0.1E1 0\nv 0 1 0 1 0.5 0.5\nf 1 2 3\nf 1 3 4\n",
+         }) {
+        const Result<Mesh> mesh = load(text);
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        EXPECT_TRUE(same_bytes(mesh->positions, expected.positions)) << text;
+        EXPECT_EQ(mesh->triangles, expected.triangles);
+    }
+}
+
+TEST_F(ObjFile, KeepsTheFilesVertexNumbersAndAppendsSeamVertices) {
+    // The edge 1-3 is a seam: its two vertices have other texture coordinates in the second face.
+    const char* text =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nvt 0 0\nvt 1 0\nvt 1 1\nvt 5 5\nvt 6 6\nvt 5 6\nvt 5 "
+        "5\n"
+        "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n";
+    const Mesh mesh = test::must(load(text, {.texcoords_are_pattern = true}));
+    ASSERT_EQ(mesh.positions.size(), 7u);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {5, 6, 3}}));
+    EXPECT_EQ(mesh.positions[4].x, 9);
+    EXPECT_EQ(mesh.positions[6].y, 1);
+    EXPECT_EQ(mesh.pattern[5].x, 5);
+    EXPECT_EQ(mesh.pattern[2].x, 1);
+    EXPECT_TRUE(same_bytes(mesh.pattern, mesh.texcoords));
+    EXPECT_TRUE(load(text)->pattern.empty());
+}
+
+TEST_F(ObjFile, EqualTextureCoordinatesShareAVertex) {
+    const Mesh mesh = test::must(load(std::string(square) + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 0\nvt 1 1\nvt 0 1\n"
+                                                            "f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n"));
+    EXPECT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST_F(ObjFile, ErrorsNameFileLineAndValue) {
+    const std::string head = square;
+    expect_error("v 0 0 0\nv 1 nan 0\n", {"cloth.obj:2:", "coordinate 2", "\"nan\"", "finite"});
+    expect_error("v 0 0 0\r\nv 1 0 -inf\r\n", {"cloth.obj:2:", "coordinate 3", "\"-inf\""});
+    expect_error("v 0 0 1e39\n", {"cloth.obj:1:", "\"1e39\""});
+    expect_error("v 0 0 1e999\n", {"cloth.obj:1:", "\"1e999\""});
+    expect_error("v 0 0x1 2\n", {"cloth.obj:1:", "\"0x1\""});
+    expect_error("\nv 0 1,5 2\n", {"cloth.obj:2:", "\"1,5\""});
+    expect_error("v 0 +-1 2\n", {"\"+-1\""});
+    expect_error("v 0 0 0\nv 1 0\n", {"cloth.obj:2:", "cut short", "2 coordinates", "needs 3"});
+    expect_error("v", {"cloth.obj:1:", "0 coordinates"});
+    expect_error("v 0 0 0\nvt 0.5\n", {"cloth.obj:2:", "cut short", "\"vt\"", "needs 2"});
+    expect_error(head + "f 1 2 0\n", {"cloth.obj:5:", "\"0\"", "vertex index 0", "counted from 1"});
+    expect_error(head + "f 1 2 5\n", {"cloth.obj:5:", "vertex index 5", "has 4"});
+    expect_error("v 0 0 0\nf 1 -1 -2\nv 1 1 1\n", {"cloth.obj:2:", "vertex index -2", "has 1 before"});
+    expect_error(head + "f 1 2 99999999999\n", {"cloth.obj:5:", "99999999999"});
+    expect_error(head + "f 1 2 99999999999999999999\n",
+                 {"cloth.obj:5:", "99999999999999999999", "whole number"});
+    expect_error(head + "f 1 2 x\n", {"cloth.obj:5:", "\"x\"", "whole number"});
+    expect_error(head + "f 1 2 3.5\n", {"\"3.5\""});
+    expect_error(head + "f 1 2 3/\n", {"\"3/\""});
+    expect_error(head + "f 1 2 3//\n", {"\"3//\""});
+    expect_error(head + "f 1 2 3/x\n", {"\"3/x\""});
+    expect_error(head + "f 1 2 3//x\n", {"\"3//x\""});
+    expect_error(head + "vt 0 0\nf 1/1 2/1 3/2\n", {"cloth.obj:6:", "texture coordinate index 2", "has 1"});
+    expect_error(head + "vt 0 0\nf 1/1 2/1 3/0\n", {"cloth.obj:6:", "texture coordinate index 0"});
+    expect_error(head + "vt 0 0\nf 1/1/1/1 2/1 3/1\n", {"\"1/1/1/1\""});
+    expect_error(head + "f 1 2\n", {"cloth.obj:5:", "2 corners", "at least 3"});
+    expect_error(head + "f\n", {"cloth.obj:5:", "0 corners"});
+    expect_error(head + "f 1 2 \\\n\n", {"cloth.obj:5:", "2 corners"});
+    expect_error(head, {"no faces", "4 vertices"});
+    expect_error(std::string("v 0 0 \0 0\n", 10), {"cloth.obj:1:"});
+}
+
+TEST_F(ObjFile, AForwardIndexThatLeadsNowhereIsNamedByItsLine) {
+    expect_error("f 1 2 3\nf 2 3 4\nf 1 3 6\nf 1 3 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n",
+                 {"cloth.obj:3:", "vertex index 6", "has 4"});
+    expect_error("f 1/2 2/1 3/1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\n",
+                 {"cloth.obj:1:", "texture coordinate index 2", "has 1"});
+}
+
+TEST_F(ObjFile, ExponentsThatLeaveAnIntermediateRangeAreRead) {
+    const Mesh mesh = test::must(load("v 0e999 0 0\nv 100000000000000000000e-20 0 0\nv 0 1 0\nf 1 2 3\n"));
+    EXPECT_EQ(mesh.positions[0].x, 0);
+    EXPECT_EQ(mesh.positions[1].x, 1);
+}
+
+TEST_F(ObjFile, AFaceOfManyCornersIsClothWithoutACrowdedVertex) {
+    // As a fan its first vertex would have a spring to each of the others.
+    constexpr std::size_t corners = 10'000;
+    std::string text, face = "f";
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
+        text.append("v ").append(std::to_string(100 * std::cos(angle))).append(" 0 ");
+        text.append(std::to_string(100 * std::sin(angle))).append("\n");
+        face.append(" ").append(std::to_string(i + 1));
+    }
+    ObjReport report;
+    const Mesh mesh = test::must(load(text + face + "\n", {}, &report));
+    EXPECT_EQ(report.triangulated_faces, 1u);
+    EXPECT_EQ(mesh.triangles.size(), corners - 2);
+    std::vector<int> triangles_at(corners);
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle) ++triangles_at[vertex];
+    EXPECT_LE(std::ranges::max(triangles_at), 2 * 14) << "two for each halving";
+
+    World world = test::must(World::create({.threads = 1}));
+    const ClothId id = test::must(world.add_cloth(mesh));
+    const ClothInfo info = test::must(world.cloth_info(id));
+    EXPECT_EQ(info.components, 1u);
+    EXPECT_EQ(info.border_edges, corners);
+    EXPECT_NEAR(info.mass, 0.2 * std::numbers::pi * 100 * 100, 2);
+    EXPECT_FALSE(has(world.step(1.0f / 60).flags, StepFlags::state_restored));
+}
+
+TEST_F(ObjFile, FacesAreFansUpTo64Corners) {
+    for (const std::size_t corners : {64u, 65u}) {
+        std::string text, face = "f";
+        for (std::size_t i = 0; i < corners; ++i) {
+            text.append("v ")
+                .append(std::to_string(i))
+                .append(" ")
+                .append(std::to_string(i * i))
+                .append(" 0\n");
+            face.append(" ").append(std::to_string(i + 1));
+        }
+        const Mesh mesh = test::must(load(text + face + "\n"));
+        const auto first = std::ranges::count_if(
+            mesh.triangles, [](const Triangle& t) { return std::ranges::count(t, 0u) > 0; });
+        EXPECT_EQ(mesh.triangles.size(), corners - 2);
+        EXPECT_EQ(first == 62, corners == 64);
+    }
+}
+
+TEST_F(ObjFile, ManyTextureCoordinatesAtOneVertex) {
+    // A search through those that a vertex already has would take twenty thousand million steps.
+    constexpr std::uint32_t count = 200'000;
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (std::uint32_t i = 0; i < count; ++i) text.append("vt ").append(std::to_string(i)).append(" 0\n");
+    for (std::uint32_t i = 1; i <= count; ++i)
+        text.append("f 1/").append(std::to_string(i)).append(" 2/1 3/1\n");
+    const Mesh mesh = test::must(load(text));
+    ASSERT_EQ(mesh.positions.size(), 3 + count - 1);
+    EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
+    for (std::uint32_t i = 1; i < count; ++i) {
+        ASSERT_EQ(mesh.triangles[i], (Triangle{2 + i, 1, 2}));
+        ASSERT_EQ(mesh.texcoords[2 + i].x, static_cast<float>(i));
+    }
+}
+
+TEST_F(ObjFile, LinesAreOfALimitedLengthAndCommentsOfAny) {
+    constexpr std::size_t limit = 1 << 20;
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n", face = "f 1 2 3";
+    EXPECT_TRUE(load(vertices + face + std::string(limit - face.size(), ' ') + "\n"));
+    expect_error(vertices + face + std::string(limit - face.size() + 1, ' ') + "\n",
+                 {"cloth.obj:4:", "longer than 1048576 characters"});
+    std::string joined = vertices + face;
+    for (int i = 0; i < 1024; ++i) joined += std::string(1024, ' ') + "\\\n";
+    expect_error(joined + "\n", {"cloth.obj:4:", "longer than 1048576 characters"});
+    EXPECT_TRUE(load(vertices + face + "#" + std::string(3 * limit, 'x') + "\n"));
+}
+
+TEST_F(ObjFile, HugeFilesOfNothingAreRefusedWithoutReadingThem) {
+    write(std::string(square) + "f 1 2 3\n");
+    std::filesystem::resize_file(file_, std::uintmax_t{1} << 31);  // sparse: it takes no space
+    Result<Mesh> mesh = load_obj(file_);
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().code, ErrorCode::malformed_file);
+    EXPECT_NE(mesh.error().message.find("cloth.obj:6: the line is longer than"), std::string::npos)
+        << mesh.error().message;
+
+    std::filesystem::resize_file(file_, (std::uintmax_t{1} << 33) + 1);
+    mesh = load_obj(file_);
+    ASSERT_FALSE(mesh);
+    EXPECT_NE(mesh.error().message.find("has 8589934593 bytes; an OBJ file may have at most 8589934592"),
+              std::string::npos)
+        << mesh.error().message;
+}
+
+TEST_F(ObjFile, PatternNeedsATextureCoordinateAtEveryCorner) {
+    const std::string text = std::string(square) + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3//3 4\n";
+    EXPECT_TRUE(load(text));
+    expect_error(text, {"cloth.obj:9:", "\"3//3\"", "no texture coordinate", "pattern"},
+                 {.texcoords_are_pattern = true});
+}
+
+TEST_F(ObjFile, FilesThatCannotBeRead) {
+    const Result<Mesh> missing = load_obj(folder_ / "missing.obj");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::file_not_found);
+    EXPECT_NE(missing.error().message.find("missing.obj"), std::string::npos);
+
+    const Result<Mesh> directory = load_obj(folder_);
+    ASSERT_FALSE(directory);
+    EXPECT_EQ(directory.error().code, ErrorCode::file_not_found);
+    EXPECT_NE(directory.error().message.find("directory"), std::string::npos);
+
+    expect_error("", {"empty"});
+}
+
+TEST_F(ObjFile, FilesThatCannotBeWritten) {
+    const Mesh mesh = test::fan(3);
+    const Result<void> no_folder = save_obj(folder_ / "none" / "cloth.obj", mesh);
+    ASSERT_FALSE(no_folder);
+    EXPECT_NE(no_folder.error().message.find("cannot be written"), std::string::npos)
+        << no_folder.error().message;
+    EXPECT_FALSE(save_obj(folder_, mesh));
+    if (std::filesystem::exists("/dev/full")) {
+        EXPECT_FALSE(save_obj("/dev/full", mesh));
+    }
+}
+
+TEST_F(ObjFile, SaveRefusesWhatLoadWould) {
+    Mesh mesh = test::fan(3);
+    mesh.triangles[1][0] = 50;
+    const Result<void> saved = save_obj(file_, mesh);
+    ASSERT_FALSE(saved);
+    EXPECT_EQ(saved.error().code, ErrorCode::invalid_mesh);
+    EXPECT_NE(saved.error().message.find("vertex 50"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(ObjFile, RoundTripIsExact) {
+    for (const test::NamedMesh& sample : test::sound_meshes()) {
+        SCOPED_TRACE(sample.name);
+        ASSERT_TRUE(save_obj(file_, sample.mesh));
+        const Mesh mesh = test::must(load_obj(file_));
+        EXPECT_TRUE(same_bytes(mesh.positions, sample.mesh.positions));
+        EXPECT_TRUE(same_bytes(mesh.texcoords, sample.mesh.texcoords));
+        EXPECT_EQ(mesh.triangles, sample.mesh.triangles);
+    }
+}
+
+TEST_F(ObjFile, RoundTripKeepsThePattern) {
+    Mesh expected = test::tube(4, 9);
+    std::swap(expected.pattern, expected.texcoords);
+    ASSERT_TRUE(save_obj(file_, expected));
+    const Mesh mesh = test::must(load_obj(file_, {.texcoords_are_pattern = true}));
+    EXPECT_TRUE(same_bytes(mesh.pattern, expected.pattern));
+    EXPECT_EQ(mesh.triangles, expected.triangles);
+}
+
+TEST_F(ObjFile, RoundTripOfAnyFloat) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> mantissa(-1, 1);
+    std::uniform_int_distribution<int> exponent(-140, 16);
+    Mesh expected;
+    for (int i = 0; i < 3000; ++i) {
+        const auto any = [&] { return std::ldexp(mantissa(random), exponent(random)); };
+        expected.positions.push_back({any(), any(), any()});
+    }
+    expected.triangles.push_back({0, 1, 2});
+    ASSERT_TRUE(save_obj(file_, expected));
+    EXPECT_TRUE(same_bytes(test::must(load_obj(file_)).positions, expected.positions));
+}
+
+constexpr std::string_view seam_text =
+    "# two panels\r\nmtllib a.mtl\nv 0 0 0\nvv 1 2 3\nv 1.5 0 0\nv 1 1e-1 0 \nv 0 1 -0.25\nvt 0 0\nvt 1 "
+    "0\nvt 1 1\n"
+    "vt 2 0\nvt 3 1 0\nvt 2 1\nvn 0 0 1\nf 1/1/1 2/2/1 \\\n3/3/1\nf -4/4 -2/-2/1 4/6\nt 0 1\nf 1//1 2 3/3 4";
+
+/// Whatever the text, the answer is a mesh that holds together or an error that names the file.
+void expect_sound_or_refused(const Result<Mesh>& mesh) {
+    if (!mesh) {
+        EXPECT_NE(mesh.error().message.find("cloth.obj:"), std::string::npos);
+        return;
+    }
+    EXPECT_FALSE(mesh->triangles.empty());
+    for (const Triangle& triangle : mesh->triangles)
+        for (const std::uint32_t vertex : triangle) EXPECT_LT(vertex, mesh->positions.size());
+    EXPECT_TRUE(mesh->texcoords.empty() || mesh->texcoords.size() == mesh->positions.size());
+    if (const auto cooked = cook(*mesh); !cooked) {
+        EXPECT_FALSE(cooked.error().message.empty());
+    }
+}
+
+TEST_F(ObjFile, CutShortAnywhereItLoadsOrSaysWhy) {
+    ASSERT_TRUE(load(seam_text));
+    for (std::size_t length = 0; length < seam_text.size(); ++length) {
+        SCOPED_TRACE(length);
+        for (const bool pattern : {false, true})
+            expect_sound_or_refused(load(seam_text.substr(0, length), {.texcoords_are_pattern = pattern}));
+    }
+}
+
+TEST_F(ObjFile, WithAnyByteChangedItLoadsOrSaysWhy) {
+    std::mt19937 random(3);
+    constexpr std::string_view bytes = "0123456789 /\\-+.e\n\r\tvtfn#x\0\xff";
+    std::uniform_int_distribution<std::size_t> byte(0, bytes.size() - 1), place(0, seam_text.size() - 1);
+    for (int round = 0; round < 1000; ++round) {
+        SCOPED_TRACE(round);
+        std::string text(seam_text);
+        for (int change = 0; change <= round % 4; ++change) text[place(random)] = bytes[byte(random)];
+        expect_sound_or_refused(load(text, {.texcoords_are_pattern = round % 2 == 0}));
+    }
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,248 @@
+// Pairs as rows of the implicit equation, against a dense matrix in double precision.
+
+#include "cloth/system/pair_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "tests/cloth/as_for_threads.h"
+#include "tests/cloth/fixtures.h"
+
+namespace weft::test {
+namespace {
+
+using Vector3d = Eigen::Vector3d;
+using Matrix3d = Eigen::Matrix3d;
+
+constexpr float gamma = 0.01f;
+constexpr double spring_per_mass = 50, onset_per_radius = 0.1, stick_per_spring = 10;
+
+Vector3d exact(const Vec4& v) {
+    return xyz(v).cast<double>();
+}
+
+/// Pairs of particles near the origin, some pinned, some pairs without a radius, some at rest, some far
+/// apart.
+struct PairScene {
+    std::vector<Vec4> positions, velocities;
+    PairList pairs;
+    std::vector<PairLaw> laws;
+
+    explicit PairScene(std::uint32_t particles, std::uint32_t count, std::uint32_t pinned_every = 7)
+        : positions(particles), velocities(particles), pairs(count), laws(count) {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> in_box(-1, 1);
+        const auto point = [&](float size) -> Vector3 {
+            return size * Vector3(in_box(random), in_box(random), in_box(random));
+        };
+        for (std::uint32_t i = 0; i < particles; ++i) {
+            positions[i] = to_vec4(point(0.01f), i % pinned_every == 0 ? 0 : 1 + 500 * (1 + in_box(random)));
+            velocities[i] = to_vec4(point(0.3f), 0);
+        }
+        std::vector<std::uint32_t> numbers(particles);
+        for (std::uint32_t i = 0; i < particles; ++i) numbers[i] = i;
+        pairs.size = count;
+        pairs.vertex_triangle = count / 3;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            std::ranges::shuffle(numbers, random);
+            std::copy_n(numbers.begin(), 4, pairs.pairs[k].corners.begin());
+            const float s = 0.5f + 0.5f * in_box(random), t = (1 - s) * (0.5f + 0.5f * in_box(random));
+            pairs.shapes[k] = {
+                k < pairs.vertex_triangle ? Vec4{1, s + t - 1, -s, -t} : Vec4{1 - s, s, t - 1, -t},
+                to_vec4(point(1).normalized(), 0.001f)};
+            laws[k] = {.radius = k % 5 == 2 ? 0 : 0.004f, .friction = k % 4 == 1 ? 0 : 0.3f};
+        }
+    }
+};
+
+double weight(const PairShape& shape, std::size_t corner) {
+    return static_cast<double>((&shape.weights.x)[corner]);
+}
+
+/// What PairRows says that it computes.
+struct Reference {
+    Eigen::MatrixXd matrix;  // rows of pinned particles are 0; their columns are not
+    Eigen::VectorXd impulses;
+    std::uint32_t pushing = 0;
+
+    explicit Reference(const PairScene& scene)
+        : matrix(Eigen::MatrixXd::Zero(size(scene), size(scene))),
+          impulses(Eigen::VectorXd::Zero(size(scene))) {
+        for (std::uint32_t k = 0; k < scene.pairs.size; ++k) add(scene, k);
+    }
+
+  private:
+    static Eigen::Index size(const PairScene& scene) {
+        return 3 * static_cast<Eigen::Index>(scene.positions.size());
+    }
+
+    void add(const PairScene& scene, std::uint32_t k) {
+        const auto& corners = scene.pairs.pairs[k].corners;
+        const PairShape& shape = scene.pairs.shapes[k];
+        const Vector3d n = exact(shape.normal);
+        Vector3d gap = Vector3d::Zero(), u = Vector3d::Zero();
+        double mobility = 0;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const double b = weight(shape, c);
+            gap += b * exact(scene.positions[corners[c]]);
+            u += b * exact(scene.velocities[corners[c]]);
+            mobility += b * b * static_cast<double>(scene.positions[corners[c]].w);
+        }
+        const double radius = static_cast<double>(scene.laws[k].radius), h = static_cast<double>(gamma);
+        const double friction = static_cast<double>(scene.laws[k].friction);
+        const double depth = radius - n.dot(gap) - h * n.dot(u);
+        if (radius == 0 || mobility == 0 || !(depth > 0)) return;
+        ++pushing;
+        const double full = spring_per_mass / mobility, onset = onset_per_radius * radius;
+        const double part = std::min(depth / onset, 1.0), spring = full * part;
+        const double pressed = spring / h * (depth - part * onset / 2);
+        const Vector3d sliding = u - n.dot(u) * n;
+        const double damper =
+            friction == 0 ? 0 : std::min(stick_per_spring * full, friction * pressed / sliding.norm());
+        const Matrix3d along = n * n.transpose();
+        const Matrix3d stiffness = spring * along + damper * (Matrix3d::Identity() - along);
+        for (std::size_t c = 0; c < 4; ++c) {
+            if (scene.positions[corners[c]].w == 0) continue;
+            const auto i = 3 * static_cast<Eigen::Index>(corners[c]);
+            impulses.segment<3>(i) += weight(shape, c) * (pressed * n - damper * sliding);
+            for (std::size_t other = 0; other < 4; ++other)
+                matrix.block<3, 3>(i, 3 * static_cast<Eigen::Index>(corners[other])) +=
+                    weight(shape, c) * weight(shape, other) * stiffness;
+        }
+    }
+};
+
+/// Rows that were linearised at the scene's velocities.
+struct Linearised {
+    Parallel parallel;
+    PairRows rows;
+
+    explicit Linearised(const PairScene& scene, int threads = 1) : parallel(as_for_threads(threads)) {
+        rows.reserve(scene.positions.size(), scene.pairs.size);
+        rows.begin(parallel, scene.pairs, scene.laws, scene.positions, gamma);
+        rows.take(parallel, 0, scene.velocities);
+        rows.linearise(parallel);
+    }
+    std::vector<Vec4> impulses(std::size_t particles) const {
+        std::vector<Vec4> all(particles);
+        rows.for_each_particle(0, static_cast<std::uint32_t>(particles), [&](const PairRows::AtParticle& at) {
+            all[at.particle] = to_vec4(at.impulse, 0);
+        });
+        return all;
+    }
+    double multiply(std::span<const Vec4> x, std::span<Vec4> product) {
+        rows.take(parallel, 0, x);
+        const double sum = rows.multiply(parallel);
+        rows.add_products(parallel, 0, product);
+        return sum;
+    }
+};
+
+TEST(PairRows, AreThoseOfADenseMatrix) {
+    const PairScene scene(61, 333);
+    const Reference reference(scene);
+    ASSERT_GT(reference.pushing, 50u);
+    ASSERT_LT(reference.pushing, 250u);
+    Linearised linearised(scene);
+    const Eigen::VectorXd impulses = flat(linearised.impulses(scene.positions.size()));
+    EXPECT_LT((impulses - reference.impulses).norm(), 1e-4 * reference.impulses.norm());
+
+    std::uint32_t pushing = 0;
+    linearised.rows.for_each_active([&](const PairRows::ActivePair& active) {
+        EXPECT_GT(active.spring, 0);
+        ++pushing;
+    });
+    EXPECT_EQ(pushing, reference.pushing);
+
+    std::vector<Vec4> product(scene.positions.size(), Vec4{1, 2, 3, 0});
+    const Eigen::VectorXd before = flat(product), x = flat(scene.velocities);
+    const double sum = linearised.multiply(scene.velocities, product);
+    const Eigen::VectorXd expected = reference.matrix * x;
+    EXPECT_LT((flat(product) - before - expected).norm(), 1e-4 * expected.norm());
+    const PairScene free(61, 333, 1000);  // where no rows are left out, x . C x is that of the matrix
+    const Reference of_free(free);
+    Linearised of_free_rows(free);
+    // Its first particle is pinned: still, it has no part in the product of rows.
+    std::vector<Vec4> still = free.velocities;
+    still[0] = {};
+    const Eigen::VectorXd y = flat(still);
+    const double exact_sum = y.dot(of_free.matrix * y);
+    EXPECT_NEAR(of_free_rows.multiply(still, product), exact_sum, 1e-4 * exact_sum);
+    EXPECT_GT(sum, 0);
+}
+
+TEST(PairRows, AreSymmetricAndKeepMomentum) {
+    PairScene scene(24, 120, 1000);
+    scene.positions[0].w = 200;  // none is pinned
+    Linearised linearised(scene);
+    const std::size_t count = scene.positions.size();
+    Eigen::MatrixXd matrix(3 * count, 3 * count);
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+        std::vector<Vec4> unit(count), product(count);
+        (&unit[i / 3].x)[i % 3] = 1;
+        linearised.multiply(unit, product);
+        matrix.col(static_cast<Eigen::Index>(i)) = flat(product);
+    }
+    EXPECT_LT((matrix - matrix.transpose()).norm(), 1e-6 * matrix.norm());
+    EXPECT_LT((matrix - Reference(scene).matrix).norm(), 1e-4 * matrix.norm());
+
+    // A block of the diagonal stands for the row where a relaxation knows no other particle.
+    linearised.rows.for_each_particle(0, 24, [&](const PairRows::AtParticle& at) {
+        const Eigen::Index i = 3 * static_cast<Eigen::Index>(at.particle);
+        const Matrix3d more = at.diagonal.full() - Matrix3d(matrix.block<3, 3>(i, i));
+        EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix3d>(more).eigenvalues()[0], -1e-5 * matrix.norm());
+    });
+    Vector3d sum = Vector3d::Zero();
+    double size = 0;
+    for (const Vec4& impulse : linearised.impulses(count)) {
+        sum += exact(impulse);
+        size += exact(impulse).norm();
+    }
+    EXPECT_LT(sum.norm(), 1e-6 * size);
+}
+
+TEST(PairRows, LeavePinnedParticlesAlone) {
+    const PairScene scene(61, 333);
+    Linearised linearised(scene);
+    std::vector<Vec4> product(scene.positions.size());
+    linearised.multiply(scene.velocities, product);
+    for (std::size_t i = 0; i < product.size(); ++i)
+        EXPECT_TRUE(scene.positions[i].w > 0 || xyz(product[i]).isZero(0));
+    linearised.rows.for_each_particle(
+        0, 61, [&](const PairRows::AtParticle& at) { EXPECT_GT(scene.positions[at.particle].w, 0); });
+}
+
+TEST(PairRows, AreTheSameOnAnyNumberOfThreads) {
+    const PairScene scene(900, 5003);
+    std::vector<std::vector<Vec4>> results;
+    std::vector<double> sums;
+    for (const int threads : {1, 2, 4}) {
+        Linearised linearised(scene, threads);
+        std::vector<Vec4> all = linearised.impulses(scene.positions.size()), product(all.size());
+        sums.push_back(linearised.multiply(scene.velocities, product));
+        all.insert(all.end(), product.begin(), product.end());
+        results.push_back(all);
+    }
+    for (std::size_t k = 1; k < results.size(); ++k) {
+        EXPECT_EQ(sums[k], sums[0]);
+        EXPECT_EQ(std::memcmp(results[k].data(), results[0].data(), results[0].size() * sizeof(Vec4)), 0);
+    }
+}
+
+TEST(PairRows, AreEmptyWithoutPairsThatHaveARadius) {
+    PairScene scene(20, 50);
+    std::ranges::fill(scene.laws, PairLaw{.radius = 0, .friction = 1});
+    Linearised linearised(scene);
+    EXPECT_TRUE(linearised.rows.empty());
+    std::vector<Vec4> product(scene.positions.size());
+    EXPECT_EQ(linearised.multiply(scene.velocities, product), 0);
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,291 @@
+// Quality by time, where a picture's time goes, rounded meshes, materials, and settings as files.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "demo/look/dropped.h"
+#include "demo/look/inside.h"
+#include "demo/look/materials.h"
+#include "demo/look/picture_times.h"
+#include "demo/look/quality_choice.h"
+#include "demo/look/recorder.h"
+#include "demo/look/rounded_mesh.h"
+#include "demo/look/settings_file.h"
+#include "demo/report_text.h"
+#include "tests/demo/small_world.h"
+
+namespace weft::demo {
+namespace {
+
+/// A machine that takes so long at best, and by the ladder's costs below.
+void draw_pictures(QualityChoice& choice, float at_best, int pictures) {
+    for (int i = 0; i < pictures; ++i) choice.add(at_best * choice.now().cost);
+}
+
+TEST(QualityChoice, StaysAtTheBestWhereThereIsTime) {
+    QualityChoice choice;
+    draw_pictures(choice, 5, 300);
+    EXPECT_EQ(choice.level(), 0);
+}
+
+TEST(QualityChoice, GoesDownUntilDrawingLeavesTime) {
+    for (const float at_best : {30.0f, 60.0f, 100.0f, 160.0f}) {
+        QualityChoice choice;
+        draw_pictures(choice, at_best, 300);
+        EXPECT_LE(at_best * choice.now().cost, choice.limit()) << at_best;
+        const int level = choice.level();
+        ASSERT_GT(level, 0);
+        EXPECT_GT(at_best * quality_levels()[static_cast<std::size_t>(level - 1)].cost, 0.8f * choice.limit())
+            << "no lower than it must";
+        for (int i = 0; i < 300; ++i) {
+            draw_pictures(choice, at_best, 1);
+            ASSERT_EQ(choice.level(), level) << "and it stays";
+        }
+    }
+}
+
+TEST(QualityChoice, ComesBackWhenTheMachineIsFree) {
+    QualityChoice choice;
+    draw_pictures(choice, 500, 300);
+    EXPECT_EQ(choice.level() + 1, static_cast<int>(quality_levels().size()));
+    choice.forget();
+    draw_pictures(choice, 5, 300);
+    EXPECT_EQ(choice.level(), 0);
+}
+
+TEST(QualityChoice, AHandsChoiceStays) {
+    QualityChoice choice;
+    choice.choose(2);
+    draw_pictures(choice, 500, 300);
+    EXPECT_EQ(choice.level(), 2);
+}
+
+TEST(QualityChoice, LevelsCostLessAndSayWhatTheyLeaveOut) {
+    float cost = 2;
+    for (const QualityLevel& each : quality_levels()) {
+        EXPECT_LT(each.cost, cost) << each.name;
+        cost = each.cost;
+        EXPECT_EQ(each.left_out[0] == 0, each.quality == render::Quality{}) << each.name;
+    }
+}
+
+TEST(PictureTimes, SayWhatIsSlow) {
+    PictureTimes times;
+    for (int i = 0; i < 300; ++i) {
+        times.add_step(4);
+        times.add_step(6);
+        times.add_picture(static_cast<float>(i % 10), 30);
+    }
+    EXPECT_EQ(times.size(), PictureTimes::length);
+    EXPECT_EQ(times.percentile(0.5f).cloth, 10);
+    EXPECT_EQ(times.percentile(0.99f).drawing, 9);
+    EXPECT_EQ(times.at(0).rest(), 11);
+    EXPECT_NE(
+        std::string(what_is_slow({.cloth = 20, .drawing = 5, .whole = 30}, true)).find("the cloth takes"),
+        std::string::npos);
+    EXPECT_NE(std::string(what_is_slow({.cloth = 5, .drawing = 20, .whole = 30}, true)).find("drawing takes"),
+              std::string::npos);
+    EXPECT_NE(std::string(what_is_slow({.cloth = 5, .drawing = 5, .whole = 30}, true)).find("other programs"),
+              std::string::npos);
+}
+
+TEST(FlagsText, ABlownClothIsNotAPinThatJumps) {
+    EXPECT_NE(flags_text(StepFlags::speed_limited, 40).find("wind"), std::string::npos);
+    EXPECT_EQ(flags_text(StepFlags::speed_limited, 40).find("pin"), std::string::npos);
+    EXPECT_NE(flags_text(StepFlags::speed_limited, 3).find("pin"), std::string::npos);
+}
+
+TEST(RoundedMesh, IsOnTheCylinderThatTheClothIsBentOver) {
+    constexpr float radius = 0.2f, step = 0.4f;  // [m], [rad]
+    std::vector<Vec4> positions, normals;
+    for (int i = 0; i < 5; ++i)
+        for (const float z : {0.0f, 0.1f}) {
+            const float angle = step * static_cast<float>(i);
+            positions.push_back({radius * std::sin(angle), radius * std::cos(angle), z, 1});
+            normals.push_back({std::sin(angle), std::cos(angle), 0, 0});
+        }
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i + 3 < 10; i += 2)
+        triangles.insert(triangles.end(), {{i, i + 1, i + 2}, {i + 2, i + 1, i + 3}});
+    std::vector<std::uint32_t> each(10);
+    for (std::uint32_t i = 0; i < 10; ++i) each[i] = i;
+    const ClothView view{.positions = positions,
+                         .previous_positions = positions,
+                         .normals = normals,
+                         .vertex_to_particle = each};
+    const RoundedMesh rounded(triangles, {}, 10);
+    EXPECT_EQ(rounded.triangles().size(), 4 * triangles.size());
+    EXPECT_EQ(rounded.size(), 10u + 17u) << "an edge each";
+    std::vector<Vec4> p(rounded.size()), before(rounded.size()), n(rounded.size());
+    rounded.update(view, {p, before, n});
+    const float flat = radius * (1 - std::cos(0.5f * step));
+    for (const Vec4& each_vertex : p)
+        EXPECT_NEAR(std::hypot(each_vertex.x, each_vertex.y), radius, 0.05f * flat);
+}
+
+TEST(Inside, ColoursWhatIsStretchedOrFast) {
+    SmallWorld small;
+    const ClothId id = small.cloths.front().id;
+    std::vector<Vec4> colours;
+    colour_particles(ShownAsColour::nothing, small.cloths.front().mesh, *small.world.cloth(id), colours);
+    EXPECT_TRUE(colours.empty());
+    for (const ShownAsColour what : {ShownAsColour::strain, ShownAsColour::bending, ShownAsColour::speed}) {
+        colour_particles(what, small.cloths.front().mesh, *small.world.cloth(id), colours);
+        for (const Vec4& each : colours) EXPECT_GT(each.z, each.x) << "blue at rest";
+    }
+    for (int i = 0; i < 90; ++i) small.world.step(1.0f / 60);  // it falls
+    colour_particles(ShownAsColour::speed, small.cloths.front().mesh, *small.world.cloth(id), colours);
+    for (const Vec4& each : colours) EXPECT_GT(each.x, each.z) << "red at speed";
+    EXPECT_GT(scale_of(ShownAsColour::speed)[0], 0);
+}
+
+TEST(Materials, AreSevenAndAreTaken) {
+    EXPECT_EQ(materials().size(), 7u);
+    SmallWorld small;
+    for (const Material& each : materials()) {
+        ClothSettings settings = *small.world.cloth_settings(small.cloths.front().id);
+        settings.fabric = each.fabric;
+        EXPECT_TRUE(small.world.set_cloth_settings(small.cloths.front().id, settings).ok()) << each.name;
+        EXPECT_GT(std::string(each.note).size(), 20u);
+    }
+}
+
+TEST(Materials, OneStiffnessScalesAll) {
+    Fabric fabric;
+    fabric.warp = 400;
+    fabric.weft = 100;
+    fabric.shear = 50;
+    EXPECT_FLOAT_EQ(stiffness_of(fabric), 200);
+    set_stiffness(fabric, 1000);
+    EXPECT_FLOAT_EQ(fabric.warp, 2000);
+    EXPECT_FLOAT_EQ(fabric.weft, 500);
+    EXPECT_FLOAT_EQ(fabric.shear, 250);
+}
+
+TEST(Dropped, KindsByTheEndOfTheName) {
+    EXPECT_EQ(kind_of("a/Shirt.OBJ"), FileKind::garment);
+    EXPECT_EQ(kind_of("a.glb"), FileKind::character);
+    EXPECT_EQ(kind_of("a.gltf"), FileKind::character);
+    EXPECT_EQ(kind_of("weft.json"), FileKind::settings);
+    EXPECT_EQ(kind_of("a.txt"), FileKind::unknown);
+}
+
+class SettingsFile : public testing::Test {
+  protected:
+    static std::filesystem::path file() {
+        return std::filesystem::path(testing::TempDir()) /
+               (std::string("weft_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+                ".json");
+    }
+    ~SettingsFile() override { std::filesystem::remove(file()); }
+
+    static Simulation flag() {
+        SceneOptions options;
+        options.particles = 100;
+        auto made = Simulation::create(*find_scene("flag"), options, {});
+        EXPECT_TRUE(made.ok());
+        return std::move(*made);
+    }
+    static std::string refusal(const std::string& text, Simulation& of) {
+        std::ofstream(file()) << text;
+        const auto loaded = load_settings(file(), of);
+        return loaded ? "" : loaded.error().message;
+    }
+};
+
+TEST_F(SettingsFile, ReadsBackWhatItWrote) {
+    Simulation first = flag(), second = flag();
+    WorldSettings world = first.world().settings();
+    world.wind.velocity = {1, 2.25f, -3.1f};
+    world.wind.gust = 0.3f;
+    world.substeps = 7;
+    world.budget = 1.5f;
+    ASSERT_TRUE(first.world().set_settings(world).ok());
+    const ClothId id = first.content().cloths.front().id;
+    ClothSettings cloth = *first.world().cloth_settings(id);
+    cloth.fabric = materials()[3].fabric;
+    cloth.method = Multilevel{.passes = 4, .iterations = 3, .effort = 2.5f};
+    cloth.substeps = 2;
+    cloth.friction = 0.25f;
+    ASSERT_TRUE(first.world().set_cloth_settings(id, cloth).ok());
+    ASSERT_TRUE(save_settings(file(), first).ok());
+    EXPECT_EQ(*scene_of_settings(file()), "flag");
+    const auto loaded = load_settings(file(), second);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    const ClothSettings& same = *second.world().cloth_settings(second.content().cloths.front().id);
+    EXPECT_EQ(same.fabric, cloth.fabric);
+    EXPECT_EQ(same.method, cloth.method);
+    EXPECT_EQ(same.substeps, 2);
+    EXPECT_EQ(same.friction, 0.25f);
+    const WorldSettings& again = second.world().settings();
+    EXPECT_EQ(again.wind.velocity.y, 2.25f);
+    EXPECT_EQ(again.wind.velocity.z, -3.1f);
+    EXPECT_EQ(again.wind.gust, 0.3f);
+    EXPECT_EQ(again.substeps, 7);
+    EXPECT_EQ(again.budget, 1.5f);
+}
+
+TEST_F(SettingsFile, NamesWhatIsWrongAndChangesNothing) {
+    Simulation each = flag();
+    const auto before = each.world().describe(DescriptionFormat::json);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"[1]", "no JSON object"},
+        {"{\"sbsteps\": 3}", "sbsteps"},
+        {"{\"substeps\": 0}", "1 to 256"},
+        {"{\"substeps\": 3, \"wind\": {\"velocity\": [1, 2]}}", "three numbers"},
+        {"{\"wind\": {\"gust\": 1}}", "gust"},
+        {"{\"wind\": 3}", "wind"},
+        {"{\"material\": {\"warp\": -1}}", "warp is -1"},
+        {"{\"substeps\": 9, \"method\": \"magic\"}", "multilevel, jacobi"},
+        {"{\"method\": \"xpbd\", \"passes\": 3}", "multilevel alone"},
+        {"{\"self_collision\": 2}", "avoidance"},
+        {"{\"substeps\": 9, \"method\": \"xpbd\", \"material\": {\"stiffening\": 3}}", "stiffening"}};
+    for (const auto& [text, named] : wrong)
+        EXPECT_NE(refusal(text, each).find(named), std::string::npos) << text << ": " << refusal(text, each);
+    EXPECT_EQ(*each.world().describe(DescriptionFormat::json), *before);
+    EXPECT_NE(load_settings("/nonexistent/a.json", each).error().message.find("/nonexistent"),
+              std::string::npos);
+    EXPECT_FALSE(save_settings("/nonexistent/a.json", each).ok());
+}
+
+TEST(Simulation, RestoresItsDefaults) {
+    SceneOptions options;
+    options.particles = 100;
+    auto simulation = Simulation::create(*find_scene("flag"), options, {});
+    const ClothId id = simulation->content().cloths.front().id;
+    const Fabric first = simulation->world().cloth_settings(id)->fabric;
+    ClothSettings settings = *simulation->world().cloth_settings(id);
+    settings.fabric.warp = 77;
+    ASSERT_TRUE(simulation->world().set_cloth_settings(id, settings).ok());
+    ASSERT_TRUE(simulation->restart().ok());
+    EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric.warp, 77);
+    ASSERT_TRUE(simulation->restore_defaults().ok());
+    EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric, first);
+}
+
+TEST(Recorder, LeavesPicturesByNumber) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "weft_recorder";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    Recorder recorder(folder);
+    const render::Image image{16, 8, std::vector<std::uint8_t>(3 * 16 * 8, 99)};
+    EXPECT_EQ(*recorder.save(image), folder / "weft-0001.png");
+    EXPECT_EQ(*recorder.save(image), folder / "weft-0002.png");
+    ASSERT_TRUE(recorder.start().ok());
+    EXPECT_TRUE(recorder.recording());
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(recorder.add(image).ok());
+    const auto told = recorder.stop();
+    ASSERT_TRUE(told.ok()) << told.error().message;
+    EXPECT_NE(told->find("3 pictures"), std::string::npos) << *told;
+    EXPECT_FALSE(recorder.recording());
+    EXPECT_TRUE(std::filesystem::exists(folder / "weft-film-0001" / "picture_000003.png"));
+    EXPECT_EQ(std::filesystem::exists(folder / "weft-film-0001.mp4"), program_is_there("ffmpeg"));
+    EXPECT_FALSE(Recorder("/proc/nowhere").start().ok());
+    EXPECT_FALSE(Recorder("/proc/nowhere").save(image).ok());
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace weft::demo

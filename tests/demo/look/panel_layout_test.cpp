@@ -1,0 +1,98 @@
+// Panels at every size of the window: within it, beside each other, with the larger half left to the scene.
+
+#include <imgui_internal.h>
+
+#include <vector>
+
+#include "tests/demo/look/panel_frames.h"
+
+namespace weft::demo {
+namespace {
+
+struct Seen {
+    std::string name;
+    ImRect place;
+};
+
+std::vector<Seen> windows_of_this_frame() {
+    std::vector<Seen> all;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        const bool own = (window->Flags & (ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Tooltip)) == 0;
+        if (window->Active && !window->Hidden && own && std::string(window->Name) != "Debug##Default")
+            all.push_back({window->Name, window->Rect()});
+    }
+    return all;
+}
+
+void expect_apart(const std::vector<Seen>& seen, ImVec2 size) {
+    for (const Seen& each : seen) {
+        EXPECT_GE(each.place.Min.x, 0) << each.name;
+        EXPECT_GE(each.place.Min.y, 0) << each.name;
+        EXPECT_LE(each.place.Max.x, size.x) << each.name;
+        EXPECT_LE(each.place.Max.y, size.y) << each.name;
+        EXPECT_GT(each.place.GetHeight(), 10) << each.name;
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(seen[i].place.Overlaps(seen[k].place)) << seen[i].name << " and " << seen[k].name;
+}
+
+class PanelLayout : public PanelFrames, public testing::WithParamInterface<std::pair<ImVec2, float>> {};
+
+TEST_P(PanelLayout, NothingOverlapsAndNothingLeavesTheWindow) {
+    const auto [size, text] = GetParam();
+    Simulation flag = simulation();
+    panels.look.text_size = text;
+    panels.message =
+        "A message that is long enough to be broken into two lines or three, as errors of files are.";
+    playback.behind_real_time = true;
+    for (const bool help : {false, true}) {
+        panels.help = help;
+        std::vector<Seen> seen;
+        for (int i = 0; i < 4; ++i) frame(flag, size, [&] { seen = windows_of_this_frame(); });
+        EXPECT_EQ(seen.size(), 3u) << "the column, the bar of time, and messages or help";
+        expect_apart(seen, size);
+    }
+    EXPECT_LT(panels.covered(), 0.46f * size.x);
+}
+
+TEST_P(PanelLayout, LabelsAreWithinTheColumn) {
+    const auto [size, text] = GetParam();
+    Simulation flag = simulation();
+    panels.look.text_size = text;
+    all_open = true;
+    slider_probe = [&](const char* label, float&, float, float) {
+        const ImGuiWindow* const window = ImGui::GetCurrentContext()->CurrentWindow;
+        EXPECT_LE(ImGui::GetItemRectMax().x, window->WorkRect.Max.x + 1) << label;
+        EXPECT_GT(ImGui::CalcItemWidth(), 50) << label;
+        return false;
+    };
+    for (int i = 0; i < 3; ++i) frame(flag, size, [] {});
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PanelLayout,
+                         testing::Values(std::pair(ImVec2(640, 480), 1.0f), std::pair(ImVec2(800, 600), 1.0f),
+                                         std::pair(ImVec2(1280, 800), 1.0f),
+                                         std::pair(ImVec2(1280, 800), 1.5f),
+                                         std::pair(ImVec2(1920, 1080), 1.0f),
+                                         std::pair(ImVec2(2560, 1440), 1.0f),
+                                         std::pair(ImVec2(2560, 1440), 2.0f)));
+
+TEST_F(PanelFrames, TheColumnFoldsToATabAndComesBack) {
+    Simulation flag = simulation();
+    const ImVec2 size(1280, 800);
+    frame(flag, size, [] {});
+    EXPECT_GT(panels.covered(), 200);
+    panels.collapsed = true;
+    frame(flag, size, [] {});
+    frame(flag, size, [&] {
+        for (const Seen& each : windows_of_this_frame()) EXPECT_LT(each.place.GetWidth(), 60) << each.name;
+    });
+    EXPECT_EQ(panels.covered(), 0);
+    panels.visible = false;
+    frame(flag, size, [] {});
+    frame(flag, size, [] { EXPECT_TRUE(windows_of_this_frame().empty()); });
+}
+
+}  // namespace
+}  // namespace weft::demo
