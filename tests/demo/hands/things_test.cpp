@@ -142,6 +142,17 @@ TEST(HandAir, FanBlastAndWakesAreInTheWindAndGoAgain) {
     EXPECT_EQ(kinds(AirSourceKind::none), static_cast<std::ptrdiff_t>(sources.size()));
 }
 
+TEST(HandAir, WhatIsForgottenBlowsNoMore) {
+    World world = World::create(SmallWorld::one_thread()).value();
+    HandAir air;
+    air.hold_fan({{1, 2, 3}, {0, 0, -1}});
+    air.before_step(world, {}, {}, dt);
+    ASSERT_EQ(world.settings().wind.sources[0].kind, AirSourceKind::jet);
+    air.forget();
+    air.before_step(world, {}, {}, dt);
+    EXPECT_EQ(world.settings().wind.sources[0].kind, AirSourceKind::none);
+}
+
 TEST(Streaks, DriftWithTheAirWithinTheirBox) {
     WorldSettings settings = SmallWorld::one_thread();
     settings.wind.velocity = {3, 0, -1};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "demo/hands/hands.h"
 #include "demo/time/repeat_check.h"
 #include "demo/time/time_bar.h"
@@ -94,6 +96,37 @@ TEST(Timeline, KnowsBallsThatWereNotThereYet) {
     EXPECT_TRUE(hands.balls.are_there());
     EXPECT_EQ(hands.balls.in_play(simulation.world()).size(), 1u);
     EXPECT_EQ(simulation.world().state_hash(), after);
+}
+
+TEST(Timeline, NobodyHoldsWhatAHandHeldThen) {
+    Simulation simulation = small_scene("flag");
+    render::OrbitCamera camera = simulation.content().camera;
+    Timeline timeline;
+    Hands hands;
+    WindControl wind;
+    hands.begin(simulation);
+    const auto pins = [&] {
+        const auto positions = simulation.world().cloth(simulation.content().cloths.front().id)->positions;
+        return std::ranges::count_if(positions, [](const Vec4& p) { return p.w == 0; });
+    };
+    const auto before = pins();
+    Pointer pointer{.y = 0.45f, .left_button = true};
+    for (pointer.x = 0.8f; pointer.x > 0.3f && !hands.interaction().grab().active(); pointer.x -= 0.03f) {
+        hands.update({}, 1.6f, simulation, camera, wind);
+        hands.update(pointer, 1.6f, simulation, camera, wind);
+    }
+    ASSERT_TRUE(hands.interaction().grab().active());
+    hands.before_step(simulation, dt);
+    simulation.step(dt);
+    ASSERT_TRUE(timeline.keep(simulation, hands.mark()));
+    EXPECT_EQ(pins(), before + 1);
+    hands.update({}, 1.6f, simulation, camera, wind);
+    EXPECT_EQ(pins(), before);
+    const HandMark mark = timeline.mark_of(0);
+    ASSERT_TRUE(hands.prepare(simulation, mark));
+    ASSERT_TRUE(timeline.go_to(0, simulation));
+    hands.arrive_in(simulation, mark);
+    EXPECT_EQ(pins(), before);
 }
 
 TEST(Timeline, BeginsAnewWithACut) {
