@@ -34,6 +34,12 @@ void follow(float& mean, float value) {
 
 }  // namespace
 
+int balanced_substeps(int substeps, float shown, float other) {
+    if (!(shown > 0) || !(other > 0)) return substeps;
+    const float wanted = std::min(static_cast<float>(substeps) * shown / other, 64.0f);
+    return std::max(static_cast<int>(std::lround(wanted)), 1);
+}
+
 Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fairness fairness) {
     Comparison comparison;
     comparison.method_ = other;
@@ -69,9 +75,7 @@ void Comparison::step(const Simulation& shown, float dt) {
 
 /// As many substeps of the other's cloths as take the shown one's time.
 void Comparison::balance() {
-    if (shown_.milliseconds <= 0 || other_.milliseconds <= 0) return;
-    const float wanted = static_cast<float>(other_.substeps) * shown_.milliseconds / other_.milliseconds;
-    const int substeps = std::clamp(static_cast<int>(std::lround(wanted)), 1, 64);
+    const int substeps = balanced_substeps(other_.substeps, shown_.milliseconds, other_.milliseconds);
     if (substeps == other_.substeps) return;
     for (const SceneCloth& cloth : simulations_[0].content().cloths) {
         auto settings = simulations_[0].world().cloth_settings(cloth.id);

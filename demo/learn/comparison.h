@@ -14,6 +14,9 @@ enum class Fairness {
     same_time,   ///< the other takes as many of its own as fit into the shown one's milliseconds
 };
 
+/// As many substeps as take `shown` milliseconds, where `substeps` take `other`; 1 to 64.
+[[nodiscard]] int balanced_substeps(int substeps, float shown, float other);
+
 class Comparison {
   public:
     /// Of a scene that has just begun: the other, and one that is computed so finely that it counts as exact.

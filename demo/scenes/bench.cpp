@@ -12,12 +12,12 @@
 namespace weft::demo {
 namespace {
 
-constexpr float strip_length = 0.2f, strip_width = 0.05f;  // [m]
+constexpr float strip_length = 0.06f, strip_width = 0.03f;  // [m]
 constexpr std::uint32_t strip_cells = 24;
 constexpr float strip_cell = strip_length / strip_cells;
 constexpr float clamp_begins =
     0.5f * strip_cell;  // two columns are held; half of what bends about the last is the clamp's
-constexpr Vec3 strip_clamp{-0.34f, 0.42f, -0.5f * strip_width};
+constexpr Vec3 strip_clamp{-0.24f, 0.36f, -0.5f * strip_width};
 constexpr float table_radius = 0.09f, disc_radius = 0.15f;  // radii of Cusick's tester [m]
 constexpr Vec3 drape_middle{0.12f, 0.30f, 0};
 constexpr float bench_gravity = 9.81f;
@@ -63,7 +63,7 @@ class Bench final : public Scene {
         disc_mesh_ = drape_disc(disc_radius, 18, drape_middle);
 
         ClothSettings settings;
-        settings.fabric.bending = 8e-6f;
+        settings.fabric.bending = 4e-5f;
         settings.air_damping = 1;
         const auto strip = world.add_cloth(strip_mesh_, settings);
         if (!strip) return strip.error();
@@ -83,7 +83,7 @@ class Bench final : public Scene {
             {round_block(table_radius, {drape_middle.x, drape_middle.y - 0.003f, drape_middle.z}), wood});
         content.solids.push_back(
             {round_block(0.03f, {strip_clamp.x - 0.02f, strip_clamp.y - 0.003f, 0}), wood});
-        content.camera = {.target = {-0.04f, 0.29f, 0}, .distance = 1.05f, .yaw = 0.25f, .pitch = 0.22f};
+        content.camera = {.target = {-0.02f, 0.28f, 0}, .distance = 0.85f, .yaw = 0.25f, .pitch = 0.22f};
         return content;
     }
 

@@ -247,7 +247,7 @@ TEST_F(SettingsFile, NamesWhatIsWrongAndChangesNothing) {
     EXPECT_EQ(*each.world().describe(DescriptionFormat::json), *before);
     EXPECT_NE(load_settings("/nonexistent/a.json", each).error().message.find("/nonexistent"),
               std::string::npos);
-    EXPECT_FALSE(save_settings("/nonexistent/a.json", each).ok());
+    EXPECT_FALSE(save_settings("/proc/nowhere/a.json", each).ok());
 }
 
 TEST(Simulation, RestoresItsDefaults) {

@@ -47,7 +47,7 @@ class PanelFrames : public testing::Test {
         ImGui::GetIO().DisplaySize = size;
         ImGui::NewFrame();
         (void)panels.draw(of, wind, hands, playback, of.content().camera);
-        (void)time_bar(timeline, playback, repeat, size.x - panels.covered());
+        if (panels.visible) (void)time_bar(timeline, playback, repeat, size.x - panels.covered());
         between();
         ImGui::Render();
     }
