@@ -1,6 +1,6 @@
 #pragma once
 // Which field of a struct for C is which of C++: each pair once, for both ways. fields(way, c, of): a way
-// assigns one of the two to the other. tests/embedding/c_fields_test.cpp fails where a field of fields.h has
+// assigns one of the two to the other. tests/embedding/c/fields_test.cpp fails where a field of fields.h has
 // none here.
 
 #include <concepts>

@@ -23,6 +23,12 @@ struct WeftWorld {
 };
 struct WeftMesh {
     weft::Mesh mesh;
+    std::vector<std::uint32_t> from{};  ///< of one that was cut, as in MeshCut
+    std::uint32_t added_particles = 0;  ///< likewise
+};
+struct WeftCutStroke {
+    weft::CutStroke stroke;
+    std::vector<weft::MeshEdge> edges;  ///< the last that it gave
 };
 struct WeftCookedCloth {
     weft::CookedCloth cooked;

@@ -24,6 +24,7 @@ template <class T>
     if (auto done = copy("triangles", view->triangles, mesh.triangles); !done) return done.error();
     if (auto done = copy("pattern", view->pattern, mesh.pattern); !done) return done.error();
     if (auto done = copy("texcoords", view->texcoords, mesh.texcoords); !done) return done.error();
+    if (auto done = copy("welds", view->welds, mesh.welds); !done) return done.error();
     mesh.rows = view->rows;
     mesh.columns = view->columns;
     return mesh;
@@ -85,7 +86,7 @@ WeftResult weft_mesh_view(const WeftMesh* mesh, WeftMeshView* view) {
         const weft::Mesh& of = mesh->mesh;
         return fill("view",
                     WeftMeshView{0, input_of(of.positions), input_of(of.triangles), input_of(of.pattern),
-                                 input_of(of.texcoords), of.rows, of.columns},
+                                 input_of(of.texcoords), of.rows, of.columns, input_of(of.welds)},
                     view);
     });
 }

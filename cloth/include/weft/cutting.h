@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "weft/error.h"
+#include "weft/export.h"
 #include "weft/mesh.h"
 #include "weft/types.h"
 
@@ -40,7 +41,7 @@ struct MeshCut {
 /// Each triangle keeps its rest shape, so that mass and area stay. The new mesh has `welds`, and is no grid
 /// any more where anything parted; it has no triangles that cooking would leave out, and those it would turn
 /// are turned. Errors: what cooking refuses, by the same words; two vertices that no edge joins.
-[[nodiscard]] Result<MeshCut> cut_mesh(const Mesh& mesh, std::span<const MeshEdge> edges);
+[[nodiscard]] WEFT_API Result<MeshCut> cut_mesh(const Mesh& mesh, std::span<const MeshEdge> edges);
 
 /// A straight blade: its two ends where it was, and where it is now [m]. Best flat: a pointer that is drawn
 /// over a picture has both ends `a` at the eye.
@@ -67,8 +68,9 @@ class CutStroke {
 /// the border where the blade does. All of the stroke, since what it passed may part only with what follows;
 /// none if this blade adds nothing. `positions` are where the mesh's vertices are now [m]. Errors: another
 /// number of positions than of vertices, a vertex out of range, a blade that is not finite.
-[[nodiscard]] Result<std::vector<MeshEdge>> edges_along(const Mesh& mesh, std::span<const Vec3> positions,
-                                                        const Blade& blade, CutStroke& stroke);
+[[nodiscard]] WEFT_API Result<std::vector<MeshEdge>> edges_along(const Mesh& mesh,
+                                                                 std::span<const Vec3> positions,
+                                                                 const Blade& blade, CutStroke& stroke);
 
 /// An edge that is stretched.
 struct StrainedEdge {
@@ -81,7 +83,8 @@ struct StrainedEdge {
 /// of a border or of a cut if there is one, since there tears run on. Give the few of
 /// World::strained_edges() that are strained most; once what they hold has parted, others are. Errors: as
 /// edges_along(), and as cut_mesh().
-[[nodiscard]] Result<std::vector<MeshEdge>> edges_to_tear(const Mesh& mesh, std::span<const Vec3> positions,
-                                                          std::span<const StrainedEdge> strained);
+[[nodiscard]] WEFT_API Result<std::vector<MeshEdge>> edges_to_tear(const Mesh& mesh,
+                                                                   std::span<const Vec3> positions,
+                                                                   std::span<const StrainedEdge> strained);
 
 }  // namespace weft

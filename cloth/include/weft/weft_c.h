@@ -70,6 +70,22 @@ WEFT_API WeftResult weft_mesh_save_obj(const WeftMesh* mesh, const char* file);
 WEFT_API WeftResult weft_mesh_view(const WeftMesh* mesh, WeftMeshView* view);
 WEFT_API void weft_mesh_destroy(WeftMesh* mesh);
 
+// Cuts and tears. The mesh that a cut gives knows what it comes from (MeshCut), which weft_world_recut_cloth
+// takes.
+WEFT_API WeftResult weft_cut_mesh(const WeftMesh* mesh, const WeftMeshEdge* edges, size_t count,
+                                  WeftMesh** cut);
+WEFT_API const uint32_t* weft_mesh_cut_from(const WeftMesh* cut, size_t* count);
+WEFT_API uint32_t weft_mesh_added_particles(const WeftMesh* cut);
+WEFT_API WeftResult weft_cut_stroke_create(WeftCutStroke** stroke);
+WEFT_API void weft_cut_stroke_destroy(WeftCutStroke* stroke);
+// Positions are three floats each. The edges are valid until the next call with this stroke.
+WEFT_API WeftResult weft_edges_along(const WeftMesh* mesh, WeftInput positions, const WeftBlade* blade,
+                                     WeftCutStroke* stroke, const WeftMeshEdge** edges, size_t* count);
+// As many edges as there is room for; found: how many there are.
+WEFT_API WeftResult weft_edges_to_tear(const WeftMesh* mesh, WeftInput positions,
+                                       const WeftStrainedEdge* strained, size_t count, WeftMeshEdge* to,
+                                       size_t room, size_t* found);
+
 // Cloth made ready once.
 WEFT_API WeftResult weft_cooked_cloth_create(const WeftMesh* mesh, const WeftClothSettings* settings,
                                              const WeftCookProgress* progress, WeftCookedCloth** cooked);
@@ -97,6 +113,9 @@ WEFT_API WeftResult weft_world_add_cooked_cloth(WeftWorld* world, const WeftCook
 WEFT_API WeftResult weft_world_measure_cloth(const WeftWorld* world, const WeftMesh* mesh,
                                              const WeftClothSettings* settings, WeftClothInfo* info);
 WEFT_API WeftResult weft_world_remove_cloth(WeftWorld* world, WeftClothId id);
+WEFT_API WeftResult weft_world_recut_cloth(WeftWorld* world, WeftClothId id, const WeftMesh* cut);
+WEFT_API WeftResult weft_world_strained_edges(const WeftWorld* world, WeftClothId id, float strain,
+                                              WeftStrainedEdge* to, size_t room, uint32_t* written);
 WEFT_API WeftResult weft_world_cloth_settings(const WeftWorld* world, WeftClothId id,
                                               WeftClothSettings* settings);
 WEFT_API WeftResult weft_world_set_cloth_settings(WeftWorld* world, WeftClothId id,

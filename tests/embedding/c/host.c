@@ -337,6 +337,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     go_back(world);
     weft_world_destroy(world);
     record(folder);
+    cut_cloth();
     rest_of_the_host();
     return hash;
 }

@@ -15,6 +15,7 @@ uint64_t hash_of_host_in_c(const char* folder);
 void look_at(WeftWorld* world, WeftClothId cloth, const char* folder);
 void go_back(WeftWorld* world);
 void record(const char* folder);
+void cut_cloth(void);
 void rest_of_the_host(void);
 
 #ifdef __cplusplus

@@ -208,6 +208,7 @@ typedef struct WeftMeshView {
     WeftInput positions, triangles;
     WeftInput pattern, texcoords;  // or none
     uint32_t rows, columns;        // of a sheet, else 0
+    WeftInput welds;               // one uint32_t each, or none
 } WeftMeshView;
 typedef struct WeftSheetSettings {
     uint32_t struct_size;

@@ -55,6 +55,18 @@ typedef struct WeftTriangle {
     uint32_t vertices[3];  // counter-clockwise seen from the front
 } WeftTriangle;
 
+// weft/cutting.h
+typedef struct WeftMeshEdge {
+    uint32_t vertices[2];
+} WeftMeshEdge;
+typedef struct WeftStrainedEdge {
+    uint32_t a, b;
+    float strain;
+} WeftStrainedEdge;
+typedef struct WeftBlade {
+    WeftVec3 was_a, was_b, is_a, is_b;
+} WeftBlade;
+
 // Names of what is in a World. All-zero is null.
 typedef struct WeftClothId {
     uint32_t index, generation;
@@ -74,6 +86,7 @@ typedef struct WeftWorld WeftWorld;
 typedef struct WeftMesh WeftMesh;
 typedef struct WeftCookedCloth WeftCookedCloth;
 typedef struct WeftDrawnMesh WeftDrawnMesh;
+typedef struct WeftCutStroke WeftCutStroke;
 typedef struct WeftFixedStep WeftFixedStep;
 
 // Items of the host's own, each `stride` bytes behind the one before it; 0: one right behind the other.
