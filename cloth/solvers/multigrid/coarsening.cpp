@@ -118,7 +118,6 @@ class Farthest {
             if (const std::uint64_t farthest = farthest_from(begin); farthest > 0) heap_.push_back(farthest);
         std::ranges::make_heap(heap_);
     }
-    [[nodiscard]] bool empty() const { return heap_.empty(); }
     /// Nothing: there is none left.
     [[nodiscard]] std::optional<std::uint32_t> next() {
         while (!heap_.empty()) {
