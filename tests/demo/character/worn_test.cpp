@@ -130,7 +130,7 @@ TEST(Worn, FixedVerticesAreWhereTheBodyIs) {
 struct Walker {
     explicit Walker(BodySurface surface) : world(std::move(World::create({.threads = 1})).value()) {
         CharacterSettings settings = with_contact();
-        settings.particles = 800;
+        settings.particles = 400;
         settings.surface = surface;
         character.emplace(std::move(Character::create(settings)).value());
         EXPECT_TRUE(character->enter(world).ok());
@@ -162,8 +162,8 @@ struct Walker {
 TEST(Worn, TeleportsKeepWhatHangs) {
     for (const BodySurface surface : {BodySurface::capsules, BodySurface::skin}) {
         Walker stays(surface), goes(surface);
-        stays.run(120);
-        goes.run(120);
+        stays.run(90);
+        goes.run(90);
         for (const Transform& by : {Transform{.translation = {40, 0, 0}}, Transform{.rotation = {0, 1, 0, 0}},
                                     Transform{.translation = {-8, 0, 3}, .rotation = {0, 0.6f, 0, 0.8f}}}) {
             const std::vector<float> before = goes.lengths();
