@@ -15,7 +15,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float dt = 1.0f / 60;
+constexpr float tick = 1.0f / 60;
 
 Vec3 place_of(const World& world, const Balls& balls, std::size_t which) {
     return world.body_state(balls.bodies()[which])->position;
@@ -29,8 +29,8 @@ TEST(Balls, FlyAsTheyAreThrownAndBounceOnTheFloor) {
     float lowest = 1, highest_after = 0;
     bool bounced = false;
     for (int k = 0; k < 90; ++k) {
-        balls.before_step(world, dt);
-        world.step(dt);
+        balls.before_step(world, tick);
+        world.step(tick);
         const Vec3 place = place_of(world, balls, 0);
         lowest = std::min(lowest, place.y);
         if (k == 14) {  // a quarter of a second: before the floor
@@ -60,8 +60,8 @@ TEST(Balls, ThatNobodyThrewStayOutOfSight) {
     Balls balls;
     ASSERT_TRUE(balls.set_there(world, true));
     for (int k = 0; k < 2000; ++k) {
-        balls.before_step(world, dt);
-        world.step(dt);
+        balls.before_step(world, tick);
+        world.step(tick);
     }
     EXPECT_TRUE(balls.in_play(world).empty());
     EXPECT_GT(place_of(world, balls, 2).y, -700);
@@ -75,8 +75,8 @@ TEST(Balls, PushCloth) {
     ASSERT_TRUE(balls.throw_along(small.world, {{0.5f, 0.6f, 1.2f}, {0, 0, -1}}));
     float farthest = 0;
     for (int k = 0; k < 20; ++k) {
-        balls.before_step(small.world, dt);
-        small.world.step(dt);
+        balls.before_step(small.world, tick);
+        small.world.step(tick);
         for (const Vec4& p : small.world.cloth(small.cloths.front().id)->positions)
             farthest = std::min(farthest, p.z);
     }
@@ -99,10 +99,10 @@ TEST(HeldCollider, TheNearestThatTheRayMeetsComesAlongAndGrows) {
     held.scale(1.5f);
     for (int k = 0; k < 60; ++k) {
         const Vec3 before = std::get<Sphere>(world.collider(near)->shape).center;
-        held.before_step(world, dt);
-        world.step(dt);
+        held.before_step(world, tick);
+        world.step(tick);
         const Vec3 after = std::get<Sphere>(world.collider(near)->shape).center;
-        EXPECT_LE((to_vector(after) - to_vector(before)).norm(), 1.001f * HeldCollider::max_speed * dt);
+        EXPECT_LE((to_vector(after) - to_vector(before)).norm(), 1.001f * HeldCollider::max_speed * tick);
     }
     const Sphere sphere = std::get<Sphere>(world.collider(near)->shape);
     EXPECT_NEAR(sphere.center.x, 0.3f, 1e-4f);
@@ -123,8 +123,8 @@ TEST(HandAir, FanBlastAndWakesAreInTheWindAndGoAgain) {
     for (int k = 0; k < 3; ++k) {
         ASSERT_TRUE(
             world.move_collider(ball, {.shape = Sphere{{0.05f * static_cast<float>(k), 1, 0}, 0.2f}}));
-        air.before_step(world, moving, {}, dt);
-        world.step(dt);
+        air.before_step(world, moving, {}, tick);
+        world.step(tick);
     }
     EXPECT_EQ(kinds(AirSourceKind::jet), 1);
     EXPECT_EQ(kinds(AirSourceKind::blast), 1);
@@ -136,8 +136,8 @@ TEST(HandAir, FanBlastAndWakesAreInTheWindAndGoAgain) {
     EXPECT_NEAR(sources[0].velocity.z, -air.fan_speed, 1e-5f);
     air.put_fan_away();
     for (int k = 0; k < 60; ++k) {
-        air.before_step(world, moving, {}, dt);
-        world.step(dt);
+        air.before_step(world, moving, {}, tick);
+        world.step(tick);
     }
     EXPECT_EQ(kinds(AirSourceKind::none), static_cast<std::ptrdiff_t>(sources.size()));
 }
@@ -146,10 +146,10 @@ TEST(HandAir, WhatIsForgottenBlowsNoMore) {
     World world = World::create(SmallWorld::one_thread()).value();
     HandAir air;
     air.hold_fan({{1, 2, 3}, {0, 0, -1}});
-    air.before_step(world, {}, {}, dt);
+    air.before_step(world, {}, {}, tick);
     ASSERT_EQ(world.settings().wind.sources[0].kind, AirSourceKind::jet);
     air.forget();
-    air.before_step(world, {}, {}, dt);
+    air.before_step(world, {}, {}, tick);
     EXPECT_EQ(world.settings().wind.sources[0].kind, AirSourceKind::none);
 }
 
@@ -162,13 +162,13 @@ TEST(Streaks, DriftWithTheAirWithinTheirBox) {
     ASSERT_EQ(streaks.motes().size(), Streaks::count);
     int drifted = 0;
     for (int k = 0; k < 60; ++k) {
-        streaks.step(world, dt);
+        streaks.step(world, tick);
         for (const Streaks::Mote& mote : streaks.motes()) {
             EXPECT_LE(std::abs(mote.trail[0].x), 1.5f);
             if (mote.kept < 2) continue;
             ++drifted;
-            EXPECT_NEAR(mote.trail[0].x - mote.trail[1].x, 3 * dt, 1e-5f);
-            EXPECT_NEAR(mote.trail[0].z - mote.trail[1].z, -dt, 1e-5f);
+            EXPECT_NEAR(mote.trail[0].x - mote.trail[1].x, 3 * tick, 1e-5f);
+            EXPECT_NEAR(mote.trail[0].z - mote.trail[1].z, -tick, 1e-5f);
         }
     }
     EXPECT_GT(drifted, 1000);

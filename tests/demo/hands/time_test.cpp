@@ -12,7 +12,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float dt = 1.0f / 60;
+constexpr float step_time = 1.0f / 60;
 
 Simulation small_scene(const char* name) {
     SceneOptions options;
@@ -31,7 +31,7 @@ TEST_P(Time, BackAndOnAgainLeavesTheSameBytes) {
     std::vector<std::uint64_t> hashes;
     ASSERT_TRUE(timeline.keep(simulation));
     for (int k = 0; k < 20; ++k) {
-        simulation.step(dt);
+        simulation.step(step_time);
         hashes.push_back(simulation.world().state_hash());
         ASSERT_TRUE(timeline.keep(simulation));
     }
@@ -41,7 +41,7 @@ TEST_P(Time, BackAndOnAgainLeavesTheSameBytes) {
     EXPECT_EQ(simulation.world().state_hash(), hashes[7]);
     EXPECT_NEAR(simulation.time(), 8.0 / 60, 1e-6);
     for (std::size_t k = 8; k < 20; ++k) {
-        simulation.step(dt);
+        simulation.step(step_time);
         ASSERT_EQ(simulation.world().state_hash(), hashes[k]) << "step " << k + 1;
         ASSERT_TRUE(timeline.keep(simulation));
         EXPECT_EQ(timeline.size(), k + 2) << "the other future is forgotten";
@@ -56,7 +56,7 @@ TEST(Timeline, KeepsWithinItsRoomTheLatest) {
     const std::size_t each = simulation.world().save_size();
     Timeline timeline(5 * each + 10);
     for (int k = 0; k < 12; ++k) {
-        simulation.step(dt);
+        simulation.step(step_time);
         ASSERT_TRUE(timeline.keep(simulation));
         EXPECT_LE(timeline.bytes(), 5 * each + 10);
     }
@@ -74,8 +74,8 @@ TEST(Timeline, KnowsBallsThatWereNotThereYet) {
     Hands hands;
     hands.begin(simulation);
     const auto step = [&] {
-        hands.before_step(simulation, dt);
-        simulation.step(dt);
+        hands.before_step(simulation, step_time);
+        simulation.step(step_time);
         ASSERT_TRUE(timeline.keep(simulation, hands.mark()));
     };
     const auto go_to = [&](std::size_t which) {
@@ -116,8 +116,8 @@ TEST(Timeline, NobodyHoldsWhatAHandHeldThen) {
         hands.update(pointer, 1.6f, simulation, camera, wind);
     }
     ASSERT_TRUE(hands.interaction().grab().active());
-    hands.before_step(simulation, dt);
-    simulation.step(dt);
+    hands.before_step(simulation, step_time);
+    simulation.step(step_time);
     ASSERT_TRUE(timeline.keep(simulation, hands.mark()));
     EXPECT_EQ(pins(), before + 1);
     hands.update({}, 1.6f, simulation, camera, wind);
@@ -133,7 +133,7 @@ TEST(Timeline, BeginsAnewWithACut) {
     Simulation simulation = small_scene("flag");
     Timeline timeline;
     for (int k = 0; k < 3; ++k) {
-        simulation.step(dt);
+        simulation.step(step_time);
         ASSERT_TRUE(timeline.keep(simulation));
     }
     const Mesh& mesh = simulation.content().cloths.front().mesh;
@@ -141,12 +141,12 @@ TEST(Timeline, BeginsAnewWithACut) {
     const MeshEdge edges[] = {{border, border - 1}, {border - 1, border - 2}};
     ASSERT_TRUE(simulation.cut(0, edges));
     ASSERT_EQ(simulation.cuts(), 1u);
-    simulation.step(dt);
+    simulation.step(step_time);
     ASSERT_TRUE(timeline.keep(simulation));
     EXPECT_EQ(timeline.size(), 1u);
     EXPECT_EQ(timeline.bytes(), simulation.world().save_size());
     const std::uint64_t hash = simulation.world().state_hash();
-    simulation.step(dt);
+    simulation.step(step_time);
     ASSERT_TRUE(timeline.go_to(0, simulation));
     EXPECT_EQ(simulation.world().state_hash(), hash);
 }
@@ -157,9 +157,9 @@ TEST(RepeatCheck, FindsNothingWhereNothingDiffers) {
     check.enabled = true;
     const ClothId cloths[] = {simulation.content().cloths.front().id};
     for (int k = 0; k < 10; ++k) {
-        simulation.before_step(dt);
-        check.step(simulation.world(), cloths, dt);
-        once.step(dt);
+        simulation.before_step(step_time);
+        check.step(simulation.world(), cloths, step_time);
+        once.step(step_time);
     }
     EXPECT_EQ(check.checked(), 10u);
     EXPECT_FALSE(check.difference());
@@ -179,8 +179,8 @@ TEST(RepeatCheck, ShowsTheFirstDifference) {
             check.between = [&](World& world) {
                 ASSERT_TRUE(world.move_cloth(cloths[1], {.translation = {0, 1e-4f, 0}}));
             };
-        simulation.before_step(dt);
-        check.step(simulation.world(), cloths, dt);
+        simulation.before_step(step_time);
+        check.step(simulation.world(), cloths, step_time);
     }
     ASSERT_TRUE(check.difference());
     EXPECT_EQ(check.difference()->step, 4u);

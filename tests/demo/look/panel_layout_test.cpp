@@ -86,8 +86,10 @@ TEST_F(PanelFrames, TheColumnFoldsToATabAndComesBack) {
     panels.collapsed = true;
     frame(flag, size, [] {});
     frame(flag, size, [&] {
-        for (const Seen& each : windows_of_this_frame())
-            if (each.name != "Time") EXPECT_LT(each.place.GetWidth(), 60) << each.name;
+        for (const Seen& each : windows_of_this_frame()) {
+            if (each.name == "Time") continue;
+            EXPECT_LT(each.place.GetWidth(), 60) << each.name;
+        }
     });
     EXPECT_EQ(panels.covered(), 0);
     panels.visible = false;
