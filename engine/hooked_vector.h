@@ -14,14 +14,17 @@ struct HookedAllocator {
 
     HookedAllocator() = default;
     template <class Other>
-    HookedAllocator(const HookedAllocator<Other>& /*other*/) noexcept {
-    }  // NOLINT(google-explicit-constructor)
+    HookedAllocator(const HookedAllocator<Other>& /*other*/) noexcept {}
 
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(take_memory(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t count) noexcept { give_memory_back(memory, count * sizeof(T)); }
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(take_memory(bytes(count))); }
+    void deallocate(T* memory, std::size_t count) noexcept { give_memory_back(memory, bytes(count)); }
     friend bool operator==(const HookedAllocator& /*one*/, const HookedAllocator& /*other*/) noexcept {
         return true;
     }
+
+  private:
+    /// As hosts are told: a multiple of 16.
+    static constexpr std::size_t bytes(std::size_t count) { return (count * sizeof(T) + 15) / 16 * 16; }
 };
 
 /// For what grows with the particles; what is a handful of items may be any vector.

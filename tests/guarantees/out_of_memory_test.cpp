@@ -392,16 +392,16 @@ TEST(OutOfMemoryWithoutAWorld, MakeSheetAnswers) {
 
 TEST(OutOfMemoryWithoutAWorld, CutsAreAnswered) {
     const Mesh mesh = make_sheet({.rows = 5, .columns = 4}).value();
-    expect_an_answer([&] { return without_value(cut_mesh(mesh, std::vector<MeshEdge>{{4, 5}, {5, 6}})); });
+    const std::vector<MeshEdge> edges{{4, 5}, {5, 6}};
+    const std::vector<StrainedEdge> strained{{5, 6, 1}};
+    expect_an_answer([&] { return without_value(cut_mesh(mesh, edges)); });
     const Blade blade{{0, 1, -1}, {0, -1, -1}, {0, 1, 1}, {0, -1, 1}};
     CutStroke stroke;
     expect_an_answer([&] {
         CutStroke anew = stroke;
         return without_value(edges_along(mesh, mesh.positions, blade, anew));
     });
-    expect_an_answer([&] {
-        return without_value(edges_to_tear(mesh, mesh.positions, std::vector<StrainedEdge>{{5, 6, 1}}));
-    });
+    expect_an_answer([&] { return without_value(edges_to_tear(mesh, mesh.positions, strained)); });
 }
 
 TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {

@@ -79,6 +79,7 @@ void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     // From here on nothing can fail.
     if (next->model.fingerprint != place->model.fingerprint) wake_near(*place);
     next->id = place->id;
+    update_normals(parallel, *next);
     place = std::move(next);
     *views[id.index] = {};
     if (together) together_ = *std::move(together);
