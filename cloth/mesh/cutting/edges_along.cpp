@@ -41,7 +41,8 @@ struct Patch {
         const std::array sides{volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)};
         const bool inside = std::ranges::all_of(sides, [](double side) { return side >= 0; }) ||
                             std::ranges::all_of(sides, [](double side) { return side <= 0; });
-        return inside ? std::optional(from / (from - to)) : std::nullopt;
+        if (!inside) return std::nullopt;
+        return from / (from - to);
     }
 };
 
