@@ -169,6 +169,15 @@ bool are_sound(const ClothModel& model) {
            });
 }
 
+/// That triangles at a particle have it at a corner. Precondition: offsets and numbers are within their
+/// lists.
+bool have_their_corners(const ClothModel& model) {
+    for (std::uint32_t i = 0; i < model.particle_count; ++i)
+        for (std::uint32_t k = model.corner_offsets[i]; k < model.corner_offsets[i + 1]; ++k)
+            if (std::ranges::count(model.triangles[model.corner_triangles[k]], i) == 0) return false;
+    return true;
+}
+
 /// That no list names what another does not have.
 bool is_whole(const ClothModel& model) {
     const std::size_t n = model.particle_count, springs = model.neighbours.size(),
@@ -193,7 +202,8 @@ bool is_whole(const ClothModel& model) {
            std::ranges::all_of(model.vertex_triangles,
                                [&](const Triangle& triangle) { return all_below(triangle, vertices); }) &&
            (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
-           std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; });
+           std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; }) &&
+           have_their_corners(model);
 }
 
 }  // namespace
