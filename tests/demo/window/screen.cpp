@@ -30,8 +30,9 @@ std::optional<Screen> Screen::start() {
     if (process == 0) {
         const std::string said_to = std::to_string(ends[1]);
         close(ends[0]);
+        // Without -noreset it begins anew when a window closes, and the next one may find nobody there.
         execlp("Xvfb", "Xvfb", "-displayfd", said_to.c_str(), "-screen", "0", "1280x800x24", "-nolisten",
-               "tcp", nullptr);
+               "tcp", "-noreset", nullptr);
         _exit(127);
     }
     close(ends[1]);
