@@ -76,6 +76,17 @@ TEST(Scenes, AskForAGarmentThatIsMissing) {
     EXPECT_NE(without.error().message.find("--garment"), std::string::npos) << without.error().message;
 }
 
+TEST(Scenes, OfFewParticlesCanBeBuilt) {
+    for (const char* name : scenes_without_files()) {
+        for (const std::uint32_t particles : {9u, 60u, 300u}) {
+            SceneOptions options;
+            options.particles = particles;
+            const auto simulation = Simulation::create(*find_scene(name), options, {});
+            EXPECT_TRUE(simulation.ok()) << name << ": " << simulation.error().message;
+        }
+    }
+}
+
 class ScaledScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(ScaledScene, HasAboutAsManyParticlesAsAskedFor) {

@@ -19,7 +19,9 @@ ContactScene folddrop(std::uint32_t particles) {
     constexpr int legs = 10;
     constexpr double leg = 0.1, height = 0.4;
     const Piece sheet = piece(1, 0.5, or_else(particles, 4100), legs);
-    const double rise = 3 * usual_distance(sheet.edge()), run = std::sqrt(leg * leg - rise * rise);
+    // Of few particles legs would have to rise more than they are long.
+    const double rise = std::min(3 * usual_distance(sheet.edge()), 0.9 * leg);
+    const double run = std::sqrt(leg * leg - rise * rise);
     const auto place = [=](double u, double v) {
         const int k = std::min(legs - 1, static_cast<int>(u / leg));
         const double part = u / leg - k, forth = k % 2 == 0 ? part : 1 - part;
