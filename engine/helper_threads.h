@@ -1,6 +1,6 @@
 #pragma once
-// Helpers of a LoopTeam on threads from the standard library, in place of a oneTBB arena's: without oneTBB (WEFT_TBB=OFF),
-// and where every synchronisation has to be visible to the thread sanitizer.
+// Helpers of a LoopTeam on threads from the standard library, in place of a oneTBB arena's: without oneTBB
+// (WEFT_TBB=OFF), and where every synchronisation has to be visible to the thread sanitizer.
 
 #include <atomic>
 #include <memory>

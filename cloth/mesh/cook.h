@@ -55,7 +55,7 @@ struct ClothModel {
     /// With texture coordinates: the triangles by vertices; empty where each vertex is the particle of its
     /// number.
     SharedBuffer<Triangle> vertex_triangles;
-    ClothInfo info;  ///< mass and bytes are filled in by the cloth
+    ClothInfo info;                 ///< mass and bytes are filled in by the cloth
     std::uint32_t fingerprint = 0;  ///< of which triangles there are, and how particles are numbered
 };
 

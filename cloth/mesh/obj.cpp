@@ -138,8 +138,8 @@ Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, 
     // What the stream's buffer throws where reading fails.
     ignoring<std::ios_base::failure>([&] {
         read = stream.rdbuf()->sgetc() == std::ifstream::traits_type::eof()
-            ? Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"}
-            : parse_obj(stream, name, options.texcoords_are_pattern);
+                   ? Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"}
+                   : parse_obj(stream, name, options.texcoords_are_pattern);
     });
     if (!read) return unreadable(name);
     Result<ObjContent>& content = *read;

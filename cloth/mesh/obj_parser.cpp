@@ -40,8 +40,8 @@ std::string quoted(std::string_view token) {
 }
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
-/// std::from_chars, which libc++ before 20 does not have for floats: by strtod, which reads the decimal point of
-/// the process's locale.
+/// std::from_chars, which libc++ before 20 does not have for floats: by strtod, which reads the decimal point
+/// of the process's locale.
 std::from_chars_result parse_double(std::string_view token, double& value) {
     const bool is_plain = token.find_first_not_of("0123456789.eE+-") == token.npos && !token.starts_with('+');
     if (!is_plain || token.empty()) return {token.data(), std::errc::invalid_argument};

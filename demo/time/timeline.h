@@ -12,8 +12,8 @@
 namespace weft::demo {
 
 /// A ring of saves, one after each step, in bounded memory: the oldest make room. Settings are not in them:
-/// what goes on from an earlier moment goes on with those that are set now. A save does not fit cloth that was
-/// cut since: a cut begins the ring anew.
+/// what goes on from an earlier moment goes on with those that are set now. A save does not fit cloth that
+/// was cut since: a cut begins the ring anew.
 class Timeline {
   public:
     static constexpr std::size_t usual_room = std::size_t{256} << 20;  ///< [bytes]

@@ -106,8 +106,7 @@ EXPORTED(place_ball) int place_ball(float x, float y, float z) {
 /// Steps that `seconds` were worth.
 EXPORTED(advance) int advance(double seconds) {
     const weft::FixedStepFrame frame = page.clock.advance(seconds);
-    for (int i = 0; i < frame.steps; ++i)
-        page.world->step(static_cast<float>(page.clock.settings().step));
+    for (int i = 0; i < frame.steps; ++i) page.world->step(static_cast<float>(page.clock.settings().step));
     write_vertices();
     return frame.steps;
 }
@@ -132,5 +131,4 @@ EXPORTED(milliseconds) float milliseconds() {
 EXPORTED(crossings) std::uint32_t crossings() {
     return page.world->report().crossings;
 }
-
 }

@@ -105,8 +105,9 @@ HWY_INLINE hn::Vec<D> every_fourth_row(D d, std::uint32_t first, const RowAt& ro
         return row(first);
     } else {
         const hn::Half<D> half;
-        return hn::Combine(d, every_fourth_row(half, first + static_cast<std::uint32_t>(hn::MaxLanes(half)), row),
-                           every_fourth_row(half, first, row));
+        return hn::Combine(
+            d, every_fourth_row(half, first + static_cast<std::uint32_t>(hn::MaxLanes(half)), row),
+            every_fourth_row(half, first, row));
     }
 }
 

@@ -77,8 +77,8 @@ struct ObjOptions {
 ///
 /// The file is read in a stream. Limits: 8 GiB, 2^20 characters a line, 2^26 `v` lines, 2^27 `vt` lines and
 /// triangles.
-[[nodiscard]] WEFT_API Result<Mesh> load_obj(const std::filesystem::path& file, const ObjOptions& options = {},
-                                    ObjReport* report = nullptr);
+[[nodiscard]] WEFT_API Result<Mesh> load_obj(const std::filesystem::path& file,
+                                             const ObjOptions& options = {}, ObjReport* report = nullptr);
 
 /// Writes positions, texture coordinates (the pattern, where there are none) and triangles, with nine digits,
 /// so that floats read back the same. Rows and columns are not kept. Errors: a mesh of which no cloth could

@@ -53,7 +53,9 @@ struct ReplayOptions {
 /// Makes the World that was recorded and takes its steps, until one differs. Errors, by the number of the
 /// record: a file that cannot be read, is none of Weft's, of another version, or damaged; a call that the
 /// World refuses, as it would not have when it was recorded.
-[[nodiscard]] WEFT_API Result<Replay> replay(const std::filesystem::path& file, const ReplayOptions& options = {});
-[[nodiscard]] WEFT_API Result<Replay> replay(std::span<const std::byte> recording, const ReplayOptions& options = {});
+[[nodiscard]] WEFT_API Result<Replay> replay(const std::filesystem::path& file,
+                                             const ReplayOptions& options = {});
+[[nodiscard]] WEFT_API Result<Replay> replay(std::span<const std::byte> recording,
+                                             const ReplayOptions& options = {});
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #if !(__cplusplus > 201703L || (defined(_MSVC_LANG) && _MSVC_LANG > 201703L))
-#error "Weft's C++ interface needs C++20 (-std=c++20, /std:c++20). Older C++ and C take weft/weft_c.h, which has all of it."
+#error \
+    "Weft's C++ interface needs C++20 (-std=c++20, /std:c++20). Older C++ and C take weft/weft_c.h, which has all of it."
 #endif
 #pragma once
 // Weft: real-time cloth for games. This header is all that an embedder includes; it needs the standard

@@ -151,7 +151,8 @@ class Capes final : public Scene {
             mesh->pattern.push_back({cape_width * part, down});
         }
         ClothSettings settings;
-        settings.fabric = {.areal_density = 0.28f, .warp = 600, .weft = 600, .shear = 100, .bending = 1.5e-5f};
+        settings.fabric = {
+            .areal_density = 0.28f, .warp = 600, .weft = 600, .shear = 100, .bending = 1.5e-5f};
         settings.thickness = 0.012f;
         const auto cape = world.add_cloth(*mesh, settings);
         if (!cape) return cape.error();

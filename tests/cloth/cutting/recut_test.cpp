@@ -7,9 +7,9 @@
 #include <cstring>
 #include <functional>
 
-#include "tests/cloth/meshes.h"
 #include "engine/vector.h"
 #include "tests/cloth/contact/crossing_count.h"
+#include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
 namespace weft::test {
