@@ -5,6 +5,14 @@
 namespace weft::demo {
 namespace {
 
+constexpr render::Quality fast{
+    .samples = 1, .sun_map = 512, .blocker_taps = 0, .sun_taps = 4, .sky_taps = 0, .weave = false};
+
+constexpr render::Quality of_resolution(render::Quality quality, float resolution) {
+    quality.resolution = resolution;
+    return quality;
+}
+
 // Costs by llvmpipe at 1280 x 800, the flag: 200 ms at best.
 constexpr QualityLevel ladder[] = {
     {"best", {}, "", true, 1},
@@ -18,33 +26,11 @@ constexpr QualityLevel ladder[] = {
      "edges are not smoothed (one sample a pixel), shadows are grainier",
      true,
      0.38f},
-    {"fast",
-     {.samples = 1, .sun_map = 512, .blocker_taps = 0, .sun_taps = 4, .sky_taps = 0, .weave = false},
-     "no smoothed edges, threads, dark folds or soft shadows",
-     false,
-     0.30f},
-    {"faster",
-     {.samples = 1,
-      .sun_map = 512,
-      .blocker_taps = 0,
-      .sun_taps = 4,
-      .sky_taps = 0,
-      .weave = false,
-      .resolution = 0.7f},
-     "half of the pixels; no smoothed edges, threads, dark folds or soft shadows",
-     false,
-     0.20f},
-    {"fastest",
-     {.samples = 1,
-      .sun_map = 512,
-      .blocker_taps = 0,
-      .sun_taps = 4,
-      .sky_taps = 0,
-      .weave = false,
-      .resolution = 0.5f},
-     "a quarter of the pixels; no smoothed edges, threads, dark folds or soft shadows",
-     false,
-     0.13f},
+    {"fast", fast, "no smoothed edges, threads, dark folds or soft shadows", false, 0.30f},
+    {"faster", of_resolution(fast, 0.7f),
+     "half of the pixels; no smoothed edges, threads, dark folds or soft shadows", false, 0.20f},
+    {"fastest", of_resolution(fast, 0.5f),
+     "a quarter of the pixels; no smoothed edges, threads, dark folds or soft shadows", false, 0.13f},
 };
 
 }  // namespace
