@@ -76,11 +76,6 @@ struct Enumerators<DescriptionFormat> {
     static constexpr int count = WEFT_DESCRIBE_JSON + 1;
 };
 
-[[nodiscard]] inline Error out_of_choices(const char* name, std::int32_t value, int count) {
-    return {ErrorCode::invalid_argument, std::string(name) + " is " + std::to_string(value) +
-                                             "; it must be 0 to " + std::to_string(count - 1)};
-}
-
 template <class Enum>
 [[nodiscard]] Result<Enum> enumerator(std::int32_t value) {
     if (value < 0 || value >= Enumerators<Enum>::count)

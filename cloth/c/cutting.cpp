@@ -13,8 +13,7 @@ namespace {
 template <class Of, class C>
 [[nodiscard]] Result<std::span<const Of>> lying(const char* name, const C* data, std::size_t count) {
     static_assert(sizeof(Of) == sizeof(C) && alignof(Of) <= alignof(C));
-    if (data == nullptr && count > 0)
-        return Error{ErrorCode::invalid_argument, std::string(name) + ": items at a null pointer"};
+    if (data == nullptr && count > 0) return no_items(name, count);
     return std::span(reinterpret_cast<const Of*>(data), count);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 // How the interface for C says what went wrong.
 
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <utility>
 
-#include "engine/without_exceptions.h"
 #include "weft/c/values.h"
 #include "weft/error.h"
 
@@ -13,15 +14,28 @@ namespace weft::c {
 /// Keeps the text for weft_error_text(), which takes no memory.
 WeftResult fail(ErrorCode code, const char* text) noexcept;
 
-[[nodiscard]] inline WeftResult result_of(const Result<void>& done) noexcept {
-    return done ? WEFT_OK : fail(done.error().code, done.error().message.c_str());
-}
+/// Runs act(of); what went wrong is kept.
+[[nodiscard]] WeftResult run(Result<void> (*act)(const void*), const void* of) noexcept;
 
 /// Runs `act`, which returns a Result<void>.
 template <class Act>
 [[nodiscard]] WeftResult guarded(const Act& act) noexcept {
-    return result_of(without_exceptions([&]() -> Result<void> { return act(); }));
+    return run([](const void* of) -> Result<void> { return (*static_cast<const Act*>(of))(); }, &act);
 }
+
+// The errors' texts are put together out of line: within each call they would take more than the calls do.
+
+/// "NAME is a null pointer".
+[[nodiscard]] Error null_pointer(const char* name);
+/// `count` items at a null pointer.
+[[nodiscard]] Error no_items(const char* name, std::size_t count);
+/// A stride that is shorter than an item.
+[[nodiscard]] Error too_short(const char* name, std::size_t stride, std::size_t item);
+/// No room for `count` items.
+[[nodiscard]] Error no_room(const char* name, std::size_t bytes, std::size_t stride, std::size_t count,
+                            std::size_t item);
+/// A number that is no enumerator.
+[[nodiscard]] Error out_of_choices(const char* name, std::int32_t value, int count);
 
 /// Error: one of the pointers is null. names: "world", "mesh", ...
 [[nodiscard]] Result<void> are_there(std::initializer_list<std::pair<const void*, const char*>> pointers);

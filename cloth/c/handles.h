@@ -48,7 +48,7 @@ template <class Handle, class Act>
                             std::initializer_list<std::pair<const void*, const char*>> pointers,
                             const Act& act) noexcept {
     return guarded([&]() -> Result<void> {
-        if (auto there = are_there({{world, "world"}}); !there) return there;
+        if (world == nullptr) return null_pointer("world");
         if (auto there = are_there(pointers); !there) return there;
         return act(*world->world);
     });

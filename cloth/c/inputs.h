@@ -6,11 +6,9 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "weft/c/values.h"
-#include "weft/error.h"
+#include "cloth/c/errors.h"
 
 namespace weft::c {
 
@@ -20,13 +18,8 @@ template <class T>
 [[nodiscard]] Result<std::span<const T>> items(const char* name, const WeftInput& input,
                                                std::vector<T>& room) {
     if (input.count == 0) return std::span<const T>();
-    if (input.data == nullptr)
-        return Error{ErrorCode::invalid_argument,
-                     std::string(name) + ": " + std::to_string(input.count) + " items at a null pointer"};
-    if (input.stride != 0 && input.stride < sizeof(T))
-        return Error{ErrorCode::invalid_argument, std::string(name) + ".stride is " +
-                                                      std::to_string(input.stride) +
-                                                      " bytes; an item takes " + std::to_string(sizeof(T))};
+    if (input.data == nullptr) return no_items(name, input.count);
+    if (input.stride != 0 && input.stride < sizeof(T)) return too_short(name, input.stride, sizeof(T));
     const bool is_dense = input.stride == 0 || input.stride == sizeof(T);
     if (is_dense && reinterpret_cast<std::uintptr_t>(input.data) % alignof(T) == 0)
         return std::span(static_cast<const T*>(input.data), input.count);
@@ -47,10 +40,7 @@ template <class T>
     const std::size_t stride = to.stride == 0 ? sizeof(T) : to.stride;
     if (to.data == nullptr || stride < sizeof(T) || to.bytes < sizeof(T) ||
         (to.bytes - sizeof(T)) / stride < values.size() - 1)
-        return Error{ErrorCode::invalid_argument, std::string(name) + " has " + std::to_string(to.bytes) +
-                                                      " bytes and a stride of " + std::to_string(to.stride) +
-                                                      "; it takes room for " + std::to_string(values.size()) +
-                                                      " items of " + std::to_string(sizeof(T)) + " bytes"};
+        return no_room(name, to.bytes, to.stride, values.size(), sizeof(T));
     auto* at = static_cast<std::byte*>(to.data);
     for (const T& value : values) {
         std::memcpy(at, &value, sizeof(T));
@@ -62,9 +52,7 @@ template <class T>
 /// Indices of vertices.
 [[nodiscard]] inline Result<std::span<const std::uint32_t>> indices(const uint32_t* vertices,
                                                                     std::size_t count) {
-    if (vertices == nullptr && count > 0)
-        return Error{ErrorCode::invalid_argument,
-                     "vertices: " + std::to_string(count) + " items at a null pointer"};
+    if (vertices == nullptr && count > 0) return no_items("vertices", count);
     return std::span<const std::uint32_t>(vertices, count);
 }
 

@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <string>
 #include <type_traits>
 
-#include "weft/error.h"
+#include "cloth/c/errors.h"
 
 namespace weft::c {
 
@@ -17,15 +16,14 @@ namespace weft::c {
 template <class Sized>
 inline constexpr std::size_t first_size = sizeof(Sized);
 
+/// Error: `size` is neither `first` nor `known`, nor between them.
+[[nodiscard]] Result<void> check_size(const char* name, std::size_t size, std::size_t first,
+                                      std::size_t known);
+
 template <class Sized>
 [[nodiscard]] Result<void> check_size(const char* name, std::size_t size) {
     static_assert(std::is_trivially_copyable_v<Sized> && offsetof(Sized, struct_size) == 0);
-    if (size >= first_size<Sized> && size <= sizeof(Sized)) return {};
-    const std::string known = std::to_string(sizeof(Sized));
-    return Error{ErrorCode::invalid_argument,
-                 std::string(name) + ".struct_size is " + std::to_string(size) +
-                     "; it must be its sizeof, which is " + known + " here" +
-                     (size > sizeof(Sized) ? ": the header is newer than the library" : "")};
+    return check_size(name, size, first_size<Sized>, sizeof(Sized));
 }
 
 /// As much of `value` as the host knows. Precondition: check_size() has no error.
@@ -38,7 +36,7 @@ void give(Sized value, std::size_t size, Sized* to) noexcept {
 /// `value` into what the host gave. Error: null, or a size that is none.
 template <class Sized>
 [[nodiscard]] Result<void> fill(const char* name, const Sized& value, Sized* to) {
-    if (to == nullptr) return Error{ErrorCode::invalid_argument, std::string(name) + " is a null pointer"};
+    if (to == nullptr) return null_pointer(name);
     if (auto valid = check_size<Sized>(name, to->struct_size); !valid) return valid;
     give(value, to->struct_size, to);
     return {};

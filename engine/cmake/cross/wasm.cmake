@@ -20,7 +20,7 @@ set(hwy_DIR ${sysroot}/usr/share/cmake)
 set(GTest_DIR ${sysroot}/usr/share/cmake)
 set(nlohmann_json_DIR /usr/share/cmake/nlohmann_json)
 set(Eigen3_DIR /usr/share/eigen3/cmake)
-include_directories(SYSTEM ${sysroot}/usr/include)  # of headers alone: xxHash
+set(WEFT_XXHASH ${sysroot}/usr/include)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-lwasi-emulated-signal -Wl,-z,stack-size=1048576")
 set(CMAKE_CROSSCOMPILING_EMULATOR node --no-warnings ${CMAKE_CURRENT_LIST_DIR}/run_wasm.mjs)
