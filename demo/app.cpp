@@ -82,9 +82,12 @@ class App {
             glfwPollEvents();
             draw_frame(framebuffer_size(window));
             glfwSwapBuffers(window);
-            if (look && !look({frame, simulation_, wind_, hands_, timeline_, playback_, camera_})) break;
+            print_objections();
+            if (look && !look({frame, simulation_, wind_, hands_, timeline_, playback_, camera_, panels_}))
+                break;
         }
-        return write_trace();
+        const int written = write_trace();
+        return objected_ ? 1 : written;
     }
 
   private:
@@ -109,8 +112,8 @@ class App {
         picture_.set_look(look.quality.now(), look.inside);
         picture_.set_beside(look.comparison ? &look.comparison->other_simulation() : nullptr);
         picture_.update(simulation_);
-        const render::View& view =
-            picture_.view(simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()));
+        const render::View& view = picture_.view(
+            simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()), hands_.streaks.lines());
         draw_picture(picture_, view, size.width, size.height, look);
         if (!size.empty()) tell(save_pictures(picture_, view, size.width, size.height, look));
         draw_panels();
@@ -316,6 +319,13 @@ class App {
         if (!words.empty()) panels_.message = words;
     }
 
+    void print_objections() {
+        for (const std::string& each : context_.take_complaints()) {
+            std::fprintf(stderr, "weft_demo: OpenGL: %s\n", each.c_str());
+            objected_ = true;
+        }
+    }
+
     [[nodiscard]] int write_trace() const {
         if (options_.trace.empty()) return 0;
         const auto written = simulation_.world().write_trace(options_.trace);
@@ -332,8 +342,9 @@ class App {
     render::ImGuiLayer layer_;
 
     FixedStep clock_;
-    double last_;      // time of the last picture [s]
-    float alpha_ = 1;  // between the last two steps
+    double last_;            // time of the last picture [s]
+    float alpha_ = 1;        // between the last two steps
+    bool objected_ = false;  // the driver did, to something
     Hands hands_;
     Gamepad pad_;
     render::Ray pointed_{};  // through the pointer
@@ -357,7 +368,8 @@ int run_app(const Options& options, Simulation simulation, const AppLook& look) 
         std::fprintf(stderr, "weft_demo: %s; --headless needs no display\n", error.message.c_str());
         return 1;
     };
-    auto context = render::Context::window({.width = options.width, .height = options.height});
+    auto context = render::Context::window(
+        {.width = options.width, .height = options.height, .checked = options.check_gl});
     if (!context) return fail(context.error());
     auto picture = Picture::create();
     if (!picture) return fail(picture.error());

@@ -20,6 +20,7 @@ struct AppFrame {
     const Timeline& timeline;
     const Playback& playback;
     const render::OrbitCamera& camera;
+    const Panels& panels;
 };
 /// False closes the window.
 using AppLook = std::function<bool(const AppFrame&)>;

@@ -122,6 +122,9 @@ int run_headless(const Options& options, Simulation& simulation) {
     }
     if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png"));
 
+    if (photographer)
+        for (const std::string& each : photographer->take_complaints())
+            failures.note(Error{ErrorCode::unsupported, "OpenGL: " + each});
     if (sequence) failures.note(sequence->end());
     failures.note(table.write_csv(options.out / "frame_times.csv"));
     failures.note(

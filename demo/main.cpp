@@ -5,7 +5,6 @@
 
 #include "demo/app.h"
 #include "demo/headless.h"
-#include "demo/look/settings_file.h"
 #include "demo/options.h"
 #include "demo/scene_simulation.h"
 
@@ -32,13 +31,8 @@ int main(int argc, char** argv) {
         return ended("weft_demo", 0);
     }
 
-    const auto scene = choose_scene(options);
-    if (!scene) return refuse(scene.error());
-    auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
+    auto simulation = start_simulation(options);
     if (!simulation) return refuse(simulation.error());
-    if (!options.settings.empty())
-        if (auto loaded = load_settings(options.settings, *simulation); !loaded)
-            return refuse(loaded.error());
     return ended("weft_demo", options.headless ? run_headless(options, *simulation)
                                                : run_app(options, std::move(*simulation)));
 }

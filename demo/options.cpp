@@ -49,6 +49,9 @@ void describe(CLI::App& app, Options& options) {
     app.add_option("--record", options.overrides.record,
                    "Write down all that is done to the World, for weft_replay")
         ->type_name("FILE");
+    app.add_flag("--check-gl", options.check_gl,
+                 "Have the OpenGL driver check what is drawn: what it objects to is printed, and the exit "
+                 "status is 1");
     app.add_option("--trace", options.trace, "Write the stages' times for Perfetto or chrome://tracing")
         ->type_name("FILE.json");
 }

@@ -21,6 +21,7 @@ struct Options : SimulationOptions {
     std::filesystem::path out = "out";
     std::optional<SequenceFormat> sequence;  ///< of all frames, into `out`; none: none is written
     std::filesystem::path trace;             ///< empty: none is kept
+    bool check_gl = false;                   ///< the driver checks each call
 
     static constexpr int default_frames = 120;
 };

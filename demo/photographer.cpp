@@ -8,11 +8,14 @@
 namespace weft::demo {
 namespace {
 
-Result<render::Context> any_context(int width, int height) {
-    auto offscreen = render::Context::offscreen();
+Result<render::Context> any_context(const Options& options) {
+    auto offscreen = render::Context::offscreen(options.check_gl);
     if (offscreen) return offscreen;
-    auto window =
-        render::Context::window({.width = width, .height = height, .title = "Weft", .vsync = false});
+    auto window = render::Context::window({.width = options.width,
+                                           .height = options.height,
+                                           .title = "Weft",
+                                           .vsync = false,
+                                           .checked = options.check_gl});
     if (window) return window;
     return Error{offscreen.error().code, "cannot draw offscreen (" + offscreen.error().message +
                                              ") nor in a window (" + window.error().message + ")"};
@@ -24,7 +27,7 @@ Photographer::Photographer(render::Context context, Picture picture, int width, 
     : context_(std::move(context)), picture_(std::move(picture)), width_(width), height_(height) {}
 
 Result<Photographer> Photographer::create(const Options& options, const Simulation& simulation) {
-    auto context = any_context(options.width, options.height);
+    auto context = any_context(options);
     if (!context) return context.error();
     auto picture = Picture::create();
     if (!picture) return picture.error();

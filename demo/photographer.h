@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "demo/options.h"
 #include "demo/panels/panels.h"
@@ -16,6 +18,9 @@ class Photographer {
   public:
     /// Draws offscreen; where that cannot be had, behind a window of the display. Error: what both lack.
     [[nodiscard]] static Result<Photographer> create(const Options& options, const Simulation& simulation);
+
+    /// What the driver objected to since the last call, where Options::check_gl asks it.
+    [[nodiscard]] std::vector<std::string> take_complaints() { return context_.take_complaints(); }
 
     /// Notes a step that was taken, for the panels.
     void record(const Simulation& simulation);

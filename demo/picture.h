@@ -22,9 +22,11 @@ class Picture {
     void show(const Simulation& simulation);
     /// Streams the particles as they are now, and takes over what was cut.
     void update(const Simulation& simulation);
-    /// What to draw, with what was thrown into the scene. Valid until the next call.
+    /// What to draw, with what was thrown into the scene, and lines beside those of the inside. Valid until
+    /// the next call.
     [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
-                                           float alpha, std::span<const ColliderId> thrown = {});
+                                           float alpha, std::span<const ColliderId> thrown = {},
+                                           std::span<const render::DrawnLine> lines = {});
 
     bool shows_wind = true;  ///< as an arrow on the ground
 
@@ -48,7 +50,7 @@ class Picture {
     void add_collider(const World& world, ColliderId id);
     void show_cloth(const SceneCloth& cloth, const World& world);
     void add_colliders_beside();
-    void update_rounded(const ClothView& view, std::size_t index);
+    void update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself);
     void show_solid(const SceneSolid& solid);
     void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
@@ -69,6 +71,7 @@ class Picture {
     std::vector<render::DrawnCapsule> capsules_;
     std::vector<render::DrawnTaperedCapsule> tapered_capsules_;
     std::vector<render::DrawnBox> boxes_;
+    std::vector<render::DrawnLine> lines_;
     render::View view_;
 };
 

@@ -28,6 +28,11 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
     return {};
 }
 
+void replace(WorldSettings& settings, const Overrides& overrides) {
+    settings.substeps = overrides.substeps.value_or(settings.substeps);
+    settings.wind.velocity = overrides.wind.value_or(settings.wind.velocity);
+}
+
 /// Of the vertices that are drawn.
 void append_positions(const SceneCloth& cloth, const ClothView& view, std::vector<Vec3>& positions) {
     if (!cloth.drawn) {
@@ -52,8 +57,7 @@ Result<Simulation> Simulation::create(const SceneEntry& entry, const SceneOption
     std::unique_ptr<Scene> scene = entry.make();
     WorldSettings settings = scene->world_settings();
     settings.threads = overrides.threads;
-    settings.substeps = overrides.substeps.value_or(settings.substeps);
-    settings.wind.velocity = overrides.wind.value_or(settings.wind.velocity);
+    replace(settings, overrides);
     auto world = World::create(settings);
     if (!world) return world.error();
 
@@ -66,6 +70,13 @@ Result<Simulation> Simulation::create(const SceneEntry& entry, const SceneOption
         return set.error();
     simulation.remember_defaults();
     return simulation;
+}
+
+Result<void> Simulation::apply(const Overrides& overrides) {
+    WorldSettings settings = world_.settings();
+    replace(settings, overrides);
+    if (auto set = world_.set_settings(settings); !set) return set;
+    return apply_to_cloths(world_, content_, overrides);
 }
 
 void Simulation::remember_defaults() {

@@ -29,6 +29,9 @@ class Simulation {
     [[nodiscard]] static Result<Simulation> create(const SceneEntry& entry, const SceneOptions& options,
                                                    const Overrides& overrides);
 
+    /// Sets what a run asks for; threads and recording are create()'s alone. Error: a cloth refuses it.
+    [[nodiscard]] Result<void> apply(const Overrides& overrides);
+
     /// Moves the scene's pins and colliders, then the world, by dt [s].
     const StepReport& step(float dt) {
         before_step(dt);

@@ -46,11 +46,11 @@ std::vector<std::string> method_names() {
 void add_simulation_options(CLI::App& app, SimulationOptions& options) {
     app.add_flag("--list", options.list, "List the scenes and exit");
     app.add_option("--scene", options.scene, "Scene to start, one of --list");
-    app.add_option(
-           "--garment", options.scene_options.garment,
-           "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in metres; for "
-           "character and crowd an OBJ or glTF file, see demo/README.md")
-        ->type_name("FILE.obj");
+    app.add_option("--garment", options.scene_options.garment,
+                   "OBJ file for the scene garment: +Z up, texture coordinates are its flat pattern in "
+                   "metres; or glTF. "
+                   "For character and crowd see demo/README.md")
+        ->type_name("FILE");
     const std::map<std::string, Hold> holds{{"opening", Hold::highest_opening},
                                             {"top", Hold::top},
                                             {"border", Hold::border},
@@ -171,7 +171,7 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
     }
     if (scene->needs_garment && !garment_given) {
         return Error{ErrorCode::invalid_argument,
-                     "scene " + name + " needs an OBJ file; name one with --garment"};
+                     "scene " + name + " needs an OBJ or glTF file; name one with --garment"};
     }
     if (!scene->takes_garment && garment_given) {
         return Error{ErrorCode::invalid_argument, "scene " + name + " has no garment; leave out --garment " +
@@ -189,6 +189,16 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
                                                       "name the scene character"};
     }
     return scene;
+}
+
+Result<Simulation> start_simulation(const SimulationOptions& options) {
+    const auto scene = choose_scene(options);
+    if (!scene) return scene.error();
+    auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
+    if (!simulation || options.settings.empty()) return simulation;
+    if (auto loaded = load_settings(options.settings, *simulation); !loaded) return loaded.error();
+    if (auto set = simulation->apply(options.overrides); !set) return set.error();
+    return simulation;
 }
 
 }  // namespace weft::demo

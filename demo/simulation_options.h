@@ -48,6 +48,10 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options);
 /// one that has none, with it.
 [[nodiscard]] Result<const SceneEntry*> choose_scene(const SimulationOptions& options);
 
+/// The scene, then its file of settings, then what is asked for expressly. Errors: choose_scene()'s,
+/// Simulation::create()'s, load_settings()'s.
+[[nodiscard]] Result<Simulation> start_simulation(const SimulationOptions& options);
+
 /// Fills what the app's options lead to; empty: it went well.
 [[nodiscard]] std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/error_text.h"
+#include "render/complaints.h"
 #include "render/offscreen_egl.h"
 
 namespace weft::render {
@@ -32,6 +33,7 @@ class Window {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, settings.checked ? GLFW_TRUE : GLFW_FALSE);
         // Multisampling and depth live in the renderer's own framebuffer; the window only receives the
         // picture.
         glfwWindowHint(GLFW_SAMPLES, 0);
@@ -77,6 +79,7 @@ Result<void> load_functions(GLADloadfunc load) {
 struct Context::Impl {
     std::optional<Window> window;
     std::optional<OffscreenEgl> offscreen;
+    std::optional<Complaints> complaints;
 };
 
 Context::Context(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -92,20 +95,26 @@ Result<Context> Context::window(const WindowSettings& settings) {
     if (auto loaded = load_functions(glfwGetProcAddress); !loaded) return loaded.error();
     auto impl = std::make_unique<Impl>();
     impl->window.emplace(std::move(*window));
+    if (settings.checked) impl->complaints.emplace();
     return Context(std::move(impl));
 }
 
-Result<Context> Context::offscreen() {
-    auto egl = OffscreenEgl::create();
+Result<Context> Context::offscreen(bool checked) {
+    auto egl = OffscreenEgl::create(checked);
     if (!egl) return egl.error();
     if (auto loaded = load_functions(OffscreenEgl::function); !loaded) return loaded.error();
     auto impl = std::make_unique<Impl>();
     impl->offscreen.emplace(std::move(*egl));
+    if (checked) impl->complaints.emplace();
     return Context(std::move(impl));
 }
 
 GLFWwindow* Context::window_handle() const noexcept {
     return impl_->window ? impl_->window->handle() : nullptr;
+}
+
+std::vector<std::string> Context::take_complaints() {
+    return impl_->complaints ? impl_->complaints->take() : std::vector<std::string>();
 }
 
 std::string Context::renderer() const {

@@ -11,12 +11,13 @@ namespace weft::render {
 class LineMesh {
   public:
     LineMesh();
-    /// With the program made of lines.vert in use.
+    /// With the program made of lines.vert in use. Leaves blending off.
     void draw(std::span<const DrawnLine> lines);
 
   private:
     struct Vertex {
         Vec3 point, color;
+        float opacity;
     };
     VertexArray vertex_array_ = VertexArray::make();
     Buffer vertices_ = Buffer::make();

@@ -63,8 +63,9 @@ std::vector<Platform> platforms() {
 }
 
 /// A context on `display`, or EGL_NO_CONTEXT with `reason` filled.
-EGLContext make_context(EGLDisplay display, std::string& reason) {
-    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
+EGLContext make_context(EGLDisplay display, bool checked, std::string& reason) {
+    EGLint major = 0, minor = 0;
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, &major, &minor) != EGL_TRUE) {
         reason = "no display";
         return EGL_NO_CONTEXT;
     }
@@ -80,13 +81,12 @@ EGLContext make_context(EGLDisplay display, std::string& reason) {
         reason = "no configuration that draws OpenGL";
         return EGL_NO_CONTEXT;
     }
-    constexpr std::array version = {EGL_CONTEXT_MAJOR_VERSION,
-                                    3,
-                                    EGL_CONTEXT_MINOR_VERSION,
-                                    3,
-                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                    EGL_NONE};
+    std::vector<EGLint> version = {EGL_CONTEXT_MAJOR_VERSION,       3,
+                                   EGL_CONTEXT_MINOR_VERSION,       3,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    const bool can_check = major > 1 || minor >= 5;
+    if (checked && can_check) version.insert(version.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    version.push_back(EGL_NONE);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version.data());
     if (context == EGL_NO_CONTEXT) {
         reason = "no OpenGL 3.3 core context";
@@ -102,14 +102,14 @@ EGLContext make_context(EGLDisplay display, std::string& reason) {
 
 }  // namespace
 
-Result<OffscreenEgl> OffscreenEgl::create() {
+Result<OffscreenEgl> OffscreenEgl::create(bool checked) {
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE)
         return Error{ErrorCode::unsupported,
                      "EGL offers no OpenGL; install a driver (Debian: libegl1, libgl1-mesa-dri)"};
     std::string answers;
     for (const Platform& platform : platforms()) {
         std::string reason;
-        const EGLContext context = make_context(platform.display, reason);
+        const EGLContext context = make_context(platform.display, checked, reason);
         if (context != EGL_NO_CONTEXT) return OffscreenEgl(platform.display, context);
         answers.append(platform.name).append(": ").append(reason).append("; ");
     }

@@ -8,8 +8,8 @@ namespace weft::render {
 /// A current OpenGL 3.3 core context without surface; not current and destroyed with this object.
 class OffscreenEgl {
   public:
-    /// Error: what each EGL platform answered.
-    [[nodiscard]] static Result<OffscreenEgl> create();
+    /// `checked`: one that the driver looks after, where it can. Error: what each EGL platform answered.
+    [[nodiscard]] static Result<OffscreenEgl> create(bool checked);
     OffscreenEgl(OffscreenEgl&& other) noexcept;
     OffscreenEgl& operator=(OffscreenEgl&& other) noexcept;
     ~OffscreenEgl();

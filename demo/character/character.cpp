@@ -7,6 +7,7 @@
 #include "demo/character/garment/garment_file.h"
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_file.h"
+#include "demo/character/garment/gltf_mesh.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
 #include "demo/character/motion/recorded_motion.h"
@@ -39,10 +40,6 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     Garment dress = make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
     if (settings.drawn > 0) dress.fine = make_dress(body, pose, settings.drawn).mesh;
     return dress;
-}
-
-bool is_gltf(const std::filesystem::path& file) {
-    return file.extension() == ".gltf" || file.extension() == ".glb";
 }
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace weft::demo {
 namespace {
 
 constexpr ImU32 arrow_colour = IM_COL32(30, 110, 190, 225), held_colour = IM_COL32(70, 165, 250, 255);
-constexpr ImU32 air_colour = IM_COL32(255, 255, 255, 255);
 constexpr std::size_t most_pins = 120;  // that are shown: more of them are a seam or a body's own
 
 /// Draws in heights of the picture, and in the world.
@@ -62,17 +61,6 @@ ImU32 faded(ImU32 colour, float opacity) {
     return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }
 
-void draw_streaks(const Pen& pen, std::span<const Streaks::Mote> motes) {
-    for (const Streaks::Mote& mote : motes) {
-        const float youth = std::min(1.0f, std::min(mote.age, mote.lasts - mote.age) / 0.25f);
-        const float strength = 0.55f * youth * std::min(1.0f, mote.speed / 6);
-        for (std::size_t k = 0; k + 1 < mote.kept; ++k) {
-            const float newer = 1 - static_cast<float>(k) / Streaks::length;
-            pen.line(mote.trail[k], mote.trail[k + 1], faded(air_colour, strength * newer), 1.6f);
-        }
-    }
-}
-
 /// A level arrow round its foot, of the length and towards where its tip is.
 void draw_arrow(const Pen& pen, const WindArrow& arrow, const WindControl& wind, bool held) {
     const ImVec2 foot = pen.pixels(arrow.foot()), tip = pen.pixels(arrow.tip(wind));
@@ -92,8 +80,10 @@ void draw_arrow(const Pen& pen, const WindArrow& arrow, const WindControl& wind,
     list.AddCircleFilled(foot, 0.8f * width, colour);
     char text[32];
     std::snprintf(text, sizeof text, "wind %.1f m/s", static_cast<double>(wind.speed()));
-    list.AddText({foot.x + 0.02f * pen.height(), foot.y + 0.02f * pen.height()}, IM_COL32(20, 30, 45, 230),
-                 text);
+    // Beside the foot, on the side that the arrow does not go to.
+    const float aside = 0.02f * pen.height(), wide = ImGui::CalcTextSize(text).x;
+    list.AddText({tip.x < foot.x ? foot.x + aside : foot.x - aside - wide, foot.y + 0.3f * aside},
+                 IM_COL32(20, 30, 45, 230), text);
 }
 
 void draw_air(const Pen& pen, const HandAir& air) {
@@ -131,7 +121,6 @@ void draw_pins(const Pen& pen, const Simulation& simulation) {
 void draw_overlay(const Hands& hands, const Simulation& simulation, const render::OrbitCamera& camera,
                   const WindControl& wind) {
     const Pen pen(camera);
-    if (hands.streaks.visible) draw_streaks(pen, hands.streaks.motes());
     draw_air(pen, hands.air);
     draw_pins(pen, simulation);
     draw_arrow(pen, hands.arrow(), wind, hands.holds_arrow());

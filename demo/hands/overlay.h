@@ -1,5 +1,5 @@
 #pragma once
-// Hands' things drawn over the picture: the wind's arrow, streaks of air, the fan, the blast, pins.
+// Hands' things drawn over the picture: the wind's arrow, the fan, the blast, pins.
 
 #include "demo/hands/hands.h"
 

@@ -56,4 +56,18 @@ void Streaks::step(const World& world, float dt) {
     }
 }
 
+std::vector<render::DrawnLine> Streaks::lines() const {
+    std::vector<render::DrawnLine> lines;
+    if (!visible) return lines;
+    for (const Mote& mote : motes_) {
+        const float youth = std::min(1.0f, std::min(mote.age, mote.lasts - mote.age) / 0.25f);
+        const float strength = 0.65f * youth * std::min(1.0f, mote.speed / 6);
+        for (std::size_t k = 0; k + 1 < mote.kept; ++k) {
+            const float newer = 1 - static_cast<float>(k) / length;
+            lines.push_back({mote.trail[k], mote.trail[k + 1], {1, 1, 1}, strength * newer});
+        }
+    }
+    return lines;
+}
+
 }  // namespace weft::demo

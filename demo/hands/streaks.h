@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "weft/render/scene_renderer.h"
 #include "weft/world.h"
 
 namespace weft::demo {
@@ -28,6 +29,8 @@ class Streaks {
         float speed = 0;                 ///< of the air there [m/s]
     };
     [[nodiscard]] std::span<const Mote> motes() const { return motes_; }
+    /// As they are drawn, fainter where they are older; none while they are not visible.
+    [[nodiscard]] std::vector<render::DrawnLine> lines() const;
 
   private:
     void renew(Mote& mote);

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "demo/character/garment/gltf_mesh.h"
+
 namespace weft::demo {
 namespace {
 
@@ -30,7 +32,7 @@ FileKind kind_of(const std::filesystem::path& file) {
                            [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     if (end == ".json") return FileKind::settings;
     if (end == ".obj") return FileKind::garment;
-    if (end == ".gltf" || end == ".glb") return FileKind::character;
+    if (end == ".gltf" || end == ".glb") return has_skin(file) ? FileKind::character : FileKind::garment;
     return FileKind::unknown;
 }
 

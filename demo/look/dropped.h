@@ -13,7 +13,7 @@ void remember_dropped_files(GLFWwindow* window);
 /// Those since the last call.
 [[nodiscard]] std::vector<std::filesystem::path> take_dropped_files();
 
-/// What a file is, by the end of its name.
+/// What a file is, by the end of its name; a glTF file by whether anybody is in it.
 enum class FileKind { settings, garment, character, unknown };
 [[nodiscard]] FileKind kind_of(const std::filesystem::path& file);
 

@@ -10,12 +10,15 @@ namespace {
 
 constexpr float rounding = 0.5f;  // exact where cloth is bent like a parabola
 
-/// The middle of an edge, rounded towards the planes at its ends.
-Vector3 rounded_middle(const Vector3& a, const Vector3& b, const Vector3& normal_a, const Vector3& normal_b) {
+/// The middle of an edge, rounded towards the planes at its ends, but no farther than `most` of its length.
+Vector3 rounded_middle(const Vector3& a, const Vector3& b, const Vector3& normal_a, const Vector3& normal_b,
+                       float most) {
     const Vector3 middle = 0.5f * (a + b);
     const Vector3 on_a = middle - normal_a * normal_a.dot(middle - a);
     const Vector3 on_b = middle - normal_b * normal_b.dot(middle - b);
-    return (1 - rounding) * middle + rounding * 0.5f * (on_a + on_b);
+    const Vector3 out = rounding * (0.5f * (on_a + on_b) - middle);
+    const float farthest = most * (b - a).norm();
+    return middle + out * std::min(1.0f, farthest / std::max(out.norm(), 1e-9f));
 }
 
 }  // namespace
@@ -41,7 +44,7 @@ RoundedMesh::RoundedMesh(std::span<const Triangle> triangles, std::span<const Ve
     }
 }
 
-void RoundedMesh::update(const ClothView& cloth, const To& to) const {
+void RoundedMesh::update(const ClothView& cloth, const To& to, float most) const {
     for (std::size_t i = 0; i < vertices_; ++i) {
         const std::uint32_t particle = cloth.vertex_to_particle[i];
         to.positions[i] = cloth.positions[particle];
@@ -53,9 +56,10 @@ void RoundedMesh::update(const ClothView& cloth, const To& to) const {
         const Vector3 normal_a = xyz(to.normals[a]), normal_b = xyz(to.normals[b]);
         const std::size_t i = vertices_ + e;
         set_xyz(to.positions[i],
-                rounded_middle(xyz(to.positions[a]), xyz(to.positions[b]), normal_a, normal_b));
-        set_xyz(to.previous_positions[i], rounded_middle(xyz(to.previous_positions[a]),
-                                                         xyz(to.previous_positions[b]), normal_a, normal_b));
+                rounded_middle(xyz(to.positions[a]), xyz(to.positions[b]), normal_a, normal_b, most));
+        set_xyz(to.previous_positions[i],
+                rounded_middle(xyz(to.previous_positions[a]), xyz(to.previous_positions[b]), normal_a,
+                               normal_b, most));
         set_xyz(to.normals[i], normal_a + normal_b);
     }
 }

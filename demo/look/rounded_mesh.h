@@ -26,7 +26,9 @@ class RoundedMesh {
     struct To {
         std::span<Vec4> positions, previous_positions, normals;
     };
-    void update(const ClothView& cloth, const To& to) const;
+    /// Middles go out no farther than `most` of their edges' lengths: cloth that lies on itself would be seen
+    /// through itself.
+    void update(const ClothView& cloth, const To& to, float most = 1) const;
     /// What is given for particles, for vertices.
     void spread(const ClothView& cloth, std::span<const Vec4> particles, std::span<Vec4> to) const;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "demo/look/settings_file.h"
 #include "demo/method_table.h"
 #include "demo/progress.h"
 
@@ -56,12 +55,8 @@ Measured describe(const ProfileOptions& options, Simulation& simulation) {
 }  // namespace
 
 Result<Simulation> build_simulation(const ProfileOptions& options) {
-    const auto scene = choose_scene(options);
-    if (!scene) return scene.error();
-    auto simulation = Simulation::create(**scene, options.scene_options, options.overrides);
+    auto simulation = start_simulation(options);
     if (!simulation) return simulation;
-    if (!options.settings.empty())
-        if (auto loaded = load_settings(options.settings, *simulation); !loaded) return loaded.error();
     const std::vector<SceneCloth>& own = simulation->content().cloths;
     for (int i = static_cast<int>(own.size()); i < options.cloths; ++i) {
         if (auto added = add_copy(simulation->world(), own.front()); !added) return added.error();

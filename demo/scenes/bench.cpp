@@ -60,7 +60,7 @@ class Bench final : public Scene {
                                  .v = {0, 0, -strip_width}});
         if (!sheet) return sheet.error();
         strip_mesh_ = std::move(*sheet);
-        disc_mesh_ = drape_disc(disc_radius, 18, drape_middle);
+        disc_mesh_ = drape_disc(disc_radius, 20, drape_middle);  // a ring lies on the table's rim
 
         ClothSettings settings;
         settings.fabric.bending = 4e-5f;
@@ -80,7 +80,8 @@ class Bench final : public Scene {
             {disc_, disc_mesh_, {.front = {0.55f, 0.10f, 0.12f}, .back = {0.5f, 0.10f, 0.12f}}});
         constexpr Vec3 wood{0.45f, 0.40f, 0.34f};
         content.solids.push_back(
-            {round_block(table_radius, {drape_middle.x, drape_middle.y - 0.003f, drape_middle.z}), wood});
+            {round_block(table_radius - 0.001f, {drape_middle.x, drape_middle.y - 0.003f, drape_middle.z}),
+             wood});
         content.solids.push_back(
             {round_block(0.03f, {strip_clamp.x - 0.02f, strip_clamp.y - 0.003f, 0}), wood});
         content.camera = {.target = {-0.02f, 0.28f, 0}, .distance = 0.85f, .yaw = 0.25f, .pitch = 0.22f};

@@ -1,9 +1,10 @@
-// A garment from an OBJ file whose texture coordinates are its flat pattern, hung by its highest opening in a
-// breeze.
+// A garment from an OBJ file whose texture coordinates are its flat pattern, or from a glTF file, hung by its
+// highest opening in a breeze.
 
 #include <cmath>
 
 #include "demo/character/garment/garment_mesh.h"
+#include "demo/character/garment/gltf_mesh.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 
@@ -41,11 +42,13 @@ std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
 
 /// The file's own triangles, or as many times quartered as comes nearest to `particles`.
 Result<Mesh> load_garment(const SceneOptions& options) {
-    auto loaded = load_obj(options.garment, {.texcoords_are_pattern = true});
-    if (!loaded) loaded = load_obj(options.garment);  // some corners have no texture coordinates
+    const bool gltf = is_gltf(options.garment);
+    auto loaded =
+        gltf ? read_gltf_mesh(options.garment) : load_obj(options.garment, {.texcoords_are_pattern = true});
+    if (!loaded && !gltf) loaded = load_obj(options.garment);  // some corners have no texture coordinates
     if (!loaded) return loaded.error();
     Mesh mesh = std::move(*loaded);
-    if (options.y_is_up)
+    if (options.y_is_up || gltf)
         for (Vec3& p : mesh.positions) p = {p.x, -p.z, p.y};
     bring_to_size(mesh);
     drop_unfit_pattern(mesh);
@@ -69,7 +72,7 @@ class HungGarment final : public Scene {
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         if (options.garment.empty()) {
             return Error{ErrorCode::invalid_argument,
-                         "scene garment needs an OBJ file; name one with --garment"};
+                         "scene garment needs an OBJ or glTF file; name one with --garment"};
         }
         auto mesh = load_garment(options);
         if (!mesh) return mesh.error();

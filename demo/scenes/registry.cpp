@@ -9,7 +9,7 @@
     SCENE(curtain, "a curtain on rings, drawn to and fro in a slow breeze")                                  \
     SCENE(sheet, "a sheet that falls over a sphere and onto the ground")                                     \
     SCENE(ribbon, "a long ribbon, lowered end first, piles up on itself")                                    \
-    SCENE(garment, "a garment from an OBJ file, hung by its highest opening", .needs_garment = true)         \
+    SCENE(garment, "a garment from a file, hung by its highest opening", .needs_garment = true)         \
     SCENE(character, "somebody walks in a dress, or in --garment, as --motion says", .takes_garment = true, .takes_motion = true) \
     SCENE(crowd, "twenty of them", .takes_garment = true, .takes_motion = true)                              \
     SCENE(folddrop, "a sheet folded ten times falls to the ground")                                          \

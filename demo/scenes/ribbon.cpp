@@ -25,7 +25,7 @@ class Ribbon final : public Scene {
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
         settings.wind.gust = 0;
-        settings.substeps = 16;
+        settings.substeps = 2;
         return settings;
     }
 
@@ -49,7 +49,7 @@ class Ribbon final : public Scene {
                            .bending = 2e-5f,
                            .damping = 1e-3f};
         settings.air_damping = 1.0f;
-        settings.self_collision = {.enabled = true, .distance = distance_, .friction = 0.4f};
+        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

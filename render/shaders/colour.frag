@@ -1,4 +1,4 @@
-in vec3 colour;
+in vec4 colour;
 out vec4 pixel;
 
-void main() { pixel = vec4(colour, 1.0); }
+void main() { pixel = colour; }

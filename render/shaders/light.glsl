@@ -69,7 +69,8 @@ float sun_visibility(vec3 point, vec3 normal) {
 
     // Where light grazes the cloth its triangles show in the edge, unless the edge is as wide as they are.
     float least = (3.0 + 9.0 * (1.0 - abs(facing))) * texel;
-    vec2 offset = turned * max(blocker_distance * sun_size, least) / frame.sun_extent.x;
+    float width = max(blocker_distance * sun_size, least);
+    vec2 offset = turned * width / frame.sun_extent.x;
     float seen = 0.0;
     for (int i = 0; i < int(taps) * count; ++i) {
         offset = golden_turn * offset;
@@ -77,7 +78,10 @@ float sun_visibility(vec3 point, vec3 normal) {
         float reference = min(p.z + dot(slope, aside), 1.0) - bias;
         seen += textureLod(sun_compare, vec3(p.xy + aside, reference), 0.0);
     }
-    return quad_average(count == 0 ? 1.0 : seen / taps);
+    seen = count == 0 ? 1.0 : seen / taps;
+    // An edge narrower than some pixels would have the stairs of those that are averaged.
+    float pixel = max(length(dFdx(point)), length(dFdy(point)));
+    return mix(seen, quad_average(seen), smoothstep(1.5, 6.0, width / max(pixel, 1e-6)));
 }
 
 // Part of the sky not hidden by what lies above within reach: contact shadows and the darkness inside of folds.

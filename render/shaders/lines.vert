@@ -1,7 +1,7 @@
 layout(location = 0) in vec3 point;
-layout(location = 1) in vec3 colour_;
+layout(location = 1) in vec4 colour_;
 
-out vec3 colour;
+out vec4 colour;
 
 void main() {
     colour = colour_;

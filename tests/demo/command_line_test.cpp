@@ -52,6 +52,8 @@ TEST_F(Program, TakesSettings) {
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(ran.out.find("scene sheet"), std::string::npos) << ran.out;
     EXPECT_NE(ran.out.find("3 substeps"), std::string::npos) << ran.out;
+    const Ran asked = run_headless("--frames 1 --substeps 5 --settings " + file);
+    EXPECT_NE(asked.out.find("5 substeps"), std::string::npos) << "what is asked for expressly wins";
     std::ofstream(file) << R"({"scene": "sheet", "substeps": 0})";
     expect_refusal(run_headless("--frames 1 --settings " + file), "substeps is 0");
     std::ofstream(file) << R"({"scene": "nowhere"})";
@@ -189,7 +191,14 @@ TEST_F(Program, GivesTheSameHashWheneverItRunsOnAnyThreads) {
 
 TEST_F(Program, HeedsTheWind) {
     const std::string calm = hash_of(run_headless("--frames 3 --wind 0,0,0"));
-    EXPECT_NE(hash_of(run_headless("--frames 3 --wind -4,0,1")), calm);
+    const std::string blown = hash_of(run_headless("--frames 3 --wind -4,0,1"));
+    EXPECT_NE(blown, calm);
+    const std::string file = (folder() / "settings.json").string();
+    std::ofstream(file) << R"({"wind": {"velocity": [0, 0, 0]}})";
+    EXPECT_EQ(hash_of(run_headless("--frames 3 --settings " + file)), calm);
+    for (const std::string& asked :
+         {"--wind -4,0,1 --settings " + file, "--settings " + file + " --wind -4,0,1"})
+        EXPECT_EQ(hash_of(run_headless("--frames 3 " + asked)), blown) << "what is asked for expressly wins";
 }
 
 }  // namespace

@@ -32,6 +32,21 @@ TEST_F(Contexts, AnotherOneDrawsAfterTheFirstIsGone) {
     EXPECT_EQ(renderer().capture(view, 64, 48).rgb, first.rgb);
 }
 
+TEST_F(Contexts, ACheckedOneTellsWhatTheDriverObjectsTo) {
+    EXPECT_TRUE(context().take_complaints().empty());
+    glEnable(0x7777);  // no capability
+    glEnable(0x7777);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+    if (GLAD_GL_KHR_debug == 0) GTEST_SKIP() << "the driver lacks KHR_debug";
+    EXPECT_EQ(context().take_complaints().size(), 1u);
+    EXPECT_TRUE(context().take_complaints().empty());
+    TearDown();
+    auto unchecked = Context::offscreen();
+    ASSERT_TRUE(unchecked.ok());
+    glEnable(0x7777);
+    EXPECT_TRUE(unchecked->take_complaints().empty());
+}
+
 TEST(Window, ASizeBelowOnePixelIsNamed) {
     for (const auto& [width, height] : {std::array{0, 100}, std::array{100, -3}}) {
         const auto made = Context::window({.width = width, .height = height, .title = "", .vsync = false});

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "render/matrices.h"
+#include "tests/render/gl_objects.h"
 
 namespace weft::render {
 
@@ -14,9 +15,10 @@ void Drawing::SetUp() {
 #ifdef WEFT_NO_DRAWING
     GTEST_SKIP() << "OpenGL drivers are not instrumented for the thread sanitizer";
 #else
-    auto made = Context::offscreen();
+    auto made = Context::offscreen(true);
     if (!made) GTEST_SKIP() << made.error().message;
     context_.emplace(std::move(*made));
+    objects_ = count_gl_objects();
     auto renderer = SceneRenderer::create();
     ASSERT_TRUE(renderer) << renderer.error().message;
     renderer_.emplace(std::move(*renderer));
@@ -26,8 +28,12 @@ void Drawing::SetUp() {
 void Drawing::TearDown() {
     if (renderer_) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        for (const std::string& each : context_->take_complaints()) ADD_FAILURE() << "OpenGL: " << each;
     }
     renderer_.reset();
+    if (context_ && counts_objects) {
+        EXPECT_EQ(count_gl_objects(), objects_) << "what the renderer made is still there";
+    }
     context_.reset();
 }
 

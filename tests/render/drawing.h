@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -11,7 +12,8 @@
 
 namespace weft::render {
 
-/// A renderer without a display. Skips where the system cannot draw, and fails on any OpenGL error.
+/// A renderer without a display. Skips where the system cannot draw, and fails at whatever the driver objects
+/// to, and at objects that the renderer leaves behind.
 class Drawing : public testing::Test {
   protected:
     void SetUp() override;
@@ -20,9 +22,12 @@ class Drawing : public testing::Test {
     SceneRenderer& renderer() { return *renderer_; }
     Context& context() { return *context_; }
 
+    bool counts_objects = true;  ///< what was made besides is left
+
   private:
     std::optional<Context> context_;
     std::optional<SceneRenderer> renderer_;
+    std::array<int, 9> objects_{};  // before there was a renderer
 };
 
 /// Buffers of one cloth, one vertex per particle, and the normals of the map itself.

@@ -264,7 +264,11 @@ struct Everything {
     View view;
 };
 
-using HostState = Drawing;
+/// The host's objects are its own.
+class HostState : public Drawing {
+  protected:
+    HostState() { counts_objects = false; }
+};
 
 void expect_the_same_picture_and_state(SceneRenderer& first_renderer) {
     const Everything scene;

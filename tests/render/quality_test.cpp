@@ -76,6 +76,16 @@ TEST_F(InsidePictures, LinesAreDrawnAndHiddenByWhatIsBeforeThem) {
     const DrawnLine behind[] = {{{-0.3f, 0.45f, -0.2f}, {0.3f, 0.55f, -0.2f}, {0, 0, 1}}};
     view.lines = behind;
     EXPECT_EQ(renderer().capture(view, width, height).rgb, without.rgb);
+    DrawnLine faint[] = {before[0], behind[0]};
+    for (DrawnLine& line : faint) line.opacity = 0.3f;
+    view.lines = std::span(faint).subspan(1);
+    EXPECT_EQ(renderer().capture(view, width, height).rgb, without.rgb) << "and so are faint ones";
+    view.lines = std::span(faint).first(1);
+    const Image seen = renderer().capture(view, width, height);
+    view.lines = faint;
+    EXPECT_EQ(renderer().capture(view, width, height).rgb, seen.rgb);
+    view.lines = before;
+    EXPECT_LT(difference(seen, without), 0.6 * difference(renderer().capture(view, width, height), without));
 }
 
 TEST_F(InsidePictures, ColoursOfParticlesCoverTheFabric) {

@@ -74,6 +74,22 @@ NodePlace place_of(const tinygltf::Node& node) {
 
 }  // namespace
 
+Result<tinygltf::Model> load_gltf(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file))
+        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a glTF file"};
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    tinygltf::Model model;
+    std::string errors, warnings;
+    const bool binary = file.extension() == ".glb";
+    const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &errors, &warnings, file.string())
+                               : loader.LoadASCIIFromFile(&model, &errors, &warnings, file.string());
+    if (loaded) return model;
+    return broken(file.string() + ": " + (errors.empty() ? "is no glTF file" : errors));
+}
+
 Result<std::vector<double>> gltf_numbers(const tinygltf::Model& model, int accessor, int components) {
     if (!holds(model.accessors, accessor)) return broken("there is no accessor " + std::to_string(accessor));
     const tinygltf::Accessor& from = model.accessors[static_cast<std::size_t>(accessor)];
@@ -110,18 +126,46 @@ Result<std::vector<double>> gltf_numbers(const tinygltf::Model& model, int acces
     return numbers;
 }
 
+Result<std::vector<Triangle>> gltf_triangles(const tinygltf::Model& model,
+                                             const tinygltf::Primitive& primitive, std::size_t vertices,
+                                             const std::string& name) {
+    std::vector<double> indices;
+    if (primitive.indices >= 0) {
+        auto read = gltf_numbers(model, primitive.indices, 1);
+        if (!read) return read.error();
+        indices = std::move(*read);
+    } else {
+        for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<double>(v));
+    }
+    if ((primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) || indices.size() % 3 != 0)
+        return broken("the primitive of material " + name + " is not of triangles");
+    std::vector<Triangle> triangles(indices.size() / 3);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (!(indices[i] >= 0 && indices[i] < static_cast<double>(vertices)))
+            return broken("the primitive of material " + name + " has index " + std::to_string(indices[i]) +
+                          "; it has " + std::to_string(vertices) + " vertices");
+        triangles[i / 3][i % 3] = static_cast<std::uint32_t>(indices[i]);
+    }
+    return triangles;
+}
+
 std::vector<NodePlace> gltf_places(const tinygltf::Model& model) {
     std::vector<NodePlace> places;
     for (const tinygltf::Node& node : model.nodes) places.push_back(place_of(node));
     return places;
 }
 
-std::vector<int> gltf_parents(const tinygltf::Model& model) {
+Result<std::vector<int>> gltf_parents(const tinygltf::Model& model) {
     std::vector<int> parents(model.nodes.size(), -1);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         for (const int child : model.nodes[n].children) {
             if (holds(parents, child)) parents[static_cast<std::size_t>(child)] = static_cast<int>(n);
         }
+    }
+    for (std::size_t n = 0; n < parents.size(); ++n) {  // those that go round would have no end
+        std::size_t steps = 0;
+        for (auto at = static_cast<int>(n); at >= 0; at = parents[static_cast<std::size_t>(at)])
+            if (++steps > parents.size()) return broken("node " + std::to_string(n) + " is its own ancestor");
     }
     return parents;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Numbers and nodes out of a parsed glTF file, with every range checked.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,13 +9,23 @@
 
 #include "engine/vector.h"
 #include "weft/error.h"
+#include "weft/mesh.h"
 
 namespace weft::demo {
+
+/// Pictures in it are not read. Errors name the file: it cannot be read, or is no glTF file.
+[[nodiscard]] Result<tinygltf::Model> load_gltf(const std::filesystem::path& file);
 
 /// All numbers of an accessor, `components` an element, normalised where it says so. Error: another number of
 /// components, sparse, or beyond its buffer.
 [[nodiscard]] Result<std::vector<double>> gltf_numbers(const tinygltf::Model& model, int accessor,
                                                        int components);
+
+/// Of a primitive with so many vertices, of the material `name`. Error: it is not of triangles, or has an
+/// index of no vertex.
+[[nodiscard]] Result<std::vector<Triangle>> gltf_triangles(const tinygltf::Model& model,
+                                                           const tinygltf::Primitive& primitive,
+                                                           std::size_t vertices, const std::string& name);
 
 /// A node's own place: translation, rotation, scale.
 struct NodePlace {
@@ -24,9 +35,9 @@ struct NodePlace {
 };
 
 [[nodiscard]] std::vector<NodePlace> gltf_places(const tinygltf::Model& model);
-/// Of each node; -1: it has none.
-[[nodiscard]] std::vector<int> gltf_parents(const tinygltf::Model& model);
-/// From each node's axes to the World's. Precondition: parents lead to nodes without one.
+/// Of each node; -1: it has none. Error: a node that is its own ancestor.
+[[nodiscard]] Result<std::vector<int>> gltf_parents(const tinygltf::Model& model);
+/// From each node's axes to the World's, by gltf_parents().
 [[nodiscard]] std::vector<Eigen::Affine3f> gltf_globals(const std::vector<NodePlace>& places,
                                                         const std::vector<int>& parents);
 

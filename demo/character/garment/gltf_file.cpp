@@ -35,17 +35,10 @@ class GltfReader {
   private:
     using Affine = Eigen::Affine3f;
 
-    /// Parents that go round would have no end.
     Result<void> check_nodes() {
-        parents_ = gltf_parents(model_);
-        for (std::size_t n = 0; n < parents_.size(); ++n) {
-            std::size_t steps = 0;
-            for (auto at = static_cast<int>(n); at >= 0; at = parents_[static_cast<std::size_t>(at)]) {
-                if (++steps > parents_.size())
-                    return Error{ErrorCode::malformed_file,
-                                 "node " + std::to_string(n) + " is its own ancestor"};
-            }
-        }
+        auto parents = gltf_parents(model_);
+        if (!parents) return parents.error();
+        parents_ = std::move(*parents);
         for (const int joint : skin().joints) {
             if (joint < 0 || static_cast<std::size_t>(joint) >= parents_.size())
                 return Error{ErrorCode::malformed_file,
@@ -189,7 +182,11 @@ class GltfReader {
                          "the primitive of material " + name + " has " + std::to_string(weights->size() / 4) +
                              " weights and " + std::to_string(joints->size() / 4) + " joints for " +
                              std::to_string(vertices) + " positions"};
-        if (auto triangles = read_triangles(primitive, name, vertices, to.mesh); !triangles) return triangles;
+        const auto triangles = gltf_triangles(model_, primitive, vertices, name);
+        if (!triangles) return triangles.error();
+        const auto first = static_cast<std::uint32_t>(to.mesh.positions.size());
+        for (const auto& [a, b, c] : *triangles)
+            to.mesh.triangles.push_back({first + a, first + b, first + c});
         const auto inverse_binds = skin().inverseBindMatrices < 0
                                        ? Result<std::vector<double>>(std::vector<double>())
                                        : gltf_numbers(model_, skin().inverseBindMatrices, 16);
@@ -222,35 +219,6 @@ class GltfReader {
         for (std::size_t i = 0; i < numbers->size(); i += each)
             to.colours.push_back({static_cast<float>((*numbers)[i]), static_cast<float>((*numbers)[i + 1]),
                                   static_cast<float>((*numbers)[i + 2])});
-        return {};
-    }
-
-    Result<void> read_triangles(const tinygltf::Primitive& primitive, const std::string& name,
-                                std::size_t vertices, Mesh& mesh) {
-        std::vector<double> indices;
-        if (primitive.indices >= 0) {
-            auto read = gltf_numbers(model_, primitive.indices, 1);
-            if (!read) return read.error();
-            indices = std::move(*read);
-        } else {
-            for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<double>(v));
-        }
-        if ((primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) || indices.size() % 3 != 0)
-            return Error{ErrorCode::malformed_file,
-                         "the primitive of material " + name + " is not of triangles"};
-        const std::size_t first = mesh.positions.size();
-        for (std::size_t i = 0; i < indices.size(); i += 3) {
-            Triangle triangle{};
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double index = indices[i + c];
-                if (!(index >= 0 && index < static_cast<double>(vertices)))
-                    return Error{ErrorCode::malformed_file,
-                                 "the primitive of material " + name + " has index " + std::to_string(index) +
-                                     "; it has " + std::to_string(vertices) + " vertices"};
-                triangle[c] = static_cast<std::uint32_t>(first + static_cast<std::size_t>(index));
-            }
-            mesh.triangles.push_back(triangle);
-        }
         return {};
     }
 
@@ -298,21 +266,9 @@ class GltfReader {
 }  // namespace
 
 Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body) {
-    if (!std::filesystem::is_regular_file(file))
-        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a glTF file"};
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
-    tinygltf::Model model;
-    std::string errors, warnings;
-    const bool binary = file.extension() == ".glb";
-    const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &errors, &warnings, file.string())
-                               : loader.LoadASCIIFromFile(&model, &errors, &warnings, file.string());
-    if (!loaded)
-        return Error{ErrorCode::malformed_file,
-                     file.string() + ": " + (errors.empty() ? "is no glTF file" : errors)};
-    GltfReader reader(std::move(model), with_body);
+    auto model = load_gltf(file);
+    if (!model) return model.error();
+    GltfReader reader(std::move(*model), with_body);
     auto character = reader.read();
     if (!character) return Error{character.error().code, file.string() + ": " + character.error().message};
     Garment& garment = character->garment;

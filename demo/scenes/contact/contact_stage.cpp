@@ -143,7 +143,7 @@ std::unique_ptr<Scene> make_layers_scene() {
     return stage("stacked of cloths", {.nearer = 1.7f});
 }
 std::unique_ptr<Scene> make_crumple_scene() {
-    return stage("crumple", {.nearer = 1.8f, .lower = 0.15f});
+    return stage("crumple", {.nearer = 1.6f, .lower = 0.25f});
 }
 std::unique_ptr<Scene> make_twist_scene() {
     return stage("twist", {.nearer = 1.25f});

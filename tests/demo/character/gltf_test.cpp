@@ -7,6 +7,7 @@
 #include <set>
 
 #include "demo/character/character.h"
+#include "demo/character/garment/gltf_mesh.h"
 #include "demo/character/motion/generated_walk.h"
 #include "tests/demo/character/temporary_file.h"
 
@@ -248,6 +249,39 @@ TEST(Gltf, ItsOwnBodyIsMetAsItsSkin) {
         EXPECT_NEAR((*character->skin_places())[0].y, before, 0.05f);
         for (const Vec4& p : world->cloth(character->cloth())->positions)
             EXPECT_FALSE(p.w > 0 && std::abs(p.x) < 0.06f && p.y > 0.8f && p.y < 1 && std::abs(p.z) < 0.05f);
+    }
+}
+
+/// Two triangles that share no vertices, as exporters leave them at seams.
+std::string plain_mesh(const GltfText& data, const TemporaryFile& buffer, const std::string& nodes) {
+    return R"({"asset":{"version":"2.0"},"nodes":)" + nodes +
+           R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{"byteLength":)" +
+           std::to_string(data.bytes.size()) + R"(,"uri":")" + buffer.path().filename().string() +
+           R"("}],"bufferViews":[)" + data.views + R"(],"accessors":[)" + data.accessors + "]}";
+}
+
+TEST(Gltf, AMeshWithNobodyInItIsClothWhereItsNodesPutIt) {
+    GltfText data;
+    data.add(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3", 5126, 6);
+    const TemporaryFile buffer("plain.bin", data.bytes);
+    const std::string moved = R"([{"translation":[0,2,0],"children":[1]},{"mesh":0,"scale":[3,1,1]}])";
+    const TemporaryFile plain("plain.gltf", plain_mesh(data, buffer, moved));
+    EXPECT_FALSE(has_skin(plain.path()));
+    const auto mesh = read_gltf_mesh(plain.path());
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    ASSERT_EQ(mesh->triangles.size(), 2u);
+    EXPECT_EQ(mesh->triangles[1], (Triangle{3, 4, 5}));
+    EXPECT_EQ(to_vector(mesh->positions[4]), Vector3(3, 3, 0));
+    const TemporaryFile unread("model.bin", Model().data.bytes);
+    const TemporaryFile skinned("skinned.gltf", Model().json(unread.path().filename().string()));
+    EXPECT_TRUE(has_skin(skinned.path()));
+    for (const auto& [nodes, named] :
+         {std::pair("[{}]", "no node has a mesh"), {R"([{"mesh":0,"children":[0]}])", "its own ancestor"}}) {
+        const TemporaryFile wrong("wrong.gltf", plain_mesh(data, buffer, nodes));
+        const auto refused = read_gltf_mesh(wrong.path());
+        ASSERT_FALSE(refused.ok());
+        EXPECT_NE(refused.error().message.find(named), std::string::npos) << refused.error().message;
+        EXPECT_NE(refused.error().message.find("wrong.gltf"), std::string::npos) << refused.error().message;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 
 #include "demo/look/dropped.h"
@@ -123,6 +124,10 @@ TEST(RoundedMesh, IsOnTheCylinderThatTheClothIsBentOver) {
     const float flat = radius * (1 - std::cos(0.5f * step));
     for (const Vec4& each_vertex : p)
         EXPECT_NEAR(std::hypot(each_vertex.x, each_vertex.y), radius, 0.05f * flat);
+    rounded.update(view, {p, before, n}, 0);
+    float least = radius;
+    for (const Vec4& each_vertex : p) least = std::min(least, std::hypot(each_vertex.x, each_vertex.y));
+    EXPECT_NEAR(least, radius - flat, 0.05f * flat) << "on the flat triangles, where nothing may be added";
 }
 
 TEST(Inside, ColoursWhatIsStretchedOrFast) {
@@ -166,8 +171,7 @@ TEST(Materials, OneStiffnessScalesAll) {
 
 TEST(Dropped, KindsByTheEndOfTheName) {
     EXPECT_EQ(kind_of("a/Shirt.OBJ"), FileKind::garment);
-    EXPECT_EQ(kind_of("a.glb"), FileKind::character);
-    EXPECT_EQ(kind_of("a.gltf"), FileKind::character);
+    EXPECT_EQ(kind_of("a.glb"), FileKind::garment) << "nobody in it";
     EXPECT_EQ(kind_of("weft.json"), FileKind::settings);
     EXPECT_EQ(kind_of("a.txt"), FileKind::unknown);
 }
@@ -284,6 +288,66 @@ TEST(Recorder, LeavesPicturesByNumber) {
     EXPECT_EQ(std::filesystem::exists(folder / "weft-film-0001.mp4"), program_is_there("ffmpeg"));
     EXPECT_FALSE(Recorder("/proc/nowhere").start().ok());
     EXPECT_FALSE(Recorder("/proc/nowhere").save(image).ok());
+    std::filesystem::remove_all(folder);
+}
+
+/// A program in $PATH, as long as it lives.
+class StandIn {
+  public:
+    StandIn(std::filesystem::path folder, const char* name, const std::string& script)
+        : folder_(std::move(folder)), path_(std::getenv("PATH")) {
+        std::filesystem::create_directories(folder_);
+        std::ofstream(folder_ / name) << "#!/bin/sh\n" << script;
+        std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
+        setenv("PATH", (folder_.string() + ":" + path_).c_str(), 1);
+    }
+    ~StandIn() {
+        setenv("PATH", path_.c_str(), 1);
+        std::filesystem::remove_all(folder_);
+    }
+    StandIn(const StandIn&) = delete;
+    StandIn& operator=(const StandIn&) = delete;
+
+  private:
+    std::filesystem::path folder_;
+    std::string path_;
+};
+
+TEST(Recorder, HasFfmpegMakeAFilmOfThePictures) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "weft_film";
+    std::filesystem::remove_all(folder);
+    // Notes its arguments, and copies the second picture that its pattern names to the last of them.
+    const StandIn ffmpeg(folder / "bin", "ffmpeg",
+                         "echo \"$@\" > " + (folder / "arguments").string() +
+                             "\nwhile [ $# -gt 1 ]; do [ \"$1\" = -i ] && pattern=$2; shift; done\n"
+                             "cp \"$(printf \"$pattern\" 2)\" \"$1\"\n");
+    const render::Image image{15, 9, std::vector<std::uint8_t>(3 * 15 * 9, 50)};
+    Recorder recorder(folder);
+    ASSERT_TRUE(recorder.start().ok());
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(recorder.add(image).ok());
+    const auto told = recorder.stop();
+    ASSERT_TRUE(told.ok()) << told.error().message;
+    EXPECT_NE(told->find("weft-film-0001.mp4, of 2 pictures"), std::string::npos) << *told;
+    EXPECT_EQ(std::filesystem::file_size(folder / "weft-film-0001.mp4"),
+              std::filesystem::file_size(folder / "weft-film-0001" / "picture_000002.png"));
+    std::string arguments;
+    std::getline(std::ifstream(folder / "arguments"), arguments);
+    for (const char* needed : {"-y ", "-framerate 30 ", "-pix_fmt yuv420p ", "pad=ceil(iw/2)*2:ceil(ih/2)*2"})
+        EXPECT_NE(arguments.find(needed), std::string::npos) << arguments;
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Recorder, SaysThatFfmpegMadeNone) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "weft_no_film";
+    std::filesystem::remove_all(folder);
+    const StandIn ffmpeg(folder / "bin", "ffmpeg", "exit 1\n");
+    Recorder recorder(folder);
+    ASSERT_TRUE(recorder.start().ok());
+    ASSERT_TRUE(recorder.add({16, 8, std::vector<std::uint8_t>(3 * 16 * 8, 50)}).ok());
+    const auto told = recorder.stop();
+    ASSERT_FALSE(told.ok());
+    EXPECT_NE(told.error().message.find("ffmpeg made no film of the 1 pictures in"), std::string::npos)
+        << told.error().message;
     std::filesystem::remove_all(folder);
 }
 

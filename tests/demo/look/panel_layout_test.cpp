@@ -1,41 +1,12 @@
 // Panels at every size of the window: within it, beside each other, with the larger half left to the scene.
 
-#include <imgui_internal.h>
-
 #include <vector>
 
 #include "tests/demo/look/panel_frames.h"
+#include "tests/demo/look/seen_windows.h"
 
 namespace weft::demo {
 namespace {
-
-struct Seen {
-    std::string name;
-    ImRect place;
-};
-
-std::vector<Seen> windows_of_this_frame() {
-    std::vector<Seen> all;
-    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
-        const bool own = (window->Flags & (ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Tooltip)) == 0;
-        if (window->Active && !window->Hidden && own && std::string(window->Name) != "Debug##Default")
-            all.push_back({window->Name, window->Rect()});
-    }
-    return all;
-}
-
-void expect_apart(const std::vector<Seen>& seen, ImVec2 size) {
-    for (const Seen& each : seen) {
-        EXPECT_GE(each.place.Min.x, 0) << each.name;
-        EXPECT_GE(each.place.Min.y, 0) << each.name;
-        EXPECT_LE(each.place.Max.x, size.x) << each.name;
-        EXPECT_LE(each.place.Max.y, size.y) << each.name;
-        EXPECT_GT(each.place.GetHeight(), 10) << each.name;
-    }
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(seen[i].place.Overlaps(seen[k].place)) << seen[i].name << " and " << seen[k].name;
-}
 
 class PanelLayout : public PanelFrames, public testing::WithParamInterface<std::pair<ImVec2, float>> {};
 

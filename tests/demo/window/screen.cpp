@@ -31,7 +31,7 @@ std::optional<Screen> Screen::start() {
         const std::string said_to = std::to_string(ends[1]);
         close(ends[0]);
         // Without -noreset it begins anew when a window closes, and the next one may find nobody there.
-        execlp("Xvfb", "Xvfb", "-displayfd", said_to.c_str(), "-screen", "0", "1280x800x24", "-nolisten",
+        execlp("Xvfb", "Xvfb", "-displayfd", said_to.c_str(), "-screen", "0", "2560x1440x24", "-nolisten",
                "tcp", "-noreset", nullptr);
         _exit(127);
     }
@@ -55,6 +55,10 @@ Screen::~Screen() {
 
 void Screen::move_pointer(float x, float y) const {
     run("mousemove " + std::to_string(static_cast<int>(x)) + ' ' + std::to_string(static_cast<int>(y)));
+}
+
+void Screen::resize(int width, int height) const {
+    run("search --name Weft windowsize %@ " + std::to_string(width) + ' ' + std::to_string(height));
 }
 
 void Screen::run(const std::string& command) const {

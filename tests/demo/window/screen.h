@@ -24,6 +24,8 @@ class Screen {
     void move_pointer(float x, float y) const;
     void press() const { run("mousedown 1"); }
     void release() const { run("mouseup 1"); }
+    /// The program's window, as somebody who drags its corner.
+    void resize(int width, int height) const;
     void key(const std::string& name) const { run("key " + name); }
     void hold(const std::string& name) const { run("keydown " + name); }
     void let_go(const std::string& name) const { run("keyup " + name); }

@@ -1,79 +1,22 @@
-// The real window on a real display, with real events: what hands do is felt.
+// What hands and keys do in the window is felt.
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
-#include <vector>
+#include <string>
 
-#include "demo/app.h"
 #include "demo/hands/project.h"
 #include "engine/vector.h"
-#include "tests/demo/window/screen.h"
+#include "tests/demo/window/window.h"
+#include "tests/render/gl_objects.h"
 
 namespace weft::demo {
 namespace {
 
-constexpr int across = 480, down = 320;
-
-/// A play in acts: each is called after every picture until it says that it is over.
-class Window : public testing::Test {
-  protected:
-    using Act = std::function<bool(const AppFrame&)>;
-
-    static void SetUpTestSuite() { screen() = Screen::start(); }
-    static void TearDownTestSuite() { screen().reset(); }
-    static std::optional<Screen>& screen() {
-        static std::optional<Screen> one;
-        return one;
-    }
-    void SetUp() override {
-        if (!screen()) GTEST_SKIP() << "Xvfb or xdotool is missing; tests/run installs them";
-    }
-
-    void play(const char* scene, std::vector<Act> acts, int most_frames = 250,
-              std::uint32_t particles = 300) {
-        Options options;
-        options.width = across;
-        options.height = down;
-        options.scene_options.particles = particles;
-        options.frames = most_frames;
-        Overrides overrides;
-        overrides.threads = 1;
-        auto simulation = Simulation::create(*find_scene(scene), options.scene_options, overrides);
-        ASSERT_TRUE(simulation) << simulation.error().message;
-        point({0.75f, 0.4f});  // keys go to the window that the pointer is in
-        std::size_t act = 0;
-        const int status = run_app(options, std::move(*simulation), [&](const AppFrame& frame) {
-            if (acts[act](frame)) ++act;
-            return act < acts.size();
-        });
-        EXPECT_EQ(status, 0);
-        EXPECT_EQ(act, acts.size()) << "an act that did not end";
-    }
-    /// Waits for some pictures: events come by the window system.
-    static Act wait(int pictures) {
-        return [=, left = pictures](const AppFrame&) mutable { return --left <= 0; };
-    }
-    static void point(Vec2 place) {
-        screen()->move_pointer(static_cast<float>(down) * place.x, static_cast<float>(down) * place.y);
-    }
-    static Act at_once(const std::function<void(const AppFrame&)>& act) {
-        return [=](const AppFrame& frame) {
-            act(frame);
-            return true;
-        };
-    }
-    static Act key(const char* name) {
-        return at_once([=](const AppFrame&) { screen()->key(name); });
-    }
-};
-
 /// Which way the flag flies, from its pole.
-float heading_of_flag(const Simulation& simulation) {
+float heading_of_flag(const ClothView& flag) {
     Vector3 sum = Vector3::Zero();
-    for (const Vec4& p : simulation.world().cloth(simulation.content().cloths.front().id)->positions)
-        sum += xyz(p);
+    for (const Vec4& p : flag.positions) sum += xyz(p);
     return std::atan2(-sum.z(), sum.x());
 }
 
@@ -87,9 +30,10 @@ TEST_F(Window, ADraggedArrowTurnsTheWindAndTheFlag) {
                       point(frame.hands.arrow().at(-0.2f, -0.02f));  // to the left of the picture
                       wanted = frame.camera.yaw + 3.1415927f;
                   }),
-                  [&](const AppFrame& frame) {
-                      return std::abs(std::remainder(frame.wind.heading() - wanted, 6.2831853f)) < 0.2f;
-                  },
+                  // What is done before a picture is seen in it, and no picture later.
+                  at_once([&](const AppFrame& frame) {
+                      EXPECT_LT(std::abs(std::remainder(frame.wind.heading() - wanted, 6.2831853f)), 0.2f);
+                  }),
                   at_once([](const AppFrame& frame) {
                       const Vec3 told = frame.wind.velocity(),
                                  felt = frame.simulation.world().settings().wind.velocity;
@@ -99,7 +43,7 @@ TEST_F(Window, ADraggedArrowTurnsTheWindAndTheFlag) {
                       screen()->release();
                   }),
                   wait(90), at_once([&](const AppFrame& frame) {
-                      const float flies = heading_of_flag(frame.simulation);
+                      const float flies = heading_of_flag(first_cloth(frame));
                       EXPECT_LT(std::abs(std::remainder(flies - wanted, 6.2831853f)), 0.8f);
                       EXPECT_FALSE(frame.hands.holds_arrow());
                   })});
@@ -134,8 +78,7 @@ TEST_F(Window, BackInTimeAndOnAgainComesToTheSameBytes) {
 
 TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
     const auto pins = [](const AppFrame& frame) {
-        const auto positions =
-            frame.simulation.world().cloth(frame.simulation.content().cloths.front().id)->positions;
+        const auto positions = first_cloth(frame).positions;
         return std::ranges::count_if(positions, [](const Vec4& p) { return p.w == 0; });
     };
     std::ptrdiff_t before = 0;
@@ -143,11 +86,9 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
          {wait(2), key("F2"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
           at_once([&](const AppFrame& frame) {
               before = pins(frame);
-              const auto positions =
-                  frame.simulation.world().cloth(frame.simulation.content().cloths.front().id)->positions;
+              const auto positions = first_cloth(frame).positions;
               const Vec4& middle = positions[positions.size() / 2 + 9];
-              point(*project(frame.camera, {middle.x, middle.y, middle.z},
-                             static_cast<float>(across) / static_cast<float>(down)));
+              point(*project(frame.camera, {middle.x, middle.y, middle.z}, aspect));
           }),
           wait(2), key("p"), [&](const AppFrame& frame) { return pins(frame) == before + 1; }, key("p"),
           [&](const AppFrame& frame) { return pins(frame) == before; }, key("t"),
@@ -156,11 +97,9 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
 
 TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
     std::size_t particles = 0;
-    const auto count = [](const AppFrame& frame) {
-        return frame.simulation.world().cloth(frame.simulation.content().cloths.front().id)->positions.size();
-    };
+    const auto count = [](const AppFrame& frame) { return first_cloth(frame).positions.size(); };
     const auto point_at = [](const AppFrame& frame, const Vec3& place) {
-        point(*project(frame.camera, place, static_cast<float>(across) / static_cast<float>(down)));
+        point(*project(frame.camera, place, aspect));
     };
     play("flag",
          {wait(2), key("F2"), key("space"), [](const AppFrame& frame) { return frame.playback.paused; },
@@ -183,14 +122,38 @@ TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
           [](const AppFrame& frame) { return frame.simulation.cuts() > 0 && frame.timeline.size() == 1; }});
 }
 
+TEST_F(Window, ScenesThatAreLeftLeaveNothingInOpenGl) {
+    std::array<int, 9> first{};
+    std::vector<Act> acts;
+    for (int round = 0; round < 2; ++round) {
+        for (const int scene : {2, 0, 2}) {
+            acts.push_back(key(std::to_string(scene + 1)));
+            acts.push_back([=](const AppFrame& frame) {
+                return &frame.simulation.entry() == &all_scenes()[static_cast<std::size_t>(scene)];
+            });
+            acts.push_back(key("r"));
+            acts.push_back(wait(3));
+        }
+        acts.push_back(at_once([&first, round](const AppFrame&) {
+            const auto now = render::count_gl_objects();
+            if (round > 0) {
+                EXPECT_EQ(now, first);
+            }
+            first = now;
+            EXPECT_GT(first[1], 5) << "textures";
+        }));
+    }
+    play("flag", std::move(acts));
+}
+
 TEST_F(Window, OpensEveryScene) {
     for (const SceneEntry& entry : all_scenes()) {
         if (entry.needs_garment) continue;
         SCOPED_TRACE(entry.name);
         int drawn = 0;
         play(entry.name,
-             {[&](const AppFrame& frame) { return ++drawn == 2 && &frame.simulation.entry() == &entry; }}, 3,
-             1000);
+             {[&](const AppFrame& frame) { return ++drawn == 2 && &frame.simulation.entry() == &entry; }},
+             {.most_frames = 3, .particles = 1000});
     }
 }
 

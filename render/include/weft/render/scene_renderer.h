@@ -81,6 +81,7 @@ struct DrawnBox {
 struct DrawnLine {
     Vec3 from, to;  ///< [m]
     Vec3 color;
+    float opacity = 1;  ///< 0 to 1
 };
 
 /// What a picture costs and how good it is. The defaults are the best; what is out of range counts as the

@@ -1,0 +1,133 @@
+// Panels in the window: they follow its size, and no slider ruins the cloth.
+
+#include <algorithm>
+#include <map>
+
+#include "demo/panels/column.h"
+#include "demo/panels/widgets.h"
+#include "demo/scenes/measures.h"
+#include "tests/demo/look/seen_windows.h"
+#include "tests/demo/window/window.h"
+
+namespace weft::demo {
+namespace {
+
+class WindowPanels : public Window {
+  protected:
+    ~WindowPanels() override {
+        slider_probe = nullptr;
+        all_open = false;
+    }
+};
+
+TEST_F(WindowPanels, FollowTheWindowsSize) {
+    ImVec2 size;
+    std::vector<Seen> seen;
+    all_open = true;
+    slider_probe = [&](const char*, float&, float, float) {
+        size = ImGui::GetIO().DisplaySize;
+        seen = windows_of_this_frame(true);
+        return false;
+    };
+    std::vector<Act> acts;
+    for (const ImVec2 wanted : {ImVec2(640, 480), ImVec2(2560, 1440), ImVec2(1280, 800)}) {
+        acts.push_back(at_once([=](const AppFrame&) {
+            screen()->resize(static_cast<int>(wanted.x), static_cast<int>(wanted.y));
+        }));
+        acts.push_back([&, wanted](const AppFrame&) { return size.x == wanted.x && size.y == wanted.y; });
+        acts.push_back(wait(3));
+        acts.push_back(at_once([&, wanted](const AppFrame& frame) {
+            EXPECT_GE(seen.size(), 2u) << "the column, the bar of time";
+            expect_apart(seen, wanted);
+            EXPECT_GT(frame.panels.covered(), 100);
+            EXPECT_LT(frame.panels.covered(), 0.46f * wanted.x);
+        }));
+    }
+    play("flag", std::move(acts));
+}
+
+struct Ends {
+    float first, least, most;
+};
+
+TEST_F(WindowPanels, SlidersToBothEndsAndBackLeaveASoundCloth) {
+    std::map<std::string, Ends> ends;
+    std::string moved;
+    float to = 0;
+    all_open = true;
+    slider_probe = [&](const char* label, float& value, float least, float most) {
+        ends.try_emplace(label, Ends{value, least, most});
+        if (label != moved) return false;
+        value = to;
+        return true;
+    };
+    // Threads are no matter of cloth, and text is large when a slider is about to be found.
+    const auto next = [&](const std::string& before) {
+        auto found = ends.upper_bound(before);
+        while (found != ends.end() && (found->first == "threads" || found->first == "text size")) ++found;
+        return found;
+    };
+    std::string which;
+    int turn = 0;
+    double back_at = 0;
+    play("flag",
+         {wait(3), at_once([&](const AppFrame&) {
+              EXPECT_GE(ends.size(), 18u);
+              which = next("")->first;
+          }),
+          [&](const AppFrame&) {  // a picture each: the least, the most, where it was
+              const auto each = ends.find(which);
+              moved = which;
+              to = turn == 0 ? each->second.least : turn == 1 ? each->second.most : each->second.first;
+              if (++turn < 3) return false;
+              turn = 0;
+              const auto after = next(which);
+              if (after != ends.end()) which = after->first;
+              return after == ends.end();
+          },
+          wait(2), at_once([&](const AppFrame& frame) {
+              moved.clear();
+              back_at = frame.simulation.time();
+              EXPECT_EQ(frame.panels.message, "");
+          }),
+          until([&](const AppFrame& frame) { return frame.simulation.time() > back_at + 3; }),
+          at_once([&](const AppFrame& frame) {
+              const SceneCloth& flag = frame.simulation.content().cloths.front();
+              const Stretch stretch = structural_stretch(flag.mesh, first_cloth(frame));
+              EXPECT_LT(stretch.mean, 1.05f);
+              EXPECT_LT(stretch.worst, 1.6f);
+              EXPECT_FALSE(has(frame.simulation.world().report().flags, StepFlags::state_restored));
+          })},
+         {.most_frames = 600, .particles = 150});
+}
+
+TEST_F(WindowPanels, ASliderFollowsTheMouseToBothEnds) {
+    std::string label;
+    ImVec2 low, high;
+    float now = 0, least = 0, most = 0;
+    slider_probe = [&](const char* each, float& value, float from, float until_) {
+        const ImGuiWindow* const column = ImGui::GetCurrentContext()->CurrentWindow;
+        const ImVec2 corner = ImGui::GetItemRectMin(), other = ImGui::GetItemRectMax();
+        if (label.empty() && column->InnerClipRect.Contains(ImRect(corner, other))) label = each;
+        if (label != each) return false;
+        low = corner;
+        high = {corner.x + ImGui::CalcItemWidth(), other.y};
+        now = value, least = from, most = until_;
+        return false;
+    };
+    const auto pull = [&](float part) {
+        return at_once([&, part](const AppFrame&) {
+            screen()->move_pointer(low.x + part * (high.x - low.x), 0.5f * (low.y + high.y));
+        });
+    };
+    play("flag",
+         {wait(4), at_once([&](const AppFrame&) { ASSERT_FALSE(label.empty()) << "no slider is in sight"; }),
+          pull(0.5f), wait(2), at_once([](const AppFrame&) { screen()->press(); }), wait(2), pull(-0.5f),
+          [&](const AppFrame&) { return now == least; }, pull(1.5f),
+          [&](const AppFrame&) { return now == most; }, at_once([](const AppFrame&) { screen()->release(); }),
+          wait(2), at_once([&](const AppFrame& frame) { EXPECT_EQ(frame.panels.message, "") << label; })},
+         {.across = 640, .down = 480});
+}
+
+}  // namespace
+}  // namespace weft::demo

@@ -1,0 +1,49 @@
+#pragma once
+// The real window on a real display, with real events, in acts.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demo/app.h"
+#include "tests/demo/window/screen.h"
+
+namespace weft::demo {
+
+/// A play in acts: each is called after every picture until it says that it is over. The driver checks every
+/// call, and what it objects to makes the program fail.
+class Window : public testing::Test {
+  protected:
+    using Act = std::function<bool(const AppFrame&)>;
+    struct Stage {
+        int across = 480, down = 320;
+        int most_frames = 250;
+        std::uint32_t particles = 300;
+    };
+    static constexpr float aspect = 480.0f / 320;
+
+    static void SetUpTestSuite() { screen() = Screen::start(); }
+    static void TearDownTestSuite() { screen().reset(); }
+    static std::optional<Screen>& screen();
+    void SetUp() override;
+
+    static void play(const char* scene, std::vector<Act> acts, const Stage& stage);
+    static void play(const char* scene, std::vector<Act> acts) { play(scene, std::move(acts), Stage()); }
+    /// Waits for some pictures: events come by the window system.
+    static Act wait(int pictures);
+    /// Waits without drawing more than it must.
+    static Act until(const std::function<bool(const AppFrame&)>& condition);
+    /// In heights of the picture, of a window of the usual size.
+    static void point(Vec2 place) { screen()->move_pointer(320 * place.x, 320 * place.y); }
+    static Act at_once(const std::function<void(const AppFrame&)>& act);
+    static Act key(const std::string& name);
+
+    static ClothView first_cloth(const AppFrame& frame) {
+        return *frame.simulation.world().cloth(frame.simulation.content().cloths.front().id);
+    }
+};
+
+}  // namespace weft::demo
