@@ -204,6 +204,8 @@ void record(const char* folder) {
     }
     TAKES(weft_replay_bytes(bytes.data, bytes.count, 1, &replay));
     CHECK(replay.steps == 3 && replay.calls == 1 && replay.is_whole && !replay.differs);
+    TAKES(weft_replay_bytes(bytes.data, bytes.count - 1, 1, &replay));
+    CHECK(!replay.is_whole && !replay.differs);
     memset(&replay, 0, sizeof replay);
     replay.struct_size = sizeof replay;
     TAKES(weft_replay_file(file, 2, &replay));
