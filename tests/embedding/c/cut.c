@@ -40,8 +40,9 @@ void cut_cloth(void) {
 
     TAKES(weft_world_strained_edges(world, cloth, -0.5f, strained, 4, &written));
     CHECK(written == 4 && strained[0].a != strained[0].b && strained[0].strain >= strained[3].strain);
+    memset(torn, 0xab, sizeof torn);
     TAKES(weft_edges_to_tear(cut, view.positions, strained, 1, torn, 64, &found));
-    CHECK(found > 1);
+    CHECK(found > 1 && found < 64 && torn[found].vertices[0] == 0xabababab); /* nothing behind them */
     {
         const size_t all = found;
         torn[1].vertices[0] = 99999; /* of no mesh here */
