@@ -1,8 +1,10 @@
 #pragma once
 // Values for C into those of C++, and back.
 
+#include <array>
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -71,6 +73,14 @@ class ToWeft {
             fields(*this, c, of);
         }
     }
+    template <class... Kinds>
+    void operator()(const WeftMethod& c, std::variant<Kinds...>& of) const {
+        variant(c, c.kind, of);
+    }
+    template <class C, class Of, std::size_t size>
+    void operator()(const C (&c)[size], std::array<Of, size>& of) const {
+        for (std::size_t k = 0; k < size; ++k) (*this)(c[k], of[k]);
+    }
     template <class C, class... Kinds>
     void variant(const C& c, std::int32_t kind, std::variant<Kinds...>& of) const {
         std::int32_t number = 0;
@@ -101,6 +111,14 @@ struct ToC {
         } else {
             fields(*this, c, of);
         }
+    }
+    template <class... Kinds>
+    void operator()(WeftMethod& c, const std::variant<Kinds...>& of) const {
+        variant(c, c.kind, of);
+    }
+    template <class C, class Of, std::size_t size>
+    void operator()(C (&c)[size], const std::array<Of, size>& of) const {
+        for (std::size_t k = 0; k < size; ++k) (*this)(c[k], of[k]);
     }
     template <class C, class... Kinds>
     void variant(C& c, std::int32_t& kind, const std::variant<Kinds...>& of) const {
