@@ -1,7 +1,10 @@
 #pragma once
 // Values for C into those of C++, and back.
 
+#include <array>
 #include <bit>
+#include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,74 +15,40 @@
 
 namespace weft::c {
 
-/// Of the same bytes: one of them for C.
+// What has the same bytes as it has for C.
+Vec3 like(WeftVec3);
+Rotation like(WeftRotation);
+Transform like(WeftTransform);
+Bounds like(WeftBounds);
+ClothId like(WeftClothId);
+ColliderId like(WeftColliderId);
+ShapeId like(WeftShapeId);
+BodyId like(WeftBodyId);
 template <class C, class Of>
-inline constexpr bool are_alike = false;
-template <>
-inline constexpr bool are_alike<WeftVec3, Vec3> = true;
-template <>
-inline constexpr bool are_alike<WeftRotation, Rotation> = true;
-template <>
-inline constexpr bool are_alike<WeftTransform, Transform> = true;
-template <>
-inline constexpr bool are_alike<WeftBounds, Bounds> = true;
-template <>
-inline constexpr bool are_alike<WeftClothId, ClothId> = true;
-template <>
-inline constexpr bool are_alike<WeftColliderId, ColliderId> = true;
-template <>
-inline constexpr bool are_alike<WeftShapeId, ShapeId> = true;
-template <>
-inline constexpr bool are_alike<WeftBodyId, BodyId> = true;
+concept Alike = requires(const C& c) {
+    { like(c) } -> std::same_as<Of>;
+};
 
 /// What an enumeration that a host sets is called, and how many it has.
-template <class Enum>
-struct Enumerators;
-template <>
-struct Enumerators<SelfCollisionSearch> {
-    static constexpr const char* name = "SelfCollision::search";
-    static constexpr int count = WEFT_SEARCH_SORTED_SWEEP + 1;
+struct Choices {
+    const char* name;
+    int count;
 };
-template <>
-struct Enumerators<SelfCollisionMethod> {
-    static constexpr const char* name = "SelfCollision::method";
-    static constexpr int count = WEFT_SELF_IMPACT_ZONES + 1;
-};
-template <>
-struct Enumerators<ColliderResponse> {
-    static constexpr const char* name = "ClothSettings::collider_response";
-    static constexpr int count = WEFT_RESPONSE_VELOCITY_FILTER + 1;
-};
-template <>
-struct Enumerators<TimeScheme> {
-    static constexpr const char* name = "ClothSettings::time_scheme";
-    static constexpr int count = WEFT_TIME_BDF2 + 1;
-};
-template <>
-struct Enumerators<Fibres::SetSolver> {
-    static constexpr const char* name = "a set solver of Fibres";
-    static constexpr int count = WEFT_SET_LDLT + 1;
-};
-template <>
-struct Enumerators<AirSourceKind> {
-    static constexpr const char* name = "AirSource::kind";
-    static constexpr int count = WEFT_AIR_WAKE + 1;
-};
-template <>
-struct Enumerators<Map> {
-    static constexpr const char* name = "map";
-    static constexpr int count = WEFT_MAP_STIFFNESS + 1;
-};
-template <>
-struct Enumerators<DescriptionFormat> {
-    static constexpr const char* name = "format";
-    static constexpr int count = WEFT_DESCRIBE_JSON + 1;
-};
+// clang-format off
+constexpr Choices choices(SelfCollisionSearch) { return {"SelfCollision::search", WEFT_SEARCH_SORTED_SWEEP + 1}; }
+constexpr Choices choices(SelfCollisionMethod) { return {"SelfCollision::method", WEFT_SELF_IMPACT_ZONES + 1}; }
+constexpr Choices choices(ColliderResponse) { return {"ClothSettings::collider_response", WEFT_RESPONSE_VELOCITY_FILTER + 1}; }
+constexpr Choices choices(TimeScheme) { return {"ClothSettings::time_scheme", WEFT_TIME_BDF2 + 1}; }
+constexpr Choices choices(Fibres::SetSolver) { return {"a set solver of Fibres", WEFT_SET_LDLT + 1}; }
+constexpr Choices choices(AirSourceKind) { return {"AirSource::kind", WEFT_AIR_WAKE + 1}; }
+constexpr Choices choices(Map) { return {"map", WEFT_MAP_STIFFNESS + 1}; }
+constexpr Choices choices(DescriptionFormat) { return {"format", WEFT_DESCRIBE_JSON + 1}; }
+// clang-format on
 
 template <class Enum>
 [[nodiscard]] Result<Enum> enumerator(std::int32_t value) {
-    if (value < 0 || value >= Enumerators<Enum>::count)
-        return out_of_choices(Enumerators<Enum>::name, value, Enumerators<Enum>::count);
+    const Choices known = choices(Enum{});
+    if (value < 0 || value >= known.count) return out_of_choices(known.name, value, known.count);
     return static_cast<Enum>(value);
 }
 
@@ -98,11 +67,19 @@ class ToWeft {
         } else if constexpr (std::is_arithmetic_v<Of>) {
             static_assert(std::is_same_v<C, Of>);
             of = c;
-        } else if constexpr (are_alike<C, Of>) {
+        } else if constexpr (Alike<C, Of>) {
             of = std::bit_cast<Of>(c);
         } else {
             fields(*this, c, of);
         }
+    }
+    template <class... Kinds>
+    void operator()(const WeftMethod& c, std::variant<Kinds...>& of) const {
+        variant(c, c.kind, of);
+    }
+    template <class C, class Of, std::size_t size>
+    void operator()(const C (&c)[size], std::array<Of, size>& of) const {
+        for (std::size_t k = 0; k < size; ++k) (*this)(c[k], of[k]);
     }
     template <class C, class... Kinds>
     void variant(const C& c, std::int32_t kind, std::variant<Kinds...>& of) const {
@@ -129,11 +106,19 @@ struct ToC {
         } else if constexpr (std::is_arithmetic_v<Of>) {
             static_assert(std::is_same_v<C, Of>);
             c = of;
-        } else if constexpr (are_alike<C, Of>) {
+        } else if constexpr (Alike<C, Of>) {
             c = std::bit_cast<C>(of);
         } else {
             fields(*this, c, of);
         }
+    }
+    template <class... Kinds>
+    void operator()(WeftMethod& c, const std::variant<Kinds...>& of) const {
+        variant(c, c.kind, of);
+    }
+    template <class C, class Of, std::size_t size>
+    void operator()(C (&c)[size], const std::array<Of, size>& of) const {
+        for (std::size_t k = 0; k < size; ++k) (*this)(c[k], of[k]);
     }
     template <class C, class... Kinds>
     void variant(C& c, std::int32_t& kind, const std::variant<Kinds...>& of) const {

@@ -7,27 +7,28 @@ import subprocess
 import sys
 
 PARTS = (  # the first that a name matches
-    ("all for C", r"^weft_|weft::c::|to_c<|to_weft<"),
-    ("recordings and replay", r"Recorder|Recording|Replay|replay|record_"),
-    ("saves and cooked files", r"\bsave\b|restore|SaveWriter|SaveReader|CookedFile|cooked_file|save_|load_"),
-    ("descriptions and drawing", r"describe|Description|debug_draw|DebugCanvas|draw_"),
-    ("OBJ files", r"Obj|obj_"),
-    ("fine meshes for drawing", r"DrawnMesh|DrawnSurface|bind_"),
-    ("cuts and tears", r"cut_|Cut|tear|recut"),
-    ("bodies", r"Bod(y|ies)|bodies"),
-    ("impact zones", r"ImpactZone|impact_zone|CollisionCluster|linear_program|LinearProgram|solve_zone"),
-    ("finite elements", r"Triangle(Element|Matri|System|State|Pass|Row)|[Hh]inge|[Ee]lement(s|Row|_row)|Membrane"),
-    ("multigrid", r"[Mm]ulti(grid|level)|[Cc]oarse|Galerkin|galerkin|ComponentSolver|Effort|Interpolation|coarsen"),
+    ("all for C", r"^weft_|weft::c::"),
+    ("recordings and replay", r"Record|Replay|replay|record_"),
+    ("saves and cooked files", r"\b(save|restore)(_|\b)|[Ss]aved|CookedFile|read_(head|levels)|load_"),
+    ("descriptions and drawing", r"[Dd]escri(be|ption)|[Dd]ebug_?[Dd]raw|DebugCanvas|Drawing"),
+    ("profile and trace", r"Profile|Trace|trace"),
+    ("OBJ files", r"\bObj|obj(_|\b)"),
+    ("fine meshes", r"Drawn|drawn"),
+    ("cuts and tears", r"\bcut_|Cut|tear|[Rr]ecut|edges_along|go_on_from"),
+    ("bodies", r"\bBod(y|ies)|_bod(y|ies)\b|StepBodies|FreeCloth"),
+    ("impact zones", r"ImpactZone|impact_zone|CollisionCluster|[Ll]inear_?[Pp]rogram|general_matrix|gebp|ldlt"),
+    ("finite elements", r"Triangle(Element|Matri|System|State|Pass|Row)|[Hh]inge|ElementRow|element_rows|Membrane"),
+    ("multigrid", r"[Mm]ulti(grid|level)|[Cc]oarse|galerkin|ComponentSolver|Effort|Interpolation"),
     ("fibres", r"[Ff]ibre"),
-    ("XPBD", r"[Xx]pbd|Displacement|colour"),
-    ("Jacobi, Chebyshev, conjugate gradients", r"Jacobi|Chebyshev|ConjugateGradient|MeanMotion|mean_motion|LinearSolver"),
-    ("triangles that meet", r"Feature|Pair|Crossing|[Cc]rossings|Tangle|Untangl|untangl|Settle|settle|FlatRest|Truncat|Incidence|Contour|SideVote"),
-    ("avoidance", r"Self(Collision|Contact|Respon)|HashGrid|SweepGrid|PairFound|search_|RestNeighbour|Cloud"),
-    ("shapes as triangles, hulls, fields", r"Held|TriangleTree|Hull|[Hh]eight|[Oo]utsideCell|MovingShape|whole_triangle|WholeTriangle|Core|Sides"),
-    ("colliders: spheres to boxes", r"collide|Moving(Box|Sphere|Plane|Capsule|Tapered)|nearest_of|ColliderContact|Collider|Nearest"),
-    ("air", r"[Ww]ind|[Gg]ust|Air|air"),
-    ("cooking", r"cook|Cook|bending|Bending|Topology|[Gg]eodesic|repair|[Oo]rdering|check_mesh|weld"),
-    ("springs", r"[Ss]pring|Stencil|Diagonal|StepEquation|Coupling|coupling"),
+    ("XPBD", r"[Xx]pbd|Displacement|[Cc]olour(ing|ed)"),
+    ("Jacobi, Chebyshev, conjugate gradients", r"Jacobi|Chebyshev|ConjugateGradient|[Mm]ean_?[Mm]otion|LinearSolver"),
+    ("triangles that meet", r"Feature|Pair|[Cc]rossing|[Tt]angle[ds]?\b|[Uu]ntangl|[Ss]ettle|FlatRest|[Tt]runcat|Incidence|Contour|SideVote|ContactMesh|CommonMotion"),
+    ("avoidance", r"Self(Collision|Contact|Respon)|HashGrid|SweepGrid|RestNeighbour|Patches"),
+    ("shapes of triangles, hulls, fields", r"Held|TriangleTree|[Hh]ull|OutsideCell|MovingShapes|[Ww]hole_?[Tt]riangle|Cores?\b|TurningBox"),
+    ("spheres, capsules, planes, boxes", r"collide|Moving(Box|Sphere|Plane|Capsule|Tapered)|nearest_of|Collider|NearSurfaces|weft::moving"),
+    ("air", r"[Ww]ind\b|[Gg]ust|Air|air_|Aerodynamic"),
+    ("cooking", r"\bcook|Cook|[Bb]ending|[Tt]opology|[Gg]eodesic|repair|[Oo]rdering|check_mesh|weld|make_sheet|joins_with"),
+    ("springs", r"[Ss]pring|Stencil|Diagonal|StepEquation|[Cc]oupling"),
 )
 
 
@@ -51,8 +52,6 @@ def main(build):
             target = re.search(r"weft::N_(\w+)::", name)
             targets["kernels: " + target[1] if target else "no kernels"] += size
             parts[next((part for part, pattern in PARTS if re.search(pattern, name)), "the rest")] += size
-            if len(sys.argv) > 2 and not any(re.search(pattern, name) for _, pattern in PARTS):
-                print(size, name[:140])
     for counted in (targets, parts):
         for part, size in counted.most_common():
             print(f"{size / 1000:8.0f}  {part}")
@@ -60,6 +59,6 @@ def main(build):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
     main(sys.argv[1])

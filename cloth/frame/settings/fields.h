@@ -1,6 +1,7 @@
 #pragma once
-// The fields of what a host sets, by name: for writing down, reading back and describing. A struct that gets
-// another field does not compile here until the field has its line; then raise recording_version.
+// The fields of what a host sets and reads, by name: for writing down, reading back, describing, and for C. A
+// struct that gets another field does not compile here until the field has its line; then raise
+// recording_version.
 
 #include <concepts>
 #include <type_traits>
@@ -16,9 +17,14 @@
 
 namespace weft {
 
-/// T is Of, const or not.
+/// What a struct is the counterpart of: itself, or another one with the same fields, as those for C are.
+template <class T>
+struct StandsFor : std::type_identity<T> {};
 template <class T, class Of>
-concept FieldsOf = std::same_as<std::remove_const_t<T>, Of>;
+concept FieldsOf = std::same_as<typename StandsFor<std::remove_const_t<T>>::type, Of>;
+
+// for_both(a, b, way): way(name, a.field, b.field) for each field of two that have the same fields.
+// for_each_field(of, visit): visit(name, value) for each of one.
 
 /// visit(name, value) for each pair.
 template <class Visit>
@@ -29,37 +35,48 @@ void visit_each(const Visit& visit, const char* name, Value& value, Rest&&... re
     visit_each(visit, rest...);
 }
 
-template <FieldsOf<Fabric> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [areal_density, warp, weft, shear, bending, damping, stiffening] = of;
-    visit_each(visit, "areal_density", areal_density, "warp", warp, "weft", weft, "shear", shear, "bending",
-               bending, "damping", damping, "stiffening", stiffening);
+template <FieldsOf<Fabric> A, FieldsOf<Fabric> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("areal_density", a.areal_density, b.areal_density);
+    way("warp", a.warp, b.warp);
+    way("weft", a.weft, b.weft);
+    way("shear", a.shear, b.shear);
+    way("bending", a.bending, b.bending);
+    way("damping", a.damping, b.damping);
+    way("stiffening", a.stiffening, b.stiffening);
 }
 
-template <FieldsOf<FiniteElements> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [enabled, poisson, dihedral, consistent_mass] = of;
-    visit_each(visit, "enabled", enabled, "poisson", poisson, "dihedral", dihedral, "consistent_mass",
-               consistent_mass);
+template <FieldsOf<FiniteElements> A, FieldsOf<FiniteElements> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("enabled", a.enabled, b.enabled);
+    way("poisson", a.poisson, b.poisson);
+    way("dihedral", a.dihedral, b.dihedral);
+    way("consistent_mass", a.consistent_mass, b.consistent_mass);
 }
 
-template <FieldsOf<Tethers> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [enabled, slack] = of;
-    visit_each(visit, "enabled", enabled, "slack", slack);
+template <FieldsOf<Tethers> A, FieldsOf<Tethers> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("enabled", a.enabled, b.enabled);
+    way("slack", a.slack, b.slack);
 }
 
-template <FieldsOf<FrameInertia> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [linear, angular, centrifugal] = of;
-    visit_each(visit, "linear", linear, "angular", angular, "centrifugal", centrifugal);
+template <FieldsOf<FrameInertia> A, FieldsOf<FrameInertia> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("linear", a.linear, b.linear);
+    way("angular", a.angular, b.angular);
+    way("centrifugal", a.centrifugal, b.centrifugal);
 }
 
-template <FieldsOf<SelfCollision> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [enabled, method, distance, friction, search, restitution, layers, mask] = of;
-    visit_each(visit, "enabled", enabled, "method", method, "distance", distance, "friction", friction,
-               "search", search, "restitution", restitution, "layers", layers, "mask", mask);
+template <FieldsOf<SelfCollision> A, FieldsOf<SelfCollision> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("enabled", a.enabled, b.enabled);
+    way("method", a.method, b.method);
+    way("distance", a.distance, b.distance);
+    way("friction", a.friction, b.friction);
+    way("search", a.search, b.search);
+    way("restitution", a.restitution, b.restitution);
+    way("layers", a.layers, b.layers);
+    way("mask", a.mask, b.mask);
 }
 
 template <FieldsOf<Jacobi> T, class Visit>
@@ -96,39 +113,58 @@ void for_each_field(T& of, const Visit& visit) {
 template <FieldsOf<SymplecticEuler> T, class Visit>
 void for_each_field(T& /*of*/, const Visit& /*visit*/) {}
 
-template <FieldsOf<ClothSettings> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [fabric, finite_elements, method, time_scheme, substeps, tethers, self_collision, air_damping,
-           thickness, friction, restitution, collider_mask, collider_response, enabled, sleep_speed,
-           frame_inertia, priority, view_distance] = of;
-    visit_each(visit, "fabric", fabric, "finite_elements", finite_elements, "method", method, "time_scheme",
-               time_scheme, "substeps", substeps, "tethers", tethers, "self_collision", self_collision,
-               "air_damping", air_damping, "thickness", thickness, "friction", friction, "restitution",
-               restitution, "collider_mask", collider_mask, "collider_response", collider_response, "enabled",
-               enabled, "sleep_speed", sleep_speed, "frame_inertia", frame_inertia, "priority", priority,
-               "view_distance", view_distance);
+template <FieldsOf<ClothSettings> A, FieldsOf<ClothSettings> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("fabric", a.fabric, b.fabric);
+    way("finite_elements", a.finite_elements, b.finite_elements);
+    way("method", a.method, b.method);
+    way("time_scheme", a.time_scheme, b.time_scheme);
+    way("substeps", a.substeps, b.substeps);
+    way("tethers", a.tethers, b.tethers);
+    way("self_collision", a.self_collision, b.self_collision);
+    way("air_damping", a.air_damping, b.air_damping);
+    way("thickness", a.thickness, b.thickness);
+    way("friction", a.friction, b.friction);
+    way("restitution", a.restitution, b.restitution);
+    way("collider_mask", a.collider_mask, b.collider_mask);
+    way("collider_response", a.collider_response, b.collider_response);
+    way("enabled", a.enabled, b.enabled);
+    way("sleep_speed", a.sleep_speed, b.sleep_speed);
+    way("frame_inertia", a.frame_inertia, b.frame_inertia);
+    way("priority", a.priority, b.priority);
+    way("view_distance", a.view_distance, b.view_distance);
 }
 
-template <FieldsOf<AirSource> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [kind, position, velocity, radius] = of;
-    visit_each(visit, "kind", kind, "position", position, "velocity", velocity, "radius", radius);
+template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("kind", a.kind, b.kind);
+    way("position", a.position, b.position);
+    way("velocity", a.velocity, b.velocity);
+    way("radius", a.radius, b.radius);
 }
 
-template <FieldsOf<Wind> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [velocity, gust, gust_length, air_density, drag, lift, seed, sources] = of;
-    visit_each(visit, "velocity", velocity, "gust", gust, "gust_length", gust_length, "air_density",
-               air_density, "drag", drag, "lift", lift, "seed", seed, "sources", sources);
+template <FieldsOf<Wind> A, FieldsOf<Wind> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("velocity", a.velocity, b.velocity);
+    way("gust", a.gust, b.gust);
+    way("gust_length", a.gust_length, b.gust_length);
+    way("air_density", a.air_density, b.air_density);
+    way("drag", a.drag, b.drag);
+    way("lift", a.lift, b.lift);
+    way("seed", a.seed, b.seed);
+    way("sources", a.sources, b.sources);
 }
 
 /// But for the executor, which is the host's.
-template <FieldsOf<WorldSettings> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [gravity, wind, max_speed, substeps, contact_reports, threads, budget, executor] = of;
-    static_cast<void>(executor);
-    visit_each(visit, "gravity", gravity, "wind", wind, "max_speed", max_speed, "substeps", substeps,
-               "contact_reports", contact_reports, "threads", threads, "budget", budget);
+template <FieldsOf<WorldSettings> A, FieldsOf<WorldSettings> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("gravity", a.gravity, b.gravity);
+    way("wind", a.wind, b.wind);
+    way("max_speed", a.max_speed, b.max_speed);
+    way("substeps", a.substeps, b.substeps);
+    way("contact_reports", a.contact_reports, b.contact_reports);
+    way("threads", a.threads, b.threads);
+    way("budget", a.budget, b.budget);
 }
 
 template <FieldsOf<Sphere> T, class Visit>
@@ -169,17 +205,20 @@ void for_each_field(T& of, const Visit& visit) {
                restitution, "layers", layers, "is_trigger", is_trigger);
 }
 
-template <FieldsOf<BodySettings> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [mass, inertia, gravity_scale, damping, angular_damping] = of;
-    visit_each(visit, "mass", mass, "inertia", inertia, "gravity_scale", gravity_scale, "damping", damping,
-               "angular_damping", angular_damping);
+template <FieldsOf<BodySettings> A, FieldsOf<BodySettings> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("mass", a.mass, b.mass);
+    way("inertia", a.inertia, b.inertia);
+    way("gravity_scale", a.gravity_scale, b.gravity_scale);
+    way("damping", a.damping, b.damping);
+    way("angular_damping", a.angular_damping, b.angular_damping);
 }
-template <FieldsOf<BodyState> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [position, rotation, velocity, angular_velocity] = of;
-    visit_each(visit, "position", position, "rotation", rotation, "velocity", velocity, "angular_velocity",
-               angular_velocity);
+template <FieldsOf<BodyState> A, FieldsOf<BodyState> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("position", a.position, b.position);
+    way("rotation", a.rotation, b.rotation);
+    way("velocity", a.velocity, b.velocity);
+    way("angular_velocity", a.angular_velocity, b.angular_velocity);
 }
 template <FieldsOf<Transform> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
@@ -187,49 +226,79 @@ void for_each_field(T& of, const Visit& visit) {
     visit_each(visit, "translation", translation, "rotation", rotation);
 }
 
-template <FieldsOf<ClothReport> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [flags, enabled, asleep, particles, collider_contacts, self_contacts, peak_self_contacts,
-           truncated_particles, crossings, unresolved_pairs, pin_lag, limits_exceeded, limit_lag, peak_speed,
-           residual, rung, rate, milliseconds] = of;
-    visit_each(visit, "flags", flags, "enabled", enabled, "asleep", asleep, "particles", particles,
-               "collider_contacts", collider_contacts, "self_contacts", self_contacts, "peak_self_contacts",
-               peak_self_contacts, "truncated_particles", truncated_particles, "crossings", crossings,
-               "unresolved_pairs", unresolved_pairs, "pin_lag", pin_lag, "limits_exceeded", limits_exceeded,
-               "limit_lag", limit_lag, "peak_speed", peak_speed, "residual", residual, "rung", rung, "rate",
-               rate, "milliseconds", milliseconds);
+template <FieldsOf<ClothReport> A, FieldsOf<ClothReport> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("flags", a.flags, b.flags);
+    way("enabled", a.enabled, b.enabled);
+    way("asleep", a.asleep, b.asleep);
+    way("particles", a.particles, b.particles);
+    way("collider_contacts", a.collider_contacts, b.collider_contacts);
+    way("self_contacts", a.self_contacts, b.self_contacts);
+    way("peak_self_contacts", a.peak_self_contacts, b.peak_self_contacts);
+    way("truncated_particles", a.truncated_particles, b.truncated_particles);
+    way("crossings", a.crossings, b.crossings);
+    way("unresolved_pairs", a.unresolved_pairs, b.unresolved_pairs);
+    way("pin_lag", a.pin_lag, b.pin_lag);
+    way("limits_exceeded", a.limits_exceeded, b.limits_exceeded);
+    way("limit_lag", a.limit_lag, b.limit_lag);
+    way("peak_speed", a.peak_speed, b.peak_speed);
+    way("residual", a.residual, b.residual);
+    way("rung", a.rung, b.rung);
+    way("rate", a.rate, b.rate);
+    way("milliseconds", a.milliseconds, b.milliseconds);
 }
-template <FieldsOf<StepReport> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [flags, step, substeps, cloths, sleeping_cloths, reduced_cloths, particles, collider_contacts,
-           self_contacts, contacts, peak_self_contacts, truncated_particles, pin_lag, limits_exceeded,
-           limit_lag, crossings, unresolved_pairs, restored_cloths, peak_speed, residual, milliseconds] = of;
-    visit_each(visit, "flags", flags, "step", step, "substeps", substeps, "cloths", cloths, "sleeping_cloths",
-               sleeping_cloths, "reduced_cloths", reduced_cloths, "particles", particles, "collider_contacts",
-               collider_contacts, "self_contacts", self_contacts, "contacts", contacts, "peak_self_contacts",
-               peak_self_contacts, "truncated_particles", truncated_particles, "pin_lag", pin_lag,
-               "limits_exceeded", limits_exceeded, "limit_lag", limit_lag, "crossings", crossings,
-               "unresolved_pairs", unresolved_pairs, "restored_cloths", restored_cloths, "peak_speed",
-               peak_speed, "residual", residual, "milliseconds", milliseconds);
+template <FieldsOf<StepReport> A, FieldsOf<StepReport> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("flags", a.flags, b.flags);
+    way("step", a.step, b.step);
+    way("substeps", a.substeps, b.substeps);
+    way("cloths", a.cloths, b.cloths);
+    way("sleeping_cloths", a.sleeping_cloths, b.sleeping_cloths);
+    way("reduced_cloths", a.reduced_cloths, b.reduced_cloths);
+    way("particles", a.particles, b.particles);
+    way("collider_contacts", a.collider_contacts, b.collider_contacts);
+    way("self_contacts", a.self_contacts, b.self_contacts);
+    way("contacts", a.contacts, b.contacts);
+    way("peak_self_contacts", a.peak_self_contacts, b.peak_self_contacts);
+    way("truncated_particles", a.truncated_particles, b.truncated_particles);
+    way("pin_lag", a.pin_lag, b.pin_lag);
+    way("limits_exceeded", a.limits_exceeded, b.limits_exceeded);
+    way("limit_lag", a.limit_lag, b.limit_lag);
+    way("crossings", a.crossings, b.crossings);
+    way("unresolved_pairs", a.unresolved_pairs, b.unresolved_pairs);
+    way("restored_cloths", a.restored_cloths, b.restored_cloths);
+    way("peak_speed", a.peak_speed, b.peak_speed);
+    way("residual", a.residual, b.residual);
+    way("milliseconds", a.milliseconds, b.milliseconds);
 }
 
-template <FieldsOf<ClothInfo> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [vertices, particles, welded_vertices, triangles, components, structural_springs, shear_springs,
-           bending_elements, border_edges, dropped_triangles, turned_triangles, misoriented_edges,
-           loose_particles, mean_edge, mass, least_bending, bytes, shared_bytes] = of;
-    visit_each(visit, "vertices", vertices, "particles", particles, "welded_vertices", welded_vertices,
-               "triangles", triangles, "components", components, "structural_springs", structural_springs,
-               "shear_springs", shear_springs, "bending_elements", bending_elements, "border_edges",
-               border_edges, "dropped_triangles", dropped_triangles, "turned_triangles", turned_triangles,
-               "misoriented_edges", misoriented_edges, "loose_particles", loose_particles, "mean_edge",
-               mean_edge, "mass", mass, "least_bending", least_bending, "bytes", bytes, "shared_bytes",
-               shared_bytes);
+template <FieldsOf<ClothInfo> A, FieldsOf<ClothInfo> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("vertices", a.vertices, b.vertices);
+    way("particles", a.particles, b.particles);
+    way("welded_vertices", a.welded_vertices, b.welded_vertices);
+    way("triangles", a.triangles, b.triangles);
+    way("components", a.components, b.components);
+    way("structural_springs", a.structural_springs, b.structural_springs);
+    way("shear_springs", a.shear_springs, b.shear_springs);
+    way("bending_elements", a.bending_elements, b.bending_elements);
+    way("border_edges", a.border_edges, b.border_edges);
+    way("dropped_triangles", a.dropped_triangles, b.dropped_triangles);
+    way("turned_triangles", a.turned_triangles, b.turned_triangles);
+    way("misoriented_edges", a.misoriented_edges, b.misoriented_edges);
+    way("loose_particles", a.loose_particles, b.loose_particles);
+    way("mean_edge", a.mean_edge, b.mean_edge);
+    way("mass", a.mass, b.mass);
+    way("least_bending", a.least_bending, b.least_bending);
+    way("bytes", a.bytes, b.bytes);
+    way("shared_bytes", a.shared_bytes, b.shared_bytes);
 }
-template <FieldsOf<ShapeInfo> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [triangles, bounds, error, bytes] = of;
-    visit_each(visit, "triangles", triangles, "bounds", bounds, "error", error, "bytes", bytes);
+template <FieldsOf<ShapeInfo> A, FieldsOf<ShapeInfo> B, class Way>
+void for_both(A& a, B& b, const Way& way) {
+    way("triangles", a.triangles, b.triangles);
+    way("bounds", a.bounds, b.bounds);
+    way("error", a.error, b.error);
+    way("bytes", a.bytes, b.bytes);
 }
 template <FieldsOf<Bounds> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
@@ -238,13 +307,47 @@ void for_each_field(T& of, const Visit& visit) {
 }
 
 struct AnyVisit {
-    template <class Value>
-    void operator()(const char* /*name*/, Value& /*value*/) const {}
+    template <class... Values>
+    void operator()(const char* /*name*/, Values&... /*values*/) const {}
 };
+template <class A, class B>
+concept HaveFields = requires(A& a, B& b) {
+    for_both(a, b, AnyVisit{});
+};
+template <class T, class Visit>
+requires HaveFields<T, T>
+void for_each_field(T& of, const Visit& visit) {
+    for_both(of, of, [&](const char* name, auto& value, auto& /*same*/) { visit(name, value); });
+}
 /// for_each_field() knows it.
 template <class T>
 concept HasFields = requires(T& of) {
     for_each_field(of, AnyVisit{});
 };
+
+// A struct of for_both() that gets another field does not compile here until it is counted.
+inline void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d, SelfCollision& e,
+                         ClothSettings& f, AirSource& g, Wind& h, WorldSettings& i, BodySettings& j,
+                         BodyState& k, ClothReport& l, StepReport& m, ClothInfo& n, ShapeInfo& o) {
+    [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7] = a;
+    [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
+    [[maybe_unused]] auto& [c1, c2] = c;
+    [[maybe_unused]] auto& [d1, d2, d3] = d;
+    [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6, e7, e8] = e;
+    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18] =
+        f;
+    [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
+    [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8] = h;
+    [[maybe_unused]] auto& [i1, i2, i3, i4, i5, i6, i7, i8] = i;
+    [[maybe_unused]] auto& [j1, j2, j3, j4, j5] = j;
+    [[maybe_unused]] auto& [k1, k2, k3, k4] = k;
+    [[maybe_unused]] auto& [l1, l2, l3, l4, l5, l6, l7, l8, l9, l10, l11, l12, l13, l14, l15, l16, l17, l18] =
+        l;
+    [[maybe_unused]] auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18,
+                            m19, m20, m21] = m;
+    [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18] =
+        n;
+    [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
+}
 
 }  // namespace weft

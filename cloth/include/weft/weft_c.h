@@ -17,15 +17,13 @@
 // refuses: weft_world_add_cloth is World::add_cloth. Where they differ:
 //
 // - A call that can fail returns a WeftResult, 0 for success, and gives what it gives by its last pointer.
-// Nothing throws.
-//   Settings and places that are null pointers are the defaults. Whatever else is null is an error; calls
-//   that return no WeftResult take null for an empty thing.
+//   Nothing throws. Settings and places that are null pointers are the defaults. Whatever else is null is an
+//   error; calls that return no WeftResult take null for an empty thing.
 // - A struct that begins with struct_size can grow at its end in later versions: the size says which version
-// the host was
-//   compiled with. Those that have an _init function get it there, with all defaults; of the others set
-//   struct_size and leave the rest 0, as by `WeftHooks hooks = {.struct_size = sizeof hooks}`. What a host
-//   does not know yet stays as it was before that. All other structs stay as they are within one 0.x of the
-//   version.
+//   the host was compiled with. Those that have an _init function get it there, with all defaults; of the
+//   others set struct_size and leave the rest 0: `WeftHooks hooks = {.struct_size = sizeof hooks}`. What
+//   a host does not know yet stays as it was before that. All other structs stay as they are within one 0.x
+//   of the version.
 // - A pointer that a call gives belongs to Weft. It is valid as long as the C++ span or view is.
 
 #include "weft/c/reports.h"

@@ -1,4 +1,4 @@
-"""Not run here; see README.md."""
+"""Not run by Conan; see README.md."""
 import os
 import re
 
@@ -42,7 +42,10 @@ class Weft(ConanFile):
         for part in ("RENDER", "DEMO", "TESTS"):
             toolchain.cache_variables["WEFT_BUILD_" + part] = False
         toolchain.generate()
-        CMakeDeps(self).generate()
+        packages = CMakeDeps(self)  # Highway as its own build calls it
+        packages.set_property("highway", "cmake_file_name", "hwy")
+        packages.set_property("highway", "cmake_target_name", "hwy::hwy")
+        packages.generate()
 
     def build(self):
         cmake = CMake(self)
@@ -58,3 +61,5 @@ class Weft(ConanFile):
         self.cpp_info.libs = ["weft"] if self.options.shared else ["weft_cloth", "weft_collision", "weft_engine"]
         if self.options.shared:
             self.cpp_info.defines = ["WEFT_SHARED"]
+        elif self.settings.os == "Linux":
+            self.cpp_info.system_libs = ["pthread", "m"]

@@ -40,8 +40,15 @@ void cut_cloth(void) {
 
     TAKES(weft_world_strained_edges(world, cloth, -0.5f, strained, 4, &written));
     CHECK(written == 4 && strained[0].a != strained[0].b && strained[0].strain >= strained[3].strain);
+    memset(torn, 0xab, sizeof torn);
     TAKES(weft_edges_to_tear(cut, view.positions, strained, 1, torn, 64, &found));
-    CHECK(found > 0);
+    CHECK(found > 1 && found < 64 && torn[found].vertices[0] == 0xabababab); /* nothing behind them */
+    {
+        const size_t all = found;
+        torn[1].vertices[0] = 99999; /* of no mesh here */
+        TAKES(weft_edges_to_tear(cut, view.positions, strained, 1, torn, 1, &found));
+        CHECK(found == all && torn[1].vertices[0] == 99999); /* no more than there is room for */
+    }
     REFUSES(WEFT_INVALID_ARGUMENT, "", weft_edges_to_tear(cut, view.positions, NULL, 1, torn, 64, &found));
     weft_cut_stroke_destroy(stroke);
     weft_mesh_destroy(cut);

@@ -30,6 +30,9 @@ static WeftWorld* make_world(int* executor_calls) {
     weft_world_settings_init(&settings, sizeof settings);
     CHECK(settings.struct_size == sizeof settings && settings.gravity.y == -9.81f &&
           settings.executor.width == 1);
+    settings.substeps = 7;
+    weft_world_settings_init(&settings, 8); /* a size that is none changes nothing */
+    CHECK(settings.struct_size == sizeof settings && settings.substeps == 7);
     settings.substeps = 0;
     REFUSES(WEFT_INVALID_ARGUMENT, "substeps", weft_world_create(&settings, &world));
     CHECK(world == NULL);
@@ -88,6 +91,19 @@ static void files(const WeftMesh* mesh, const char* folder) {
     TAKES(weft_mesh_load_obj(file, 0, &report, &loaded));
     CHECK(report.ignored_lines == 0);
     weft_mesh_destroy(loaded);
+    {
+        WeftMeshView view = {.struct_size = sizeof view};
+        FILE* const text = fopen(file, "w");
+        CHECK(text != NULL);
+        fputs("v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\n", text);
+        fputs("vn 0 1 0\ng part\nf 1/1 4/4 3/3 2/2\n", text);
+        fclose(text);
+        TAKES(weft_mesh_load_obj(file, 1, &report, &loaded));
+        CHECK(report.ignored_lines == 2 && report.triangulated_faces == 1);
+        TAKES(weft_mesh_view(loaded, &view));
+        CHECK(view.pattern.count == 4 && view.triangles.count == 2);
+        weft_mesh_destroy(loaded);
+    }
     REFUSES(WEFT_FILE_NOT_FOUND, "nothing.obj", weft_mesh_load_obj("nothing.obj", 0, NULL, &loaded));
 }
 
@@ -146,6 +162,7 @@ static WeftClothId add_cloths(WeftWorld* world, const WeftMesh* mesh, const Weft
     CHECK(weft_resolved_time_scheme(NULL) == WEFT_TIME_BDF2);
     TAKES(weft_world_measure_cloth(world, mesh, &settings, &info));
     CHECK(info.vertices == side * side && info.bytes > 0);
+    REFUSES(WEFT_INVALID_ARGUMENT, "id", weft_world_add_cloth(world, mesh, &settings, NULL));
     TAKES(weft_world_add_cloth(world, mesh, &settings, &cloth));
     TAKES(weft_world_cloth_settings(world, cloth, &seen));
     CHECK(memcmp(&seen, &settings, sizeof seen) == 0);
@@ -284,6 +301,7 @@ static void solids(WeftWorld* world, WeftClothId other) {
     collider.center.y = 0.8f;
     collider.center.z = -1;
     collider.radius = 0.15f;
+    REFUSES(WEFT_INVALID_ARGUMENT, "id", weft_world_add_collider(world, &collider, NULL));
     TAKES(weft_world_add_collider(world, &collider, &ball));
     TAKES(weft_world_place_collider(world, ball, &collider));
     collider.center.y = 0.82f;

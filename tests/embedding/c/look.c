@@ -204,6 +204,8 @@ void record(const char* folder) {
     }
     TAKES(weft_replay_bytes(bytes.data, bytes.count, 1, &replay));
     CHECK(replay.steps == 3 && replay.calls == 1 && replay.is_whole && !replay.differs);
+    TAKES(weft_replay_bytes(bytes.data, bytes.count - 1, 1, &replay));
+    CHECK(!replay.is_whole && !replay.differs);
     memset(&replay, 0, sizeof replay);
     replay.struct_size = sizeof replay;
     TAKES(weft_replay_file(file, 2, &replay));
@@ -268,10 +270,18 @@ static void log_line(void* user, int32_t level, const char* line) {
     *(int*)user += 1;
 }
 
+static void release(void* user, void* memory, size_t bytes, size_t alignment) {
+    (void)user;
+    (void)memory;
+    (void)bytes;
+    (void)alignment;
+}
+
 static void hooks(void) {
     /* A triangle of no area is left out. */
     static const WeftVec3 places[5] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, 0}};
     static const uint32_t triangles[2][3] = {{0, 2, 1}, {0, 1, 3}};
+    static const WeftVec2 texcoords[5] = {{0, 0}, {1, 0}, {0, 1}, {0.5f, 0}, {0, 0}};
     int lines = 0;
     WeftHooks own;
     WeftMeshView view;
@@ -284,11 +294,20 @@ static void hooks(void) {
     own.user = &lines;
     own.log = log_line;
     TAKES(weft_set_hooks(&own));
+    {
+        int others = 0;
+        WeftHooks refused = own;
+        refused.user = &others;
+        refused.release = release;
+        REFUSES(WEFT_INVALID_ARGUMENT, "release", weft_set_hooks(&refused)); /* lines go on to `lines` */
+    }
     view.struct_size = sizeof view;
     view.positions.data = places;
     view.positions.count = 5;
     view.triangles.data = triangles;
     view.triangles.count = 2;
+    view.texcoords.data = texcoords;
+    view.texcoords.count = 5;
     TAKES(weft_mesh_create(&view, &mesh));
     TAKES(weft_cooked_cloth_create(mesh, NULL, NULL, &cooked));
     TAKES(weft_cooked_cloth_report(cooked, &report));
@@ -300,10 +319,16 @@ static void hooks(void) {
         WeftWorld* world = NULL;
         WeftClothId cloth;
         WeftClothView seen = {.struct_size = sizeof seen};
+        int corner;
         TAKES(weft_world_create(NULL, &world));
         TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
         TAKES(weft_world_cloth(world, cloth, &seen));
         CHECK(seen.vertices == 5 && seen.particles == 4 && seen.triangle_count == 1);
+        CHECK(seen.vertex_triangles != NULL &&
+              seen.vertex_triangles != seen.triangles); /* they are the host's own vertices, and particles */
+        for (corner = 0; corner < 3; ++corner)
+            CHECK(seen.vertex_to_particle[seen.vertex_triangles->vertices[corner]] ==
+                  seen.triangles->vertices[corner]);
         weft_world_destroy(world);
     }
     weft_mesh_destroy(mesh);
