@@ -112,6 +112,7 @@ class App {
         picture_.set_look(look.quality.now(), look.inside);
         picture_.set_beside(look.comparison ? &look.comparison->other_simulation() : nullptr);
         picture_.update(simulation_);
+        make_room_beside(camera_, picture_.beside(), beside_);
         const render::View& view = picture_.view(
             simulation_, camera_, alpha_, hands_.balls.in_play(simulation_.world()), hands_.streaks.lines());
         draw_picture(picture_, view, size.width, size.height, look);
@@ -121,6 +122,7 @@ class App {
 
     void draw_panels() {
         draw_words(picture_, camera_);
+        if (panels_.look.comparison) draw_names(picture_, simulation_, *panels_.look.comparison, camera_);
         draw_overlay(hands_, simulation_, camera_, wind_);
         const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
@@ -269,6 +271,7 @@ class App {
     void arrive() {
         begin_anew();
         camera_ = simulation_.content().camera;
+        beside_ = 0;
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
     }
 
@@ -344,6 +347,7 @@ class App {
     FixedStep clock_;
     double last_;            // time of the last picture [s]
     float alpha_ = 1;        // between the last two steps
+    float beside_ = 0;       // how far away what the camera makes room for stands [m]
     bool objected_ = false;  // the driver did, to something
     Hands hands_;
     Gamepad pad_;

@@ -42,7 +42,7 @@ void Picture::show(const Simulation& simulation) {
     cloths_.clear();
     solids_.clear();
     fine_.clear();
-    shown_rounded_ = rounded_;
+    shown_rounded_ = rounds();
     for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
     for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
     cuts_ = simulation.cuts();
@@ -107,7 +107,7 @@ void Picture::set_look(const QualityLevel& level, const Inside& inside) {
 }
 
 void Picture::update(const Simulation& simulation) {
-    if (cuts_ != simulation.cuts() || rounded_ != shown_rounded_) return show(simulation);  // which updates
+    if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // which updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
         if (solids[i].moving) update_solid(solids[i], solids_[i]);

@@ -34,6 +34,8 @@ class Picture {
     void set_look(const QualityLevel& level, const Inside& inside);
     /// Another simulation of the scene to the right of it, or none, at the next update() of both.
     void set_beside(const Simulation* other) { other_ = other; }
+    /// How far to the right the other is shown; 0 where there is none [m].
+    [[nodiscard]] float beside() const { return beside_.shown() ? beside_.offset().x : 0; }
     /// What the lines of the inside are called, where they are.
     [[nodiscard]] std::span<const ShownWords> words() const { return drawing_.words; }
 
@@ -66,6 +68,8 @@ class Picture {
     InsideDrawing drawing_;
     std::vector<Vec4> colours_;  // of particles
     render::Quality quality_;
+    /// Of two that are compared each is drawn as it is.
+    [[nodiscard]] bool rounds() const { return rounded_ && other_ == nullptr; }
     bool rounded_ = true, shown_rounded_ = true;
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;

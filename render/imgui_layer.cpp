@@ -64,7 +64,7 @@ void set_style(float scale) {
     colors[ImGuiCol_Text] = gray(0.93f, 1);
     colors[ImGuiCol_TextDisabled] = gray(0.55f, 1);
     colors[ImGuiCol_WindowBg] = gray(0.085f, 0.86f);
-    colors[ImGuiCol_PopupBg] = gray(0.10f, 0.96f);
+    colors[ImGuiCol_PopupBg] = gray(0.10f, 1.0f);
     colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgCollapsed] = gray(0.06f, 0.90f);
     colors[ImGuiCol_TitleBgActive] = gray(0.12f, 0.94f);
     colors[ImGuiCol_FrameBg] = gray(0.20f, 0.75f);

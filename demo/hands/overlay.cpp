@@ -102,6 +102,7 @@ void draw_air(const Pen& pen, const HandAir& air) {
 }
 
 void draw_pins(const Pen& pen, const Simulation& simulation) {
+    const float radius = std::clamp(0.003f * pen.height(), 1.0f, 4.0f);
     for (const SceneCloth& cloth : simulation.content().cloths) {
         const auto view = simulation.world().cloth(cloth.id);
         if (!view) continue;
@@ -111,7 +112,7 @@ void draw_pins(const Pen& pen, const Simulation& simulation) {
         for (const Vec4& particle : view->positions) {
             if (!is_pinned(particle)) continue;
             const auto place = pen.pixels(Vec3{particle.x, particle.y, particle.z});
-            if (place) pen.list().AddCircleFilled(*place, 2.5f, IM_COL32(250, 210, 90, 235));
+            if (place) pen.list().AddCircleFilled(*place, radius, IM_COL32(250, 210, 90, 235));
         }
     }
 }
@@ -134,9 +135,11 @@ void hands_controls(Hands& hands) {
     slider("fan", hands.air.fan_speed, 2, 40, "%.0f m/s", "Hold F: a fan blows where the pointer is.");
     slider("blast", hands.air.blast_speed, 5, 80, "%.0f m/s", "B: air bursts from where the pointer is.");
     slider("throw", hands.balls.speed, 2, 25, "%.0f m/s", "T: throws a ball to where the pointer is.");
+    ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("Drag the arrow: wind. P: pin or let go.");
     ImGui::TextDisabled("T: throw. Hold F: fan. B: blast.");
     ImGui::TextDisabled("Drag a ball: moves it; wheel: its size.");
+    ImGui::PopTextWrapPos();
 }
 
 void hands_panel(Hands& hands) {

@@ -3,10 +3,12 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "demo/hands/project.h"
+#include "demo/method_table.h"
 
 namespace weft::demo {
 namespace {
@@ -30,6 +32,21 @@ std::string begin_or_end_film(Recorder& recorder) {
     return stopped ? "recorded " + *stopped : stopped.error().message;
 }
 
+/// With an edge, to be read on anything.
+void draw(const ShownWords& words, const render::OrbitCamera& camera) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const auto seen = project(camera, words.at, size.x / size.y);  // in heights
+    if (!seen) return;
+    const ImVec2 place(size.y * seen->x, size.y * seen->y);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const Vec3& colour = words.colour;
+    const bool dark = colour.x + colour.y + colour.z < 1.5f;
+    list.AddText({place.x + 1, place.y + 1}, dark ? IM_COL32(255, 255, 255, 140) : IM_COL32(0, 0, 0, 160),
+                 words.words.c_str());
+    list.AddText(place, ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1}),
+                 words.words.c_str());
+}
+
 }  // namespace
 
 void begin_look(Picture& picture, Look& look) {
@@ -50,16 +67,33 @@ void draw_picture(Picture& picture, const render::View& view, int width, int hei
 }
 
 void draw_words(const Picture& picture, const render::OrbitCamera& camera) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    for (const ShownWords& each : picture.words()) {
-        const auto seen = project(camera, each.at, size.x / size.y);  // in heights
-        if (!seen) continue;
-        const ImVec2 place(size.y * seen->x, size.y * seen->y);
-        draw.AddText({place.x + 1, place.y + 1}, IM_COL32(0, 0, 0, 160), each.words.c_str());
-        draw.AddText(place, ImGui::ColorConvertFloat4ToU32({each.colour.x, each.colour.y, each.colour.z, 1}),
-                     each.words.c_str());
+    for (const ShownWords& each : picture.words()) draw(each, camera);
+}
+
+void draw_names(const Picture& picture, const Simulation& shown, const Comparison& comparison,
+                const render::OrbitCamera& camera) {
+    const ClothId first = shown.content().cloths.front().id;
+    const auto cloth = shown.world().cloth(first);
+    const auto settings = shown.world().cloth_settings(first);
+    if (!cloth || !settings) return;
+    const Bounds& box = cloth->bounds;
+    const Vec3 over{0.5f * (box.lower.x + box.upper.x), box.upper.y + 0.15f,
+                    0.5f * (box.lower.z + box.upper.z)};
+    constexpr Vec3 white{1, 1, 1};
+    draw({over, entry_of(settings->method).title, white}, camera);
+    draw({{over.x + picture.beside(), over.y, over.z}, entry_of(comparison.method()).title, white}, camera);
+}
+
+void make_room_beside(render::OrbitCamera& camera, float beside, float& before) {
+    if (beside == before) return;
+    constexpr float part = 0.55f;  // of the other's distance: what was seen had some room
+    if (before > 0) {
+        camera.target.x -= 0.5f * before;
+        camera.distance = std::max(0.2f, camera.distance - part * before);  // somebody may have come near
     }
+    camera.target.x += 0.5f * beside;
+    camera.distance += part * beside;
+    before = beside;
 }
 
 std::string save_pictures(Picture& picture, const render::View& view, int width, int height, Look& look) {
@@ -69,6 +103,8 @@ std::string save_pictures(Picture& picture, const render::View& view, int width,
     if (!one && !look.recorder.recording()) return words;
     render::View best = view;
     best.quality = {};
+    best.camera.shift = 0;  // panels cover nothing of it
+    best.camera.shrink = 1;
     const render::Image image = picture.renderer().capture(best, width, height);
     if (one) words = told(look.recorder.save(image));
     if (const auto added = look.recorder.add(image); !added) words = added.error().message;

@@ -30,7 +30,7 @@ bool choice(const char* name, const char* note, const Fabric& offered, Fabric& f
 /// A new material gives the cloth its threads, too.
 bool material_menu(Fabric& fabric, const Material*& woven) {
     bool changed = false;
-    if (ImGui::BeginCombo("material", material_name(fabric))) {
+    if (ImGui::BeginCombo("material", material_name(fabric), ImGuiComboFlags_HeightLargest)) {
         for (const Material& each : materials()) {
             if (!choice(each.name, each.note, each.fabric, fabric)) continue;
             woven = &each;

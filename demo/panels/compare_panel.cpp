@@ -7,7 +7,7 @@ namespace weft::demo {
 namespace {
 
 void method_choice(Look& look) {
-    if (ImGui::BeginCombo("with", entry_of(look.compared).title)) {
+    if (ImGui::BeginCombo("with", entry_of(look.compared).title, ImGuiComboFlags_HeightLarge)) {
         for (const NamedMethod& each : all_methods()) {
             if (ImGui::Selectable(each.title, each.method.index() == look.compared.index()))
                 look.compared = each.method;

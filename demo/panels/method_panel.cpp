@@ -16,7 +16,7 @@ bool choice(const char* label, int& chosen, std::span<const char* const> names) 
 /// One taken from the list has its default settings.
 bool method_list(Method& method) {
     bool changed = false;
-    if (ImGui::BeginCombo("method", entry_of(method).title)) {
+    if (ImGui::BeginCombo("method", entry_of(method).title, ImGuiComboFlags_HeightLarge)) {
         for (const NamedMethod& each : all_methods()) {
             const bool present = each.method.index() == method.index();
             if (ImGui::Selectable(each.title, present) && !present) {

@@ -157,10 +157,11 @@ bool budget_bar(WorldSettings& settings, const StepReport& report) {
     bool changed = false;
     ImGui::TextUnformatted("budget");
     for (const float milliseconds : {0.0f, 0.5f, 1.0f, 2.0f, 4.0f}) {
-        ImGui::SameLine();
         char label[16];
         std::snprintf(label, sizeof label, milliseconds > 0 ? "%g" : "none",
                       static_cast<double>(milliseconds));
+        same_line_if_room(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                          ImGui::CalcTextSize(label).x);
         const bool chosen = settings.budget == milliseconds;
         if (ImGui::RadioButton(label, chosen) && !chosen) {
             settings.budget = milliseconds;

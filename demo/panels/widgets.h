@@ -25,6 +25,12 @@ inline void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
+/// The next item, so wide, stays in this line if there is room for it [pixels].
+inline void same_line_if_room(float width) {
+    const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+    if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
+}
+
 /// The end of a slider's range: `end`, or the widest that it has had.
 template <class Number, class Wider>
 Number widest(const char* label, const char* which, Number end, Wider wider) {

@@ -11,6 +11,13 @@ namespace {
 
 constexpr float widest_bar = 592;  // [pixels]
 
+float width_of(const char* label) {
+    return ImGui::CalcTextSize(label).x;
+}
+float width_of_button(const char* label) {
+    return width_of(label) + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 /// The scrubber.
 void show_moments(const Timeline& timeline, Playback& playback, TimeRequests& requests) {
     const int last = static_cast<int>(timeline.size()) - 1;
@@ -33,10 +40,11 @@ void show_buttons(const Timeline& timeline, Playback& playback, TimeRequests& re
         requests.go_to = timeline.here() - 1;
     }
     tooltip("Comma. A step back.");
-    ImGui::SameLine();
-    if (ImGui::Button(playback.paused ? "Run" : "Pause", {64, 0})) playback.paused = !playback.paused;
+    const float pause = std::max(width_of_button("Pause"), width_of_button("Run"));
+    same_line_if_room(pause);
+    if (ImGui::Button(playback.paused ? "Run" : "Pause", {pause, 0})) playback.paused = !playback.paused;
     tooltip("Space.");
-    ImGui::SameLine();
+    same_line_if_room(width_of_button(">"));
     if (ImGui::Button(">")) {
         playback.paused = true;
         if (timeline.here() + 1 < timeline.size())
@@ -45,15 +53,16 @@ void show_buttons(const Timeline& timeline, Playback& playback, TimeRequests& re
             ++playback.single_steps;
     }
     tooltip("Full stop. A step on: one that was taken already, or a new one of 1/60 s.");
-    ImGui::SameLine();
-    ImGui::PushItemWidth(110);
+    constexpr float speeds = 110;
+    same_line_if_room(speeds + ImGui::GetStyle().ItemInnerSpacing.x + width_of("speed"));
+    ImGui::PushItemWidth(speeds);
     slider("speed", playback.speed, 0.05f, 1, "%.2f x", "Slow motion: seconds of the scene in a second.",
            ImGuiSliderFlags_Logarithmic);
     ImGui::PopItemWidth();
-    ImGui::SameLine();
+    same_line_if_room(width_of_button("Reset"));
     requests.restart = ImGui::Button("Reset");
     tooltip("R. The scene from its start, with the settings as they are.");
-    ImGui::SameLine();
+    same_line_if_room(width_of_button("Defaults"));
     requests.defaults = ImGui::Button("Defaults");
     tooltip("The scene from its start, with all settings as they were.");
 }
@@ -79,16 +88,13 @@ std::string words_of(const RepeatCheck& check) {
 TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check, float room) {
     TimeRequests requests;
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
-    const float rows = check.enabled ? 3 : 2;
-    const ImVec2 size(std::min(widest_bar, room - 2 * panel_margin),
-                      rows * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y);
-    ImGui::SetNextWindowPos({0.5f * (room - size.x), picture.y - panel_margin - size.y});
-    ImGui::SetNextWindowSize(size);
+    ImGui::SetNextWindowPos({0.5f * room, picture.y - panel_margin}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowSize({std::min(widest_bar, room - 2 * panel_margin), 0});  // as high as it must be
     ImGui::Begin("Time", nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);
     show_buttons(timeline, playback, requests);
-    ImGui::SameLine();
+    same_line_if_room(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of("twice"));
     if (ImGui::Checkbox("twice", &check.enabled)) check.forget();
     tooltip("Each step is taken, undone and taken again: both must leave the same bytes.");
     show_moments(timeline, playback, requests);

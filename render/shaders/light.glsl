@@ -27,6 +27,10 @@ float quad_average(float value) {
     return value - dFdy(value) * odd.y;
 }
 
+// How far a pixel reaches over the surface [m]. One at a triangle's edge may have its middle beside it by half of that,
+// and below the cloth that goes on there.
+float pixel_size(vec3 point) { return min(max(length(dFdx(point)), length(dFdy(point))), 0.05); }
+
 // How the sun's depth changes along the surface, per unit of the map: taps aside follow the surface, which therefore
 // does not shadow itself (Isidoro 2006). Bounded, since a surface along the light has no such slope.
 vec2 surface_slope(vec3 normal) {
@@ -43,7 +47,9 @@ float sun_visibility(vec3 point, vec3 normal) {
     const float sun_size = 0.09;  // a far softer sun than the real one: width of the edge per distance
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
-    vec3 lifted = point + normal * sign(facing) * texel * (1.0 + 1.5 * (1.0 - abs(facing)));
+    float pixel = pixel_size(point);
+    float lift = texel * (1.0 + 1.5 * (1.0 - abs(facing))) + 0.5 * pixel;
+    vec3 lifted = point + normal * sign(facing) * lift;
     vec3 p = (frame.sun_from_world * vec4(lifted, 1.0)).xyz;
     float bias = texel / frame.sun_extent.y;
     vec2 slope = surface_slope(normal);
@@ -80,7 +86,6 @@ float sun_visibility(vec3 point, vec3 normal) {
     }
     seen = count == 0 ? 1.0 : seen / taps;
     // An edge narrower than some pixels would have the stairs of those that are averaged.
-    float pixel = max(length(dFdx(point)), length(dFdy(point)));
     return mix(seen, quad_average(seen), smoothstep(1.5, 6.0, width / max(pixel, 1e-6)));
 }
 
@@ -91,12 +96,13 @@ float sky_visibility(vec3 point) {
     vec3 p = (frame.sky_from_world * vec4(point, 1.0)).xyz;
     vec2 offset = pixel_direction() * reach / frame.sky_extent.x;
     float hidden = 0.0;
+    float least = frame.sky_extent.z + 0.5 * pixel_size(point);
     int count = inside_map(p.xy) ? int(taps) : 0;
     for (int i = 0; i < count; ++i) {
         offset = golden_turn * offset;
         float radius = tap_radius(i, taps);
         float depth = textureLod(sky_depth, p.xy + offset * radius, 0.0).r;
-        float above = max((p.z - depth) * frame.sky_extent.y - frame.sky_extent.z, 0.0);
+        float above = max((p.z - depth) * frame.sky_extent.y - least, 0.0);
         float fall_off = reach * reach / (reach * reach + above * above);
         hidden += step(depth, nothing) * fall_off * above / (above + 0.25 * reach * radius + 1e-4);
     }

@@ -35,6 +35,7 @@ TEST_P(PanelLayout, LabelsAreWithinTheColumn) {
     slider_probe = [&](const char* label, float&, float, float) {
         const ImGuiWindow* const window = ImGui::GetCurrentContext()->CurrentWindow;
         EXPECT_LE(ImGui::GetItemRectMax().x, window->WorkRect.Max.x + 1) << label;
+        EXPECT_LE(window->DC.CursorMaxPos.x, window->WorkRect.Max.x + 1) << "before " << label;
         EXPECT_GT(ImGui::CalcItemWidth(), 50) << label;
         return false;
     };

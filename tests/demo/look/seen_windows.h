@@ -12,6 +12,7 @@ namespace weft::demo {
 struct Seen {
     std::string name;
     ImRect place;
+    float cut = 0;  ///< so much of what it holds is beyond its right edge
 };
 
 /// Those that have been built; in the midst of a frame the last one's are all there.
@@ -21,7 +22,8 @@ inline std::vector<Seen> windows_of_this_frame(bool last_frame = false) {
         const bool own = (window->Flags & (ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Tooltip)) == 0;
         if ((last_frame ? window->WasActive : window->Active) && !window->Hidden && own &&
             std::string(window->Name) != "Debug##Default")
-            all.push_back({window->Name, window->Rect()});
+            all.push_back(
+                {window->Name, window->Rect(), window->ContentSize.x - window->ContentRegionRect.GetWidth()});
     }
     return all;
 }
@@ -34,6 +36,7 @@ inline void expect_apart(const std::vector<Seen>& seen, ImVec2 size) {
         EXPECT_LE(each.place.Max.x, size.x) << each.name;
         EXPECT_LE(each.place.Max.y, size.y) << each.name;
         EXPECT_GT(each.place.GetHeight(), 10) << each.name;
+        EXPECT_LE(each.cut, 1) << each.name;
     }
     for (std::size_t i = 0; i < seen.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
