@@ -204,10 +204,12 @@ HWY_INLINE void for_each_near_patch(const PairSearch& search, std::uint32_t bloc
     const BoxLanes block_box = box_of(boxes.blocks[block / 16], block % 16);
     const auto visit_block = [&](std::uint32_t other) HWY_ATTR {
         if (!may_meet(body, search.bodies[search.blocks[other].body])) return;
+        if (search.only != nullptr && (search.only[block] | search.only[other]) == 0) return;
         for (std::uint32_t p = 0; p < search.blocks[block].patch_count; ++p) {
             const SearchedPatch patch(search, block, p);
             std::uint32_t near = overlapping(patch.box, boxes.patches[other]);
             if (other == block) near &= ~0u << p;
+            if (search.only != nullptr && (search.only[block] >> p & 1) == 0) near &= search.only[other];
             for (; near != 0; near &= near - 1) {
                 const auto q = static_cast<std::uint32_t>(std::countr_zero(near));
                 const SearchedPatch near_patch(search, other, q);

@@ -71,6 +71,12 @@ void PairFinder::reserve(std::span<const ContactBody> bodies) {
               AlignedBuffer<std::uint8_t>(neighbours),
               AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
     room_ = AlignedBuffer<FeaturePair>(blocks * kept);
+    const bool looks_again = std::ranges::any_of(
+        bodies, [](const ContactBody& body) { return body.mesh->flat_rest().is_empty(); });
+    kept_ = HookedVector<KeptBlock>(looks_again ? blocks : 0);
+    kept_reach_.reserve(looks_again ? bodies.size() : 0);
+    changes_ = AlignedBuffer<PatchChange>(looks_again ? blocks * PatchBlock::most : 0);
+    beyond_ = AlignedBuffer<std::uint16_t>(looks_again ? blocks : 0);
     crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
     reserved_ = needed;
     reserved_blocks_ = blocks;
@@ -88,14 +94,73 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       float of_borders) {
     choose(bodies);
     const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
-    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     place(parallel, search);
-    count_pairs(parallel, search, static_cast<std::uint32_t>(found.capacity()));
-    number(found);
-    parallel.blocks(blocks, [&](std::uint32_t block) { write(search, block, found); });
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+    });
 }
 
-void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity) {
+bool PairFinder::can_look_again(std::span<const ContactBody> bodies) const noexcept {
+    return !kept_.empty() && std::ranges::all_of(bodies, [](const ContactBody& body) {
+        return body.mesh->flat_rest().is_empty();
+    });
+}
+
+void PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                                    std::span<const Vec4> positions, std::span<const Vec4> motions,
+                                    PairList& found, float of_borders) {
+    choose(bodies);
+    kept_reach_.clear();
+    for (const ContactBody& body : bodies) kept_reach_.push_back(body.reach);
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
+    place(parallel, search);
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
+        if (is_first) kept_[block].clear();
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs, is_first ? &kept_[block] : nullptr);
+    });
+}
+
+bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& search,
+                                     std::span<const Vec4> before) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        PatchChange* const changes = &changes_[std::size_t{block} * PatchBlock::most];
+        find_changes(search, block, before.data(), kept_reach_[blocks_[block].body], changes);
+        std::uint32_t beyond = 0;
+        for (std::uint32_t p = 0; p < blocks_[block].patch_count; ++p) {
+            if (!kept_[block].is_whole()) changes[p].is_beyond = 1;
+            beyond |= changes[p].is_beyond << p;
+        }
+        beyond_[block] = static_cast<std::uint16_t>(beyond);
+    });
+    return std::ranges::any_of(beyond_.span().first(blocks), [](std::uint16_t bits) { return bits != 0; });
+}
+
+void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                            std::span<const Vec4> positions, std::span<const Vec4> motions,
+                            std::span<const Vec4> before, PairList& found) {
+    choose(bodies);
+    PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data()};
+    if (find_patches_beyond(parallel, search, before)) {
+        search.only = beyond_.data();
+        place(parallel, search);
+    }
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
+        find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
+    });
+}
+
+template <class FindBlock>
+void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found,
+                      const FindBlock& find_block) {
+    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()), find_block);
+    number(found);
+    parallel.blocks(static_cast<std::uint32_t>(blocks_.size()),
+                    [&](std::uint32_t block) { write(positions, block, found, find_block); });
+}
+
+template <class FindBlock>
+void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block) {
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
     std::ranges::fill(block_pairs_, BlockPairs{});
     std::uint64_t count = 0;
@@ -105,7 +170,7 @@ void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::
             const std::uint32_t block = first + k;
             FoundPairs pairs = room_of(block);
             pairs.vertex_triangle.enough = pairs.edge_edge.enough = capacity + 1;
-            if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+            find_block(block, pairs, true);
             block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
         });
         for (const BlockPairs& block : std::span(block_pairs_).subspan(first, here))
@@ -179,7 +244,9 @@ void PairFinder::number(PairList& found) {
     found.dropped = count - found.size;
 }
 
-void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {
+template <class FindBlock>
+void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& found,
+                       const FindBlock& find_block) {
     const BlockPairs& here = block_pairs_[block];
     const std::span<FeaturePair> vertex_triangle =
         part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
@@ -188,20 +255,22 @@ void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& 
     if (here.vertex_triangle > kept_vertex_triangle || here.edge_edge > kept_edge_edge) {
         FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
                          {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
-        find_pairs(search, block, pairs);
+        find_block(block, pairs, false);
     } else {
         const FoundPairs pairs = room_of(block);
         std::copy_n(pairs.vertex_triangle.room.begin(), vertex_triangle.size(), vertex_triangle.begin());
         std::copy_n(pairs.edge_edge.room.begin(), edge_edge.size(), edge_edge.begin());
     }
-    shape_pairs(search.positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
-    shape_pairs(search.positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
+    shape_pairs(positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
+    shape_pairs(positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
 }
 
 std::size_t PairFinder::bytes() const noexcept {
     return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) +
            boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) +
-           crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) + is_calm_.capacity();
+           kept_.capacity() * sizeof(KeptBlock) + kept_reach_.capacity() * sizeof(float) + changes_.bytes() +
+           beyond_.bytes() + crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) +
+           is_calm_.capacity();
 }
 
 }  // namespace weft

@@ -10,6 +10,7 @@
 #include "collision/contact/pair_kernels.h"
 #include "collision/contact/pairs.h"
 #include "engine/aligned_buffer.h"
+#include "engine/hooked_vector.h"
 #include "engine/parallel_blocks.h"
 
 namespace weft {
@@ -44,6 +45,24 @@ class PairFinder {
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found, float of_borders = 1);
 
+    /// Whether find_to_look_again() keeps anything of these: of meshes without FlatRest, which many pairs of
+    /// patches are looked at of. Otherwise find() it is, and none may be looked at again.
+    [[nodiscard]] bool can_look_again(std::span<const ContactBody> bodies) const noexcept;
+
+    /// find(), and keeps what it looked at until the next such search.
+    void find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                            std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
+                            float of_borders);
+
+    /// find() with other motions and another reach, but of the same bodies at the same positions as the last
+    /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order. Where
+    /// features stay within the boxes they had, it looks among what was kept.
+    ///
+    /// Preconditions: can_look_again(bodies); that list did not overflow, and no reach was less than it is
+    /// now.
+    void find_again(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+                    std::span<const Vec4> motions, std::span<const Vec4> before, PairList& found);
+
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
     /// edge's ends are on different sides of the triangle's plane, and the line through them meets the
     /// triangle. An edge in the plane crosses nothing. Otherwise as find().
@@ -68,9 +87,16 @@ class PairFinder {
     std::size_t reserved_blocks_ = 0;
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
-    void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity);
+    /// find_block(block, pairs, is_first) finds those of a block; once more where it has many.
+    template <class FindBlock>
+    void list(Parallel& parallel, const Vec4* positions, PairList& found, const FindBlock& find_block);
+    template <class FindBlock>
+    void count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block);
     void number(PairList& found);
-    void write(const PairSearch& search, std::uint32_t block, PairList& found);
+    template <class FindBlock>
+    void write(const Vec4* positions, std::uint32_t block, PairList& found, const FindBlock& find_block);
+    /// Returns whether any patch goes beyond.
+    bool find_patches_beyond(Parallel& parallel, const PairSearch& search, std::span<const Vec4> before);
 
     std::vector<SearchedBody> bodies_;
     std::vector<PatchBlock> blocks_;
@@ -80,6 +106,11 @@ class PairFinder {
     std::vector<BlockPairs> block_pairs_;
     AlignedBuffer<Crossing> crossing_room_;
     std::vector<std::uint32_t> block_crossings_;
+
+    HookedVector<KeptBlock> kept_;         // by block
+    std::vector<float> kept_reach_;        // by body
+    AlignedBuffer<PatchChange> changes_;   // of patches, sixteen to each block
+    AlignedBuffer<std::uint16_t> beyond_;  // by block: see PairSearch::only
 };
 
 }  // namespace weft

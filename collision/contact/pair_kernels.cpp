@@ -8,38 +8,12 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/contact/closest-inl.h"
+#include "collision/contact/candidates-inl.h"
 #include "collision/contact/near_slots-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
-
-/// Pairs of features whose boxes overlap.
-struct Candidates {
-    static constexpr std::uint32_t full = 512, capacity = full + ContactPatch::most_edges + group_lanes;
-
-    std::uint32_t count = 0;
-    alignas(64) std::uint32_t corners[4][capacity];
-};
-
-HWY_INLINE CornerLanes gather_corners(const Vec4* positions, const Vec4* motions, const Candidates& of,
-                                      std::uint32_t first) {
-    CornerLanes corners;
-    const Lanes3 origin = gather_rows(positions, of.corners[0] + first);
-    corners.point[0] = zero3();
-    for (std::uint32_t c = 1; c < 4; ++c)
-        corners.point[c] = gather_rows(positions, of.corners[c] + first) - origin;
-    for (std::uint32_t c = 0; c < 4; ++c)
-        corners.motion[c] = motions == nullptr ? zero3() : gather_rows(motions, of.corners[c] + first);
-    return corners;
-}
-
-/// Lanes past the end repeat the first candidate.
-HWY_INLINE void pad(Candidates& candidates) {
-    for (auto& corner : candidates.corners)
-        for (std::uint32_t k = 0; k < part_lanes; ++k) corner[candidates.count + k] = corner[0];
-}
 
 /// PairShape::is_at_border.
 template <std::uint32_t of_a>
@@ -67,16 +41,30 @@ HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairRea
                    placed_box(search, of.corners, of_a, 4, first, reach.half_of_b));
 }
 
-/// Passes on, of the candidates, those that come within reach.
+/// Adds the candidates from `first` on, as many as a register has lanes.
+HWY_INLINE void keep(const Candidates& of, std::uint32_t first, Lanes gaps, KeptCandidates& kept) {
+    const std::uint32_t count = std::min(part_lanes, of.count - first);
+    if (kept.count + count > KeptCandidates::most) {
+        kept.count = KeptCandidates::most + 1;
+        return;
+    }
+    for (std::uint32_t c = 0; c < 4; ++c)
+        hn::StoreU(hn::LoadU(IndexTag(), of.corners[c] + first), IndexTag(), kept.corners[c] + kept.count);
+    hn::StoreU(gaps, Tag(), kept.gaps + kept.count);
+    kept.count += count;
+}
+
+/// Passes on, of the candidates, those that come within reach; keeps all, unless `kept` is null.
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
-                                  Found<FeaturePair>& found) {
+                                  Found<FeaturePair>& found, KeptCandidates* kept) {
     if (found.has_enough()) candidates.count = 0;
     if (candidates.count == 0) return;
     pad(candidates);
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
         const ShapeLanes shape =
             shape_of<of_a>(gather_corners(search.positions, search.motions, candidates, k));
+        if (kept != nullptr) keep(candidates, k, shape.gap, *kept);
         const Lanes within = hn::IfThenElse(is_at_border<of_a>(shape.weights),
                                             set(reach.mean * search.of_borders), set(reach.mean));
         auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
@@ -134,6 +122,7 @@ HWY_INLINE IndexMask mask_of(std::uint16_t bits) {
 struct PairCollector {
     const PairSearch& search;
     FoundPairs& found;
+    KeptBlock* kept;
     PairReach reach;  // of the candidates
     Candidates vertex_triangle, edge_edge;
     NearVertices vertices;
@@ -141,11 +130,22 @@ struct PairCollector {
     NearEdges edges, other_edges;
     BoxHits hits;
 
-    HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f) : search(s), found(f) {}
+    HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f, KeptBlock* k)
+        : search(s), found(f), kept(k) {
+        if (kept != nullptr) kept->clear();
+    }
 
+    HWY_INLINE void test_vertex_triangle() {
+        test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle,
+                                             kept != nullptr ? &kept->vertex_triangle : nullptr);
+    }
+    HWY_INLINE void test_edge_edge() {
+        test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge,
+                                       kept != nullptr ? &kept->edge_edge : nullptr);
+    }
     void test_all() {
-        test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle);
-        test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge);
+        test_vertex_triangle();
+        test_edge_edge();
     }
 
     HWY_INLINE void pair_vertices_with_triangles() {
@@ -161,8 +161,7 @@ struct PairCollector {
                                        hn::Or(hn::Eq(vertex, corner[1]), hn::Eq(vertex, corner[2])));
             append<vertex_and_triangle>(vertex_triangle, hn::AndNot(shared, mask_of(hit.lanes)),
                                         {vertex, corner[0], corner[1], corner[2]});
-            if (HWY_UNLIKELY(vertex_triangle.count >= Candidates::full))
-                test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle);
+            if (HWY_UNLIKELY(vertex_triangle.count >= Candidates::full)) test_vertex_triangle();
         }
     }
 
@@ -177,12 +176,41 @@ struct PairCollector {
             const auto shared =
                 hn::Or(hn::Or(hn::Eq(a0, b0), hn::Eq(a0, b1)), hn::Or(hn::Eq(a1, b0), hn::Eq(a1, b1)));
             append<edge_and_edge>(edge_edge, hn::AndNot(shared, mask_of(hit.lanes)), {a0, a1, b0, b1});
-            if (HWY_UNLIKELY(edge_edge.count >= Candidates::full))
-                test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge);
+            if (HWY_UNLIKELY(edge_edge.count >= Candidates::full)) test_edge_edge();
         }
     }
 
     HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
+        pair(a, b, is_same);
+        if (kept != nullptr) close(a, b);
+    }
+
+    /// What a search before kept of these patches, `too_far` apart before any motion at most.
+    HWY_INLINE void look_again(const KeptCandidates& before, std::uint32_t first, std::uint32_t end,
+                               float too_far, Candidates& to) {
+        const IndexTag d;
+        for (std::uint32_t k = first; k < end; k += part_lanes) {
+            const auto far = hn::Gt(hn::LoadU(Tag(), before.gaps + k), set(too_far));
+            const auto near = hn::AndNot(far, hn::FirstN(Tag(), end - k));
+            if (hn::AllFalse(Tag(), near)) continue;
+            const Kept of_these(hn::RebindMask(d, near));
+            for (std::uint32_t c = 0; c < 4; ++c)
+                hn::StoreU(of_these.of(hn::LoadU(d, before.corners[c] + k)), d, to.corners[c] + to.count);
+            to.count += of_these.count();
+            if (HWY_UNLIKELY(to.count >= Candidates::full)) test_all();
+        }
+    }
+
+    /// The next candidates are features of a and of b.
+    HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
+        const PairReach next(a, b);
+        if (next == reach) return;
+        test_all();
+        reach = next;
+    }
+
+  private:
+    HWY_INLINE void pair(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
         if (found.vertex_triangle.has_enough() && found.edge_edge.has_enough()) return;
         const FeatureBoxes& boxes = *search.boxes;
         const CoarsePlaces places(a.box, b.box);
@@ -206,13 +234,17 @@ struct PairCollector {
         }
     }
 
-  private:
-    /// The next candidates are features of a and of b.
-    HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
-        const PairReach next(a, b);
-        if (next == reach) return;
-        test_all();
-        reach = next;
+    /// All candidates of these patches have been found.
+    HWY_INLINE void close(const SearchedPatch& a, const SearchedPatch& b) {
+        const std::uint32_t vertex_triangles = kept->vertex_triangle.count + vertex_triangle.count;
+        const std::uint32_t edge_edges = kept->edge_edge.count + edge_edge.count;
+        std::uint32_t& count = kept->pairs_of_patches;
+        if (count < KeptBlock::most_pairs_of_patches)
+            kept->patches[count] = {number_of(a), number_of(b), vertex_triangles, edge_edges};
+        ++count;
+    }
+    static std::uint32_t number_of(const SearchedPatch& patch) {
+        return PatchBlock::most * patch.body.first_block + patch.number;
     }
 
     /// The first `of_a` corners are the same in all lanes.
@@ -226,11 +258,40 @@ struct PairCollector {
     }
 };
 
-void find(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
-    PairCollector collector(search, found);
+HWY_INLINE void visit_near_patches(const PairSearch& search, std::uint32_t block, PairCollector& collector) {
     for_each_near_patch(search, block,
                         [&](const SearchedPatch& a, const SearchedPatch& b, bool is_same)
                             HWY_ATTR { collector.visit(a, b, is_same); });
+}
+
+void find(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+    PairCollector collector(search, found, kept);
+    visit_near_patches(search, block, collector);
+    collector.test_all();
+}
+
+void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
+                const PatchChange* changes, FoundPairs& found) {
+    constexpr float with_rounding = 1.001f;
+    PairCollector collector(search, found, nullptr);
+    KeptBlock::OfPatches from{};
+    const std::uint32_t count = kept.is_whole() ? kept.pairs_of_patches : 0;
+    for (const KeptBlock::OfPatches& patches : std::span(kept.patches).first(count)) {
+        const PatchChange &a = changes[patches.a], &b = changes[patches.b];
+        if ((a.is_beyond | b.is_beyond) == 0) {
+            const auto body_of = [&](std::uint32_t patch) -> const SearchedBody& {
+                return search.bodies[search.blocks[patch / PatchBlock::most].body];
+            };
+            collector.look_for(body_of(patches.a), body_of(patches.b));
+            const float too_far = with_rounding * (collector.reach.mean + a.longest + b.longest);
+            collector.look_again(kept.vertex_triangle, from.end_of_vertex_triangle,
+                                 patches.end_of_vertex_triangle, too_far, collector.vertex_triangle);
+            collector.look_again(kept.edge_edge, from.end_of_edge_edge, patches.end_of_edge_edge, too_far,
+                                 collector.edge_edge);
+        }
+        from = patches;
+    }
+    if (search.only != nullptr) visit_near_patches(search, block, collector);
     collector.test_all();
 }
 
@@ -255,74 +316,6 @@ void shapes(const Vec4* positions, bool vertex_triangle, std::span<const Feature
                     : shape<edge_and_edge>(positions, pairs, to);
 }
 
-/// Some of a list's pairs, by their numbers.
-struct Batch {
-    Candidates candidates;
-    std::uint32_t numbers[group_lanes];
-    alignas(64) float normals[3][group_lanes] = {};
-
-    void add(std::uint32_t number, const FeaturePair& pair, const Vec4& normal) {
-        const std::uint32_t k = candidates.count++;
-        numbers[k] = number;
-        for (std::uint32_t c = 0; c < 4; ++c) candidates.corners[c][k] = pair.corners[c];
-        normals[0][k] = normal.x;
-        normals[1][k] = normal.y;
-        normals[2][k] = normal.z;
-    }
-};
-
-/// Around corners over their motion.
-HWY_INLINE BoxLanes swept_box(const CornerLanes& corners, std::uint32_t first, std::uint32_t end) {
-    const Lanes3 start = corners.point[first], moved = start + corners.motion[first];
-    BoxLanes box = join({start, start}, {moved, moved});
-    for (std::uint32_t c = first + 1; c < end; ++c) {
-        const Lanes3 x = corners.point[c], y = x + corners.motion[c];
-        box = join(box, join({x, x}, {y, y}));
-    }
-    return box;
-}
-
-template <std::uint32_t of_a>
-HWY_INLINE std::uint32_t left_of(const PairNarrow& narrow, Batch& batch) {
-    pad(batch.candidates);
-    const CornerLanes corners = gather_corners(narrow.positions, narrow.motions, batch.candidates, 0);
-    const Lanes3 normal = {load_lanes(batch.normals[0]), load_lanes(batch.normals[1]),
-                           load_lanes(batch.normals[2])};
-    const Lanes reach = set(narrow.reach);
-    const Lanes3 margin = {reach, reach, reach};
-    const BoxLanes a = swept_box(corners, 0, of_a), b = swept_box(corners, of_a, 4);
-    const auto is_left = hn::And(hn::Lt(swept_gap_along<of_a>(normal, corners), reach),
-                                 overlap({a.lower - margin, a.upper + margin}, b));
-    return bits_of(hn::And(is_left, hn::FirstN(Tag(), batch.candidates.count)));
-}
-
-template <std::uint32_t of_a>
-HWY_INLINE std::uint32_t narrow_list(const PairNarrow& narrow, std::span<FeaturePair> pairs,
-                                     PairShape* shapes) {
-    Batch batch;
-    std::uint32_t kept = 0;
-    const float too_far =
-        narrow.reach + 2 * narrow.longest;  // whatever the motions, with what rounding takes
-    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
-        if (!(shapes[k].normal.w > too_far)) batch.add(k, pairs[k], shapes[k].normal);
-        if (batch.candidates.count < part_lanes && k + 1 < pairs.size()) continue;
-        if (batch.candidates.count == 0) continue;
-        for (std::uint32_t left = left_of<of_a>(narrow, batch); left != 0; left &= left - 1) {
-            const std::uint32_t from = batch.numbers[std::countr_zero(left)];
-            pairs[kept] = pairs[from];
-            shapes[kept++] = shapes[from];
-        }
-        batch.candidates.count = 0;
-    }
-    return kept;
-}
-
-std::uint32_t narrow(const PairNarrow& to, bool vertex_triangle, std::span<FeaturePair> pairs,
-                     PairShape* shapes) {
-    return vertex_triangle ? narrow_list<vertex_and_triangle>(to, pairs, shapes)
-                           : narrow_list<edge_and_edge>(to, pairs, shapes);
-}
-
 }  // namespace
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -331,21 +324,21 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(find);
+HWY_EXPORT(find_again);
 HWY_EXPORT(shapes);
-HWY_EXPORT(narrow);
 
-void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
-    HWY_DYNAMIC_DISPATCH(find)(search, block, found);
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+    HWY_DYNAMIC_DISPATCH(find)(search, block, found, kept);
+}
+
+void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
+                      const PatchChange* changes, FoundPairs& found) {
+    HWY_DYNAMIC_DISPATCH(find_again)(search, block, kept, changes, found);
 }
 
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
                  PairShape* to) {
     HWY_DYNAMIC_DISPATCH(shapes)(positions, vertex_triangle, pairs, to);
-}
-
-std::uint32_t narrow_pairs(const PairNarrow& to, bool vertex_triangle, std::span<FeaturePair> pairs,
-                           PairShape* shapes) {
-    return HWY_DYNAMIC_DISPATCH(narrow)(to, vertex_triangle, pairs, shapes);
 }
 
 }  // namespace weft

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
+#include <set>
 
 #include "collision/contact/narrowing.h"
 #include "pair_finder_scenes.h"
+#include "pair_list_reference.h"
 
 namespace weft::test {
 namespace {
@@ -97,6 +100,79 @@ TEST(PairFinder, OfPairsNearestAtABorderAPartOfTheReachCounts) {
     EXPECT_EQ(k, list.size);
     EXPECT_GT(left_out, all.size / 10);
     EXPECT_GT(list.size, all.size / 10);
+}
+
+/// Of a mesh that is curved at rest, as garments are: nothing is known of its patches beforehand.
+ContactScene curved(std::uint32_t side, float spread) {
+    const ContactScene flat = folded(side, 0.3f);
+    ContactScene scene;
+    scene.add(flat.positions, flat.positions, grid_triangles(side, side), 0.3f * edge);
+    scene.add_motions(random_vectors(scene.positions.size(), spread * edge, 2));
+    return scene;
+}
+
+std::multiset<Corners> keys_of(const PairList& list, bool vertex_triangle) {
+    std::multiset<Corners> keys;
+    for (std::uint32_t k = 0; k < list.size; ++k)
+        if ((k < list.vertex_triangle) == vertex_triangle)
+            keys.insert(key_of(list.pairs[k].corners, vertex_triangle));
+    return keys;
+}
+
+/// Expects that looking again finds what a search by itself does.
+void expect_the_same_again(const ContactScene& first, const ContactScene& then) {
+    const PairList expected = pairs_of(then);
+    PairList before(1 << 18), list(1 << 18);
+    for (const int threads : {1, 3}) {
+        PairFinder finder;
+        finder.reserve(first.bodies);
+        Parallel parallel(threads);
+        ASSERT_TRUE(finder.can_look_again(first.bodies));
+        finder.find_to_look_again(parallel, first.bodies, first.positions, first.motions, before, 0.5f);
+        expect_equal(before, pairs_of(first, 1, 1 << 18, 0.5f));
+        CrossingList crossings(1 << 12);
+        finder.find_crossings(parallel, first.bodies, first.positions, crossings);
+        for (int time = 0; time < 2; ++time) {
+            finder.find_again(parallel, then.bodies, then.positions, then.motions, first.motions, list);
+            for (const bool vertex_triangle : {true, false})
+                EXPECT_EQ(keys_of(list, vertex_triangle), keys_of(expected, vertex_triangle));
+        }
+    }
+}
+
+TEST(PairFinder, WhatItLooksAtAgainIsWhatASearchFinds) {
+    for (const float reach : {0.01f, 0.29f}) {
+        for (const float change : {0.0f, 0.1f, 0.15f, 0.5f}) {
+            const ContactScene first = curved(24, 0.2f);
+            ContactScene then = first;
+            then.bodies[0].reach = reach * edge;
+            std::vector<Vec4> changes = random_vectors(then.motions.size(), change * edge, 5);
+            for (std::size_t i = 0; i < changes.size(); ++i)
+                if (i % 24 >= 12) changes[i] = {};  // most of what is there stays in its boxes
+            then.add_motions(changes);
+            SCOPED_TRACE(testing::Message() << reach << " " << change);
+            expect_the_same_again(first, then);
+        }
+    }
+}
+
+TEST(PairFinder, LooksAgainWhereTheFirstMotionOrTheSecondIsNotFinite) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    ContactScene first = curved(24, 0.2f);
+    ContactScene then = first;
+    then.bodies[0].reach = 0.1f * edge;
+    first.motions[100].y = nan;
+    then.motions[300].x = std::numeric_limits<float>::infinity();
+    then.motions[301].z = nan;
+    expect_the_same_again(first, then);
+}
+
+TEST(PairFinder, LooksAgainWhereThereWasNoRoomForAllItLookedAt) {
+    ContactScene first = curved(24, 0);
+    first.bodies[0].reach = 1.5f * edge;
+    ContactScene then = first;
+    then.bodies[0].reach = 0.3f * edge;
+    expect_the_same_again(first, then);
 }
 
 /// Each ends within `slack` of the way from 0 to the motion.

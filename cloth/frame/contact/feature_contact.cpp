@@ -82,7 +82,7 @@ void FeatureContact::begin() noexcept {
     ranges_.clear();
     restitutions_.clear();
     if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
-    may_cross_ = is_uncertain_ = has_all_near_ = false;
+    may_cross_ = is_uncertain_ = has_all_near_ = can_look_again_ = false;
     holder_ = Holder::none;
     tangles_.clear();
 }

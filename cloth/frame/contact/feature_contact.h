@@ -124,6 +124,7 @@ class FeatureContact {
         float ContactCloth::*of_cloth;
         float of_borders = 1;  ///< see PairFinder::find
     };
+    void set_reach(float ContactCloth::*of_cloth);
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
     void find_for_cut(Parallel& parallel);
     /// For as much of the way as there is room for pairs. Returns by how much pins are kept from their places
@@ -153,7 +154,8 @@ class FeatureContact {
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
-    bool has_all_near_ = false;  // pairs_ has all within the radius, over the motions in searched_
+    bool has_all_near_ = false;    // pairs_ has all within the radius, over the motions in searched_
+    bool can_look_again_ = false;  // at what the finder kept of that search
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;

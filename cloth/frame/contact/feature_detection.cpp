@@ -9,8 +9,12 @@
 
 namespace weft {
 
+void FeatureContact::set_reach(float ContactCloth::*of_cloth) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*of_cloth;
+}
+
 void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach) {
-    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*(reach.of_cloth);
+    set_reach(reach.of_cloth);
     finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders);
 }
 
@@ -19,8 +23,15 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
 // nothing nearer, and a garment that turns has ten times as many pairs with it.
 void FeatureContact::detect(Parallel& parallel) {
     const auto search = [&] {
-        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders});
+        set_reach(&ContactCloth::radius);
+        can_look_again_ = finder_.can_look_again(bodies_);
+        if (can_look_again_)
+            finder_.find_to_look_again(parallel, bodies_, start_.span(), searched_.span(), pairs_,
+                                       of_borders);
+        else
+            finder_.find(parallel, bodies_, start_.span(), searched_.span(), pairs_, of_borders);
         has_all_near_ = !pairs_.overflowed;
+        can_look_again_ = can_look_again_ && has_all_near_;
     };
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
     std::ranges::copy(settler_.relative(), searched_.data());
@@ -72,7 +83,9 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
             return;
         }
     }
-    find(parallel, settler_.relative(), {&ContactCloth::floor});
+    if (!can_look_again_) return find(parallel, settler_.relative(), {&ContactCloth::floor});
+    set_reach(&ContactCloth::floor);
+    finder_.find_again(parallel, bodies_, start_.span(), settler_.relative(), searched_.span(), pairs_);
 }
 
 // Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far
