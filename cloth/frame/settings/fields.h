@@ -1,7 +1,7 @@
 #pragma once
 // The fields of what a host sets and reads, by name: for writing down, reading back, describing, and for C. A
-// struct that gets another field does not compile here until the field has its line; then raise
-// recording_version.
+// struct that gets another field does not compile until the field has its line: here, or in
+// tests/embedding/c/fields_test.cpp, which counts those of for_both(). Then raise recording_version.
 
 #include <concepts>
 #include <type_traits>
@@ -36,7 +36,7 @@ void visit_each(const Visit& visit, const char* name, Value& value, Rest&&... re
 }
 
 template <FieldsOf<Fabric> A, FieldsOf<Fabric> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("areal_density", a.areal_density, b.areal_density);
     way("warp", a.warp, b.warp);
     way("weft", a.weft, b.weft);
@@ -47,7 +47,7 @@ void for_both(A& a, B& b, const Way& way) {
 }
 
 template <FieldsOf<FiniteElements> A, FieldsOf<FiniteElements> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("enabled", a.enabled, b.enabled);
     way("poisson", a.poisson, b.poisson);
     way("dihedral", a.dihedral, b.dihedral);
@@ -55,20 +55,20 @@ void for_both(A& a, B& b, const Way& way) {
 }
 
 template <FieldsOf<Tethers> A, FieldsOf<Tethers> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("enabled", a.enabled, b.enabled);
     way("slack", a.slack, b.slack);
 }
 
 template <FieldsOf<FrameInertia> A, FieldsOf<FrameInertia> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("linear", a.linear, b.linear);
     way("angular", a.angular, b.angular);
     way("centrifugal", a.centrifugal, b.centrifugal);
 }
 
 template <FieldsOf<SelfCollision> A, FieldsOf<SelfCollision> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("enabled", a.enabled, b.enabled);
     way("method", a.method, b.method);
     way("distance", a.distance, b.distance);
@@ -114,7 +114,7 @@ template <FieldsOf<SymplecticEuler> T, class Visit>
 void for_each_field(T& /*of*/, const Visit& /*visit*/) {}
 
 template <FieldsOf<ClothSettings> A, FieldsOf<ClothSettings> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("fabric", a.fabric, b.fabric);
     way("finite_elements", a.finite_elements, b.finite_elements);
     way("method", a.method, b.method);
@@ -136,7 +136,7 @@ void for_both(A& a, B& b, const Way& way) {
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("kind", a.kind, b.kind);
     way("position", a.position, b.position);
     way("velocity", a.velocity, b.velocity);
@@ -144,7 +144,7 @@ void for_both(A& a, B& b, const Way& way) {
 }
 
 template <FieldsOf<Wind> A, FieldsOf<Wind> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("velocity", a.velocity, b.velocity);
     way("gust", a.gust, b.gust);
     way("gust_length", a.gust_length, b.gust_length);
@@ -157,7 +157,7 @@ void for_both(A& a, B& b, const Way& way) {
 
 /// But for the executor, which is the host's.
 template <FieldsOf<WorldSettings> A, FieldsOf<WorldSettings> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("gravity", a.gravity, b.gravity);
     way("wind", a.wind, b.wind);
     way("max_speed", a.max_speed, b.max_speed);
@@ -206,7 +206,7 @@ void for_each_field(T& of, const Visit& visit) {
 }
 
 template <FieldsOf<BodySettings> A, FieldsOf<BodySettings> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("mass", a.mass, b.mass);
     way("inertia", a.inertia, b.inertia);
     way("gravity_scale", a.gravity_scale, b.gravity_scale);
@@ -214,7 +214,7 @@ void for_both(A& a, B& b, const Way& way) {
     way("angular_damping", a.angular_damping, b.angular_damping);
 }
 template <FieldsOf<BodyState> A, FieldsOf<BodyState> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("position", a.position, b.position);
     way("rotation", a.rotation, b.rotation);
     way("velocity", a.velocity, b.velocity);
@@ -227,7 +227,7 @@ void for_each_field(T& of, const Visit& visit) {
 }
 
 template <FieldsOf<ClothReport> A, FieldsOf<ClothReport> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("flags", a.flags, b.flags);
     way("enabled", a.enabled, b.enabled);
     way("asleep", a.asleep, b.asleep);
@@ -248,7 +248,7 @@ void for_both(A& a, B& b, const Way& way) {
     way("milliseconds", a.milliseconds, b.milliseconds);
 }
 template <FieldsOf<StepReport> A, FieldsOf<StepReport> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("flags", a.flags, b.flags);
     way("step", a.step, b.step);
     way("substeps", a.substeps, b.substeps);
@@ -273,7 +273,7 @@ void for_both(A& a, B& b, const Way& way) {
 }
 
 template <FieldsOf<ClothInfo> A, FieldsOf<ClothInfo> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("vertices", a.vertices, b.vertices);
     way("particles", a.particles, b.particles);
     way("welded_vertices", a.welded_vertices, b.welded_vertices);
@@ -294,7 +294,7 @@ void for_both(A& a, B& b, const Way& way) {
     way("shared_bytes", a.shared_bytes, b.shared_bytes);
 }
 template <FieldsOf<ShapeInfo> A, FieldsOf<ShapeInfo> B, class Way>
-void for_both(A& a, B& b, const Way& way) {
+constexpr void for_both(A& a, B& b, const Way& way) {
     way("triangles", a.triangles, b.triangles);
     way("bounds", a.bounds, b.bounds);
     way("error", a.error, b.error);
@@ -324,30 +324,5 @@ template <class T>
 concept HasFields = requires(T& of) {
     for_each_field(of, AnyVisit{});
 };
-
-// A struct of for_both() that gets another field does not compile here until it is counted.
-inline void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d, SelfCollision& e,
-                         ClothSettings& f, AirSource& g, Wind& h, WorldSettings& i, BodySettings& j,
-                         BodyState& k, ClothReport& l, StepReport& m, ClothInfo& n, ShapeInfo& o) {
-    [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7] = a;
-    [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
-    [[maybe_unused]] auto& [c1, c2] = c;
-    [[maybe_unused]] auto& [d1, d2, d3] = d;
-    [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6, e7, e8] = e;
-    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18] =
-        f;
-    [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
-    [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8] = h;
-    [[maybe_unused]] auto& [i1, i2, i3, i4, i5, i6, i7, i8] = i;
-    [[maybe_unused]] auto& [j1, j2, j3, j4, j5] = j;
-    [[maybe_unused]] auto& [k1, k2, k3, k4] = k;
-    [[maybe_unused]] auto& [l1, l2, l3, l4, l5, l6, l7, l8, l9, l10, l11, l12, l13, l14, l15, l16, l17, l18] =
-        l;
-    [[maybe_unused]] auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18,
-                            m19, m20, m21] = m;
-    [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18] =
-        n;
-    [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
-}
 
 }  // namespace weft
