@@ -13,7 +13,8 @@ namespace weft {
 /// it and return when it ends: a thread that helps is busy for as long as the step takes. Results do not
 /// depend on the order or on the threads.
 ///
-/// With `run` null (the default) Weft uses a oneTBB arena of its own.
+/// With `run` null (the default) Weft uses threads of its own: a oneTBB arena, or with WEFT_TBB=OFF the
+/// standard library's.
 struct Executor {
     using Body = void (*)(void* context, std::uint32_t block) noexcept;
 
