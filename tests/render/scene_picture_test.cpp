@@ -54,6 +54,30 @@ TEST_F(ScenePicture, AShadowIsSofterTheFartherItsCaster) {
     EXPECT_GT(edge_width(3.0f), edge_width(0.9f) + 2);
 }
 
+TEST_F(ScenePicture, ANarrowShadowEdgeHasNoStairs) {
+    View view = from_above();
+    view.sun_direction = {0.3f, 1, 0.1f};
+    const Vec3 slanted{0.5f, 0, 0.31f}, across{-0.31f, 0, 0.5f};
+    show(renderer(), make_sheet(9, {0, 0.04f, 0}, slanted, across), signal_look());
+    const Image image = renderer().capture(view, 2 * scene_width, 2 * scene_height);
+    // Pixels are shaded by twos and twos. At an edge four of one colour are a stair.
+    int edges = 0, stairs = 0;
+    for (int y = 2; y + 4 < image.height; y += 2)
+        for (int x = 2; x + 4 < image.width; x += 2) {
+            const auto light = [&](int dx, int dy) { return pixel(image, x + dx, y + dy).light(); };
+            const bool ground = !pixel(image, x, y).is_red() && !pixel(image, x - 2, y).is_red();
+            const auto [dark, bright] = std::minmax({light(-2, 0), light(2, 0)});
+            const int quarter = (bright - dark) / 4;
+            const bool between = light(0, 0) > dark + quarter && light(0, 0) < bright - quarter;
+            if (!ground || quarter < 15 || !between) continue;
+            ++edges;
+            const auto [least, most] = std::minmax({light(0, 0), light(1, 0), light(0, 1), light(1, 1)});
+            stairs += most - least < 4 ? 1 : 0;
+        }
+    EXPECT_GT(edges, 20);
+    EXPECT_LT(stairs, edges / 3);
+}
+
 TEST_F(ScenePicture, TheGroundIsDarkerCloseUnderABodyEvenInTheSun) {
     const DrawnSphere sphere{{0, 0.34f, 0}, 0.3f};
     View view = from_above();

@@ -172,6 +172,15 @@ TEST(Streaks, DriftWithTheAirWithinTheirBox) {
         }
     }
     EXPECT_GT(drifted, 1000);
+    const std::vector<render::DrawnLine> lines = streaks.lines();
+    EXPECT_GT(lines.size(), 200u);
+    for (const render::DrawnLine& each : lines) {
+        EXPECT_GE(each.opacity, 0);
+        EXPECT_LT(each.opacity, 1);
+    }
+    EXPECT_GT(lines[0].opacity, lines[2].opacity) << "what is older is fainter";
+    streaks.visible = false;
+    EXPECT_TRUE(streaks.lines().empty());
 }
 
 TEST(Project, IsWhereTheRayThroughItLeads) {

@@ -14,6 +14,7 @@
 #include "demo/look/recorder.h"
 #include "demo/look/rounded_mesh.h"
 #include "demo/look/settings_file.h"
+#include "demo/look/show.h"
 #include "demo/report_text.h"
 #include "tests/demo/small_world.h"
 
@@ -267,6 +268,23 @@ TEST(Simulation, RestoresItsDefaults) {
     EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric.warp, 77);
     ASSERT_TRUE(simulation->restore_defaults().ok());
     EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric, first);
+}
+
+TEST(RoomBeside, ComesAndGoesWithTheOther) {
+    const render::OrbitCamera first{.target = {1, 2, 3}, .distance = 3};
+    render::OrbitCamera camera = first;
+    float before = 0;
+    make_room_beside(camera, 2, before);
+    const render::OrbitCamera wide = camera;
+    EXPECT_EQ(wide.target.x, 2) << "between both";
+    EXPECT_GT(wide.distance, 4);
+    make_room_beside(camera, 2, before);
+    EXPECT_EQ(camera.distance, wide.distance) << "once";
+    camera.yaw += 1;
+    make_room_beside(camera, 0, before);
+    EXPECT_FLOAT_EQ(camera.target.x, first.target.x);
+    EXPECT_FLOAT_EQ(camera.distance, first.distance);
+    EXPECT_EQ(camera.yaw, first.yaw + 1) << "what somebody did meanwhile stays";
 }
 
 TEST(Recorder, LeavesPicturesByNumber) {
