@@ -167,6 +167,24 @@ TEST(PairFinder, LooksAgainWhereTheFirstMotionOrTheSecondIsNotFinite) {
     expect_the_same_again(first, then);
 }
 
+TEST(PairFinder, LooksAgainWhereWhatWasTooFarGoesFartherThanItWasExpected) {
+    constexpr std::uint32_t side = 16;
+    constexpr float reach = 0.3f * edge, gap = 0.31f * edge;
+    const std::vector<Vec4> rest = folded(side, 0.3f).positions;
+    ContactScene first;
+    for (const float height : {0.0f, gap}) {
+        std::vector<Vec4> now = flat(side, side);
+        for (Vec4& p : now) p.y = height;
+        first.add(rest, now, grid_triangles(side, side), reach);
+    }
+    ContactScene then = first;
+    for (ContactBody& body : then.bodies) body.reach = 0.01f * edge;
+    for (std::uint32_t i = 0; i < then.motions.size(); ++i)
+        then.motions[i].y = (i < side * side ? 0.52f : -0.52f) * gap;
+    ASSERT_GT(pairs_of(then).size, 1000u);
+    expect_the_same_again(first, then);
+}
+
 TEST(PairFinder, LooksAgainWhereThereWasNoRoomForAllItLookedAt) {
     ContactScene first = curved(24, 0);
     first.bodies[0].reach = 1.5f * edge;
