@@ -42,26 +42,23 @@ int Effort::most_iterations() const {
 // none is solved far put energy into stiff cloth, and it buzzes for ever. One linearisation that is solved
 // far takes energy from it, however stiff it is, but wants some ten iterations.
 int Effort::iterations_for(double decrement) {
-    constexpr double before_last = 16;
     constexpr int least = 10;
     const bool is_last = passes_ + 1 >= method_.passes;
     if (goes_back()) {
         course_ = Course::whole;
         return std::max(afforded_iterations(work_), 1);
     }
-    const bool is_far = adapts_ && decrement > (is_last ? 1 : before_last) * tolerated_;
-    if (!is_far || !(is_last || passes_ > 0)) return is_last ? method_.iterations : 1;
+    if (!is_last) return 1;
+    if (!adapts_ || !(decrement > tolerated_)) return method_.iterations;
+    is_hard_ = true;
     if (one_pass_will_do_ && passes_ == 0) {
-        is_hard_ = true;
         course_ = Course::whole;
         return std::max(afforded_iterations(coarse_operators_work), method_.iterations);
     }
     if (one_pass_will_do_ && afforded_iterations(work_ + pass_work) >= least) {
-        is_hard_ = true;
         course_ = Course::back;
         return 0;
     }
-    is_hard_ = is_hard_ || is_last;
     return 1;
 }
 
