@@ -8,6 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "collision/contact/leverage.h"
 #include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,16 +61,25 @@ HWY_INLINE void fill_shapes(const PairShape* shapes, const std::uint32_t* number
 // Differences to the first corner, so that where a pair is takes nothing of the gap.
 HWY_INLINE void fill_gaps(const Vec4* base_positions, std::uint32_t lane, PairGroup& group) {
     const Lanes4 origin = gather_rows_with_w(base_positions, group.corners[0] + lane);
-    const Lanes first = load_lanes(group.weights[0] + lane);
-    Lanes mobility = hn::Mul(hn::Mul(first, first), origin.w);
+    const Lanes first = load_lanes(group.weights[0] + lane), zero = set(0);
+    // mobility_of_gap() in lanes.
+    Lanes mobility = zero, most = zero, part = zero;
+    const auto add_corner = [&](Lanes b, Lanes inverse_mass) HWY_ATTR {
+        const Lanes weight = hn::Abs(b), own = hn::Mul(weight, inverse_mass);
+        mobility = hn::MulAdd(hn::Mul(b, b), inverse_mass, mobility);
+        most = hn::Max(most, own);
+        part = hn::Max(part, hn::IfThenElseZero(hn::Gt(own, zero), weight));
+    };
+    add_corner(first, origin.w);
     Lanes3 gap = zero3();
     for (std::uint32_t c = 1; c < 4; ++c) {
         const Lanes4 corner = gather_rows_with_w(base_positions, group.corners[c] + lane);
         const Lanes b = load_lanes(group.weights[c] + lane);
         gap = mul_add(b, xyz(corner) - xyz(origin), gap);
-        mobility = hn::MulAdd(hn::Mul(b, b), corner.w, mobility);
+        add_corner(b, corner.w);
     }
-    const auto moves = hn::Gt(mobility, set(0));
+    mobility = hn::Max(mobility, hn::Mul(most, set(1 / farthest_for_gap)));
+    const auto moves = hn::And(hn::Gt(mobility, zero), hn::Ge(part, set(least_of_way)));
     const Lanes mass = hn::Div(set(1), hn::IfThenElse(moves, mobility, set(1)));
     store(hn::IfThenElseZero(moves, mass), group.mass + lane);
     store(dot(normal_of(group, lane), gap), group.gap + lane);

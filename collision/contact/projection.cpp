@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "collision/contact/leverage.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -24,10 +25,9 @@ float predicted_gap(const FeaturePair& pair, const PairShape& shape, std::span<c
 }
 
 float inverse_mass_of_gap(const FeaturePair& pair, const PairShape& shape, std::span<const Vec4> positions) {
-    float sum = 0;
-    for (std::uint32_t i = 0; i < 4; ++i)
-        sum += positions[pair.corners[i]].w * shape.weight(i) * shape.weight(i);
-    return sum;
+    const auto inverse_mass = [&](std::uint32_t i) { return positions[pair.corners[i]].w; };
+    return mobility_of_gap({inverse_mass(0), inverse_mass(1), inverse_mass(2), inverse_mass(3)},
+                           {shape.weight(0), shape.weight(1), shape.weight(2), shape.weight(3)});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "collision/contact/projection.h"
+#include "collision/contact/leverage.h"
 
 #include <gtest/gtest.h>
 
@@ -184,6 +185,14 @@ TEST(PairIncidence, RowsAreThoseOfALoopOverPairs) {
             EXPECT_EQ(row, incidence.rows());
         }
     }
+}
+
+TEST(Leverage, BoundsWhatPinsLeaveLittleToDo) {
+    EXPECT_FLOAT_EQ(mobility_of_gap({2, 2, 2, 2}, {1, -0.5f, -0.25f, -0.25f}), 2 * 1.375f) << "unbounded";
+    EXPECT_FLOAT_EQ(mobility_of_gap({0, 2, 2, 2}, {1, -0.5f, -0.25f, -0.25f}), 2 * 0.375f) << "unbounded";
+    EXPECT_FLOAT_EQ(mobility_of_gap({0, 0, 2, 0}, {1, -0.65f, -0.35f, 0}), 2 * 0.35f / farthest_for_gap);
+    EXPECT_EQ(mobility_of_gap({0, 0, 2, 2}, {1, -0.45f, -0.29f, -0.26f}), 0);
+    EXPECT_EQ(mobility_of_gap({0, 0, 0, 0}, {1, -0.5f, -0.25f, -0.25f}), 0);
 }
 
 }  // namespace

@@ -16,9 +16,10 @@ double usual_work(const Multilevel& method) {
 
 }  // namespace
 
-Effort::Effort(const Multilevel& method, double mass, double gamma)
+Effort::Effort(const Multilevel& method, double mass, double gamma, bool one_pass_will_do)
     : method_(method),
       adapts_(method.effort > 1),
+      one_pass_will_do_(one_pass_will_do),
       allowed_(static_cast<double>(method.effort) * usual_work(method)) {
     const double velocity = static_cast<double>(method.tolerance) * gamma;
     tolerated_ = mass * velocity * velocity;
@@ -28,11 +29,42 @@ bool Effort::affords_pass() const {
     return work_ + pass_work <= allowed_;
 }
 
+int Effort::afforded_iterations(double work) const {
+    constexpr double most = 64;
+    return static_cast<int>(std::clamp((allowed_ - work - 1) / iteration_work, 0.0, most));
+}
+
+int Effort::most_iterations() const {
+    return adapts_ ? std::max(method_.iterations, afforded_iterations(work_)) : method_.iterations;
+}
+
+// Each pass sets out from springs that are stretched by what the one before left, so that passes of which
+// none is solved far put energy into stiff cloth, and it buzzes for ever. One linearisation that is solved
+// far takes energy from it, however stiff it is, but wants some ten iterations.
 int Effort::iterations_for(double decrement) {
-    if (passes_ + 1 < method_.passes) return 1;
-    const bool is_far = adapts_ && decrement > tolerated_;
-    is_hard_ = is_hard_ || is_far;
-    return is_far ? 1 : method_.iterations;
+    constexpr int least = 10;
+    const bool is_last = passes_ + 1 >= method_.passes;
+    if (goes_back()) {
+        course_ = Course::whole;
+        return std::max(afforded_iterations(work_), 1);
+    }
+    if (!is_last) return 1;
+    if (!adapts_ || !(decrement > tolerated_)) return method_.iterations;
+    is_hard_ = true;
+    if (one_pass_will_do_ && passes_ == 0) {
+        course_ = Course::whole;
+        return std::max(afforded_iterations(coarse_operators_work), method_.iterations);
+    }
+    if (one_pass_will_do_ && afforded_iterations(work_ + pass_work) >= least) {
+        course_ = Course::back;
+        return 0;
+    }
+    return 1;
+}
+
+void Effort::look_at_whole_way(double slope) {
+    slope_ = slope;
+    length_ = 1;
 }
 
 void Effort::add(const CgResult& pass) {
@@ -46,6 +78,7 @@ void Effort::add(const CgResult& pass) {
 }
 
 bool Effort::wants_another_pass() const {
+    if (course_ != Course::passes) return goes_back();
     if (passes_ < method_.passes && !adapts_) return true;
     return affords_pass() && (passes_ < method_.passes || (is_hard() && left_ > tolerated_));
 }

@@ -10,15 +10,24 @@ namespace weft {
 /// never from time. Work is in linearisations.
 class Effort {
   public:
-    /// `mass` of the cloth [kg], `gamma` of the equation [s].
-    Effort(const Multilevel& method, double mass, double gamma);
+    /// `mass` of the cloth [kg], `gamma` of the equation [s]. `one_pass_will_do`: but for the fabric it is
+    /// about linear: no features or bodies touch, of which each linearisation takes up others.
+    Effort(const Multilevel& method, double mass, double gamma, bool one_pass_will_do = true);
 
     [[nodiscard]] bool is_at_start() const { return work_ == 0; }
     /// Whether the pass that has begun finds more energy left than the one before found.
     [[nodiscard]] bool has_grown(double decrement) const { return adapts_ && decrement > decrement_; }
     /// Iterations of the pass that has begun. Far from the solution one is enough before the next
-    /// linearisation.
+    /// linearisation. 0: the equation is so hard that another pass is to start from where the first one did,
+    /// and to be solved as far as the work goes.
     [[nodiscard]] int iterations_for(double decrement);
+    /// The most that iterations_for() may say of the next pass.
+    [[nodiscard]] int most_iterations() const;
+    [[nodiscard]] bool goes_back() const { return course_ == Course::back; }
+    /// One pass has gone all the way from the start.
+    [[nodiscard]] bool is_whole() const { return course_ == Course::whole; }
+    /// Makes that way the last step: the energy had this slope down it where it began [J].
+    void look_at_whole_way(double slope);
     void add(const CgResult& pass);
     [[nodiscard]] bool wants_another_pass() const;
 
@@ -32,10 +41,15 @@ class Effort {
     [[nodiscard]] bool is_unsolved() const { return left_ > tolerated_; }
 
   private:
+    /// passes after one another; then a way back to the start; then all by one pass.
+    enum class Course { passes, back, whole };
+
     [[nodiscard]] bool affords_pass() const;
+    [[nodiscard]] int afforded_iterations(double work) const;
 
     const Multilevel& method_;
-    bool adapts_, is_hard_ = false;
+    bool adapts_, one_pass_will_do_, is_hard_ = false;
+    Course course_ = Course::passes;
     double allowed_, tolerated_;  // work; energy [J]
     double work_ = 0;
     int passes_ = 0;

@@ -89,7 +89,8 @@ class MultilevelSolve {
           method_(std::get<Multilevel>(step_.settings.method)),
           pairs_(step_.equation.pairs),
           bodies_(step_.equation.bodies),
-          effort_(method_, mass_of(members), static_cast<double>(step_.equation.gamma)) {}
+          effort_(method_, mass_of(members), static_cast<double>(step_.equation.gamma),
+                  pairs_ == nullptr && bodies_ == nullptr) {}
 
     SolveResult operator()();
 
@@ -118,6 +119,8 @@ class MultilevelSolve {
     template <class ResidualOf, class DirectionOf>
     bool shorten_last_step(const ResidualOf& residual_of, const DirectionOf& direction_of,
                            bool a_pass_follows);
+    void go_back();
+    void look_at_whole_way();
     void check_last_step();
     [[nodiscard]] bool is_free(std::uint32_t particle) const;
     [[nodiscard]] bool touches_what_is_held() const;
@@ -198,7 +201,8 @@ double MultilevelSolve::couple_pairs(bool wants_products) {
 // A direction's first product b . P b is the square of Newton's decrement (Deuflhard 2004, "Newton methods
 // for nonlinear problems"): what energy is left, in a metric in which a stiff spring counts no more than a
 // soft one. It is known for nothing. Where it grows from pass to pass, the last step went too far; where it
-// is high after the usual passes, more follow.
+// is high after some passes, the equation is hard: all is solved anew by one linearisation, as Baraff and
+// Witkin do, or, where there is no room for that, more passes follow.
 SolveResult MultilevelSolve::operator()() {
     do {
         {
@@ -215,7 +219,9 @@ SolveResult MultilevelSolve::operator()() {
         const CgResult pass = take_pass();
         if (!pass.ok) return {.ok = false};
         effort_.add(pass);
+        if (effort_.goes_back()) go_back();
     } while (effort_.wants_another_pass());
+    if (effort_.is_whole()) look_at_whole_way();
     if (effort_.is_hard()) check_last_step();
     keep_momentum();
     let_bodies_follow();
@@ -239,7 +245,7 @@ CgResult MultilevelSolve::take_pass() {
         return went_too_far ? 0 : effort_.iterations_for(decrement);
     };
     return conjugate_gradients(
-        step_.parallel, parts(), method_.iterations, precondition,
+        step_.parallel, parts(), effort_.most_iterations(), precondition,
         [&](bool wants_products) { return couple(wants_products); }, iterations_for);
 }
 
@@ -255,6 +261,24 @@ bool MultilevelSolve::shorten_last_step(const ResidualOf& residual_of, const Dir
     for (const Member& member : members_)
         scale_and_add(step_.parallel, -back, direction_of(member), 1.0f, member.step->velocities);
     return true;
+}
+
+void MultilevelSolve::go_back() {
+    for (const Member& member : members_)
+        copy(step_.parallel, member.step->equation.velocities, member.step->velocities);
+}
+
+// The line search then is along all that the solve has changed.
+void MultilevelSolve::look_at_whole_way() {
+    double slope = 0;
+    for (const Member& member : members_) {
+        const std::span<Vec4> way = member.solver->vectors_.direction.span();
+        copy(step_.parallel, member.step->velocities, way);
+        scale_and_add(step_.parallel, -1.0f, member.step->equation.velocities, 1.0f, way);
+        slope += dot(step_.parallel, std::as_const(member.solver->system_->right_side()).span(), way,
+                     member.solver->sums_.span());
+    }
+    effort_.look_at_whole_way(slope);
 }
 
 // No pass follows that would see where the last one went.
@@ -313,57 +337,6 @@ void MultilevelSolve::keep_momentum() {
     touching.is_held = touching.is_held || touches_what_is_held();
     for (const Member& member : members_)
         member.solver->move_free_pieces(*member.step, MultilevelSolver::shift_of(touching));
-}
-
-void MultilevelSolver::weigh_pieces(const SolverStep& step) {
-    const StepEquation& equation = step.equation;
-    std::ranges::fill(pieces_, Piece{});
-    const auto particles = static_cast<std::uint32_t>(component_of_.size());
-    equation.pairs->for_each_particle(equation.first, equation.first + particles,
-                                      [&](const PairRows::AtParticle& at) {
-                                          pieces_[component_of_[at.particle - equation.first]].touches = true;
-                                      });
-    for (std::uint32_t i = 0; i < particles; ++i) {
-        Piece& piece = pieces_[component_of_[i]];
-        piece.is_held |= equation.positions[i].w == 0 || equation.contacts->is_held(i);
-        if (piece.is_held) continue;
-        const ExternalRow row = external_row(equation, i);
-        piece.missing += (row.row_sum * (row.free_velocity - xyz(step.velocities[i]))).cast<double>();
-        piece.inertia += static_cast<double>(row.row_sum);
-    }
-}
-
-Vector3 MultilevelSolver::shift_of(const Piece& piece) {
-    if (piece.is_held || !(piece.inertia > 0)) return Vector3::Zero();
-    return (piece.missing / piece.inertia).cast<float>();
-}
-
-void MultilevelSolver::move_free_pieces(const SolverStep& step, const Vector3& of_touching) {
-    for (std::uint32_t i = 0; i < component_of_.size(); ++i) {
-        const Piece& piece = pieces_[component_of_[i]];
-        const Vector3 shift = piece.touches ? of_touching : shift_of(piece);
-        if (shift.isZero(0)) continue;
-        step.velocities[i] = to_vec4(xyz(step.velocities[i]) + shift, 0);
-    }
-}
-
-void MultilevelSolver::reserve_pairs(std::size_t count) {
-    if (count == 0) {
-        multigrid_->reserve_pairs(0);
-        component_of_ = {};
-        pieces_ = {};
-        return;
-    }
-    if (!component_of_.empty()) return;
-    multigrid_->reserve_pairs(count);
-    const std::span<const std::uint32_t> offsets = model_->component_offsets;
-    const auto loose = static_cast<std::uint32_t>(offsets.size() - 1);
-    HookedVector<std::uint32_t> component_of(model_->particle_count, loose);
-    for (std::uint32_t c = 0; c + 1 < offsets.size(); ++c)
-        for (std::uint32_t k = offsets[c]; k < offsets[c + 1]; ++k)
-            component_of[model_->component_particles[k]] = c;
-    pieces_.assign(offsets.size(), Piece{});
-    component_of_ = std::move(component_of);
 }
 
 SolveResult MultilevelSolver::solve(const SolverStep& step) {

@@ -1,9 +1,11 @@
 // Pairs as rows of the implicit equation, against a dense matrix in double precision.
 
 #include "cloth/system/pair_rows.h"
+#include "collision/contact/leverage.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -87,13 +89,15 @@ struct Reference {
         const PairShape& shape = scene.pairs.shapes[k];
         const Vector3d n = exact(shape.normal);
         Vector3d gap = Vector3d::Zero(), u = Vector3d::Zero();
-        double mobility = 0;
+        std::array<float, 4> inverse_masses{}, weights{};
         for (std::size_t c = 0; c < 4; ++c) {
             const double b = weight(shape, c);
             gap += b * exact(scene.positions[corners[c]]);
             u += b * exact(scene.velocities[corners[c]]);
-            mobility += b * b * static_cast<double>(scene.positions[corners[c]].w);
+            weights[c] = (&shape.weights.x)[c];
+            inverse_masses[c] = scene.positions[corners[c]].w;
         }
+        const double mobility = static_cast<double>(mobility_of_gap(inverse_masses, weights));
         const double radius = static_cast<double>(scene.laws[k].radius), h = static_cast<double>(gamma);
         const double friction = static_cast<double>(scene.laws[k].friction);
         const double depth = radius - n.dot(gap) - h * n.dot(u);
