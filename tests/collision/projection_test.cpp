@@ -1,10 +1,10 @@
 #include "collision/contact/projection.h"
-#include "collision/contact/leverage.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
+#include "collision/contact/leverage.h"
 #include "settle_reference.h"
 
 namespace weft::test {

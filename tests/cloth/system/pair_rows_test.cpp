@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <random>
 #include <vector>
