@@ -13,6 +13,7 @@
 
 #include "cloth/mesh/mesh_limits.h"
 #include "cloth/mesh/obj_lines.h"
+#include "cloth/mesh/words.h"
 
 namespace weft {
 
@@ -20,19 +21,8 @@ namespace {
 
 using Corner = ObjContent::Corner;
 
-constexpr std::string_view blanks = " \t";
-
 /// A face of more corners is not cut into a fan, whose first corner would get all of its triangles.
 constexpr std::size_t most_corners_of_fan = 64;
-
-/// Takes the next token off the front of `text`; empty at the end.
-std::string_view take_token(std::string_view& text) {
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-    const std::string_view token = text.substr(begin, end - begin);
-    text.remove_prefix(end);
-    return token;
-}
 
 std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 40;
@@ -176,7 +166,7 @@ class Parser {
   private:
     Result<void> take_line() {
         std::string_view rest = lines_.text();
-        const std::string_view keyword = take_token(rest);
+        const std::string_view keyword = take_word(rest);
         if (keyword == "v") return take_vertex(rest);
         if (keyword == "vt") return take_texcoord(rest);
         if (keyword == "f") return take_face(rest);
@@ -201,7 +191,7 @@ class Parser {
     /// More than are needed may follow: weights and colours.
     Result<void> read_coordinates(std::string_view rest, const char* keyword, std::span<float> needed) const {
         std::size_t count = 0;
-        for (std::string_view token = take_token(rest); !token.empty(); token = take_token(rest)) {
+        for (std::string_view token = take_word(rest); !token.empty(); token = take_word(rest)) {
             const std::optional<float> value = parse_coordinate(token);
             if (!value)
                 return lines_.error("coordinate " + std::to_string(count + 1) + " is " + quoted(token) +
@@ -218,7 +208,7 @@ class Parser {
 
     Result<void> take_face(std::string_view rest) {
         face_.clear();
-        for (std::string_view token = take_token(rest); !token.empty(); token = take_token(rest)) {
+        for (std::string_view token = take_word(rest); !token.empty(); token = take_word(rest)) {
             const Result<Corner> corner = read_corner(token);
             if (!corner) return corner.error();
             face_.push_back(*corner);

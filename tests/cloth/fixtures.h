@@ -1,11 +1,15 @@
 #pragma once
 // Cloths and dense references that several test files share.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cstring>
 #include <Eigen/Core>
 #include <random>
 #include <vector>
 
+#include "cloth/frame/advance/survey.h"
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/simulation.h"
 #include "cloth/solvers/make_system.h"
@@ -53,6 +57,27 @@ inline Cloth crumpled(const Mesh& mesh, float displacement, float stiffness, std
     }
     for (Vec4& v : cloth.state.velocities.span()) v = {speed(random), speed(random), speed(random), 0};
     return cloth;
+}
+
+/// What survey() finds, by a plain loop.
+inline Survey plain_survey(const ClothState& state) {
+    Vector3 lower = xyz(state.positions[0]), upper = lower;
+    Survey found{};
+    for (std::uint32_t i = 0; i < state.size(); ++i) {
+        lower = lower.cwiseMin(xyz(state.positions[i]));
+        upper = upper.cwiseMax(xyz(state.positions[i]));
+        found.peak_speed_squared = std::max(found.peak_speed_squared, xyz(state.velocities[i]).squaredNorm());
+    }
+    found.lower = to_vec3(lower);
+    found.upper = to_vec3(upper);
+    return found;
+}
+
+inline void expect_like(const Survey& found, const Survey& plain) {
+    EXPECT_TRUE(found.sound);
+    EXPECT_EQ(to_vector(found.lower), to_vector(plain.lower));
+    EXPECT_EQ(to_vector(found.upper), to_vector(plain.upper));
+    EXPECT_NEAR(found.peak_speed_squared, plain.peak_speed_squared, 1e-6f * plain.peak_speed_squared);
 }
 
 /// The equation of one step of length h of backward Euler under gravity, without air.

@@ -57,6 +57,16 @@ Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns) {
     return mesh;
 }
 
+Mesh turned_sheet(float height, float turn, std::uint32_t side, float size) {
+    const float c = size * std::cos(turn), s = size * std::sin(turn);
+    return make_sheet({.rows = side,
+                       .columns = side,
+                       .origin = {-0.5f * (c + s), height, -0.5f * (c - s)},
+                       .u = {c, 0, -s},
+                       .v = {s, 0, c}})
+        .value();
+}
+
 Mesh evenly_cut(const SheetSettings& settings) {
     Mesh mesh = must(make_sheet(settings));
     mesh.triangles.clear();

@@ -29,6 +29,10 @@ struct NamedMesh {
 /// The sheet without its rows and columns: a general mesh.
 [[nodiscard]] Mesh loose_sheet(std::uint32_t rows, std::uint32_t columns);
 
+/// Level, its middle above the origin, turned about that by an angle [rad], so that its mesh does not lie
+/// over another's.
+[[nodiscard]] Mesh turned_sheet(float height, float turn = 0, std::uint32_t side = 13, float size = 0.4f);
+
 /// A grid whose cells are all cut along the same diagonal: all its inner particles have the same mass.
 [[nodiscard]] Mesh evenly_cut(const SheetSettings& settings);
 

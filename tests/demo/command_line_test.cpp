@@ -1,71 +1,20 @@
 // The program itself, run as people run it.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <string>
 
+#include "tests/demo/program_test.h"
 #include "weft/mesh.h"
 
 namespace weft::demo {
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-struct Ran {
-    int status;
-    std::string out, err;
-};
-
-class Program : public testing::Test {
+class Program : public ProgramTest {
   protected:
-    Program() { std::filesystem::remove_all(folder()); }
-    ~Program() override { std::filesystem::remove_all(folder()); }
+    Program() : ProgramTest(WEFT_DEMO_PROGRAM) {}
 
-    /// One folder for each test: CTest runs them at the same time.
-    static std::filesystem::path folder() {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        return std::filesystem::path(testing::TempDir()) / ("weft_command_line_" + name);
-    }
-
-    static Ran run(const std::string& arguments) {
-        std::filesystem::create_directories(folder());
-        const auto out = folder() / "stdout.txt", err = folder() / "stderr.txt";
-        const std::string command =
-            std::string(WEFT_DEMO_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
-    }
-
-    static Ran run_headless(const std::string& arguments, const std::string& out = "out") {
+    Ran run_headless(const std::string& arguments, const std::string& out = "out") const {
         return run("--headless --particles 600 --size 160x100 --out " + (folder() / out).string() + " " +
                    arguments);
-    }
-
-    /// The sixteen digits of the line "hash: ...".
-    static std::string hash_of(const Ran& ran) {
-        const std::string lines = "\n" + ran.out, heading = "\nhash: ";
-        const std::size_t found = lines.find(heading);
-        const std::string rest = found == std::string::npos ? "" : lines.substr(found + heading.size());
-        const std::string digits = rest.substr(0, rest.find_first_not_of("0123456789abcdef"));
-        EXPECT_EQ(digits.size(), 16u) << ran.out << ran.err;
-        EXPECT_EQ(rest.substr(digits.size(), 1), "\n");
-        return digits;
-    }
-
-    static void expect_refusal(const Ran& ran, const std::string& named) {
-        EXPECT_EQ(ran.status, 2);
-        EXPECT_EQ(ran.out, "");
-        EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
-        EXPECT_NE(ran.err.find(named), std::string::npos) << ran.err;
     }
 };
 
@@ -82,7 +31,6 @@ TEST_F(Program, NamesAnOptionThatIsNotThere) {
 }
 
 TEST_F(Program, SaysThatItsOutputCannotBeWritten) {
-    std::filesystem::create_directories(folder());
     const auto err = folder() / "stderr.txt";
     const int status =
         std::system((std::string(WEFT_DEMO_PROGRAM) + " --list >/dev/full 2>" + err.string()).c_str());
@@ -98,7 +46,6 @@ TEST_F(Program, SaysThatATraceCannotBeWritten) {
 }
 
 TEST_F(Program, TakesSettings) {
-    std::filesystem::create_directories(folder());
     const std::string file = (folder() / "settings.json").string();
     std::ofstream(file) << R"({"scene": "sheet", "substeps": 3})";
     const Ran ran = run_headless("--frames 1 --settings " + file);
@@ -129,7 +76,6 @@ TEST_F(Program, RefusesWhatIsNotThere) {
 }
 
 TEST_F(Program, RefusesABrokenGarment) {
-    std::filesystem::create_directories(folder());
     const auto file = folder() / "broken.obj";
     std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n";
     expect_refusal(run("--headless --garment " + file.string()), "broken.obj");

@@ -1,15 +1,7 @@
 // weft_profile: its arguments, its table, and the program as people run it.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <string>
-
 #include "demo/profile/measurement.h"
+#include "tests/demo/program_test.h"
 
 namespace weft::demo {
 namespace {
@@ -70,46 +62,9 @@ TEST(Measurement, CopiesTheFirstClothWithItsPins) {
     EXPECT_EQ(pinned(2), pinned(0));
 }
 
-class ProfileProgram : public testing::Test {
+class ProfileProgram : public ProgramTest {
   protected:
-    ProfileProgram() {
-        std::filesystem::remove_all(folder());
-        std::filesystem::create_directories(folder());
-    }
-    ~ProfileProgram() override { std::filesystem::remove_all(folder()); }
-
-    static std::filesystem::path folder() {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        return std::filesystem::path(testing::TempDir()) / ("weft_profile_" + name);
-    }
-    static std::string content_of(const std::filesystem::path& file) {
-        std::stringstream text;
-        text << std::ifstream(file).rdbuf();
-        return text.str();
-    }
-
-    struct Ran {
-        int status;
-        std::string out, err;
-    };
-    static Ran run(const std::string& arguments) {
-        const auto out = folder() / "stdout.txt", err = folder() / "stderr.txt";
-        const std::string command =
-            std::string(WEFT_PROFILE_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
-    }
-    static void expect_refusal(const Ran& ran, const std::string& named) {
-        EXPECT_EQ(ran.status, 2);
-        EXPECT_EQ(ran.out, "");
-        EXPECT_EQ(std::ranges::count(ran.err, '\n'), 1) << ran.err;
-        EXPECT_NE(ran.err.find(named), std::string::npos) << ran.err;
-    }
-    static std::string hash_of(const Ran& ran) {
-        const std::size_t found = ran.out.find("hash: ");
-        EXPECT_NE(found, std::string::npos) << ran.out;
-        return found == std::string::npos ? "" : ran.out.substr(found + 6, 16);
-    }
+    ProfileProgram() : ProgramTest(WEFT_PROFILE_PROGRAM) {}
 };
 
 TEST_F(ProfileProgram, LeavesTableFileAndTrace) {

@@ -1,50 +1,18 @@
 // weft_replay, as people run it, on what scenes leave that are run with Overrides::record.
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <string>
-
 #include "cloth/frame/record/record_format.h"
 #include "demo/scene_simulation.h"
+#include "tests/demo/program_test.h"
 
 namespace weft::demo {
 namespace {
 
-class ReplayProgram : public testing::Test {
+class ReplayProgram : public ProgramTest {
   protected:
-    ReplayProgram() {
-        std::filesystem::remove_all(folder());
-        std::filesystem::create_directories(folder());
-    }
-    ~ReplayProgram() override { std::filesystem::remove_all(folder()); }
+    ReplayProgram() : ProgramTest(WEFT_REPLAY_PROGRAM) {}
 
-    static std::filesystem::path folder() {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        return std::filesystem::path(testing::TempDir()) / ("weft_replay_" + name);
-    }
     static std::filesystem::path recording() { return folder() / "flag.weftrec"; }
-    static std::string content_of(const std::filesystem::path& file) {
-        std::stringstream text;
-        text << std::ifstream(file, std::ios::binary).rdbuf();
-        return text.str();
-    }
     static void write(const std::string& content) { std::ofstream(recording(), std::ios::binary) << content; }
-
-    struct Ran {
-        int status;
-        std::string out, err;
-    };
-    static Ran run(const std::string& arguments) {
-        const auto out = folder() / "stdout.txt", err = folder() / "stderr.txt";
-        const std::string command =
-            std::string(WEFT_REPLAY_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
-    }
     static void record_flag() {
         Overrides overrides;
         overrides.threads = 1;

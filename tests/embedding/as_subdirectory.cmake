@@ -1,56 +1,15 @@
-# demo/embed with Weft as a part of its own build, by FetchContent. That is the longest of all tests, so the one library that it
-# builds is all that Weft can be built as besides what this build is: shared, without exceptions, without oneTBB.
+# demo/embed with Weft as a part of its own build, by FetchContent: that it is found, wants nothing that a host has no use
+# for, and that the host's files compile by it. All of the library is not compiled again: engine alone.
 cmake_minimum_required(VERSION 3.23)
 include(${CMAKE_CURRENT_LIST_DIR}/host.cmake)
 make_temporary_folder()
-# Whether it builds and runs does not depend on the optimiser and on how many kinds of machine there are kernels for, which
-# take most of the time.
-set(machine "")
-set(left_out "HWY_AVX2|HWY_AVX3")
-file(READ /proc/cpuinfo processor)
-if(processor MATCHES "avx2.*bmi2" AND processor MATCHES " aes ")
-  set(machine "-march=haswell -maes")
-  set(left_out "HWY_AVX3")
-endif()
-# What it is not to need besides is not to be found.
 set(without "")
 foreach(package TBB glfw3 OpenGL PkgConfig GTest benchmark nlohmann_json CLI11 TinyGLTF)
   list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
-run_embedding_host(-D WEFT_SOURCE_DIR=${weft_source} "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG ${machine}"
-  "-DWEFT_LEFT_OUT_TARGETS=${left_out}" -DCMAKE_UNITY_BUILD=ON ${without}
-  -DBUILD_SHARED_LIBS=ON -DWEFT_EXCEPTIONS=OFF -DWEFT_TBB=OFF)
-
-# It shows its interface and nothing else.
-set(library ${folder}/build/_deps/weft-build/libweft.so)
-list_symbols(${library})
-list(LENGTH symbols count)
-set(shown ${symbols})
-list(FILTER shown EXCLUDE REGEX "^weft_[a-z_]+ ")
-list(FILTER shown EXCLUDE REGEX "^weft::(World|CookedCloth|DrawnMesh|FixedStep)::[A-Za-z_~=]+(abi:cxx11)?\\(")
-list(FILTER shown EXCLUDE REGEX "^weft::(Fabric::named|make_sheet|load_obj|save_obj|cut_mesh|edges_along|edges_to_tear|fabrics|replay|set_hooks|memory_in_use)\\(")
-if(shown OR count LESS 150)
-  fail("of the ${count} symbols of the shared library these are none of its interface: ${shown}")
-endif()
-message(STATUS "${count} symbols")
-
-# All calls for C, by this library.
-set(tests ${CMAKE_CURRENT_LIST_DIR}/c)
-run(${c_compiler} -std=c99 -DWEFT_SHARED -I ${weft_source}/cloth/include -I ${weft_source}/engine/include
-  ${tests}/main.c ${tests}/cut.c ${tests}/host.c ${tests}/look.c -o ${folder}/c_host ${library} -lm)
-get_filename_component(library_folder ${library} DIRECTORY)
-run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${folder}/c_host ${folder})
-
-find_program(python python3)
-if(python)
-  run(${python} ${weft_source}/demo/embed/python/flag.py ${library} ${folder}/energy.svg)
-  if(NOT output MATCHES "300 steps; at the end the flag moves with [0-9.]+ J and hangs 0\\.[0-9]*[1-9]")
-    fail("flag.py ran, but its flag does not wave:\n${output}")
-  endif()
-  file(READ ${folder}/energy.svg picture)
-  if(NOT picture MATCHES "polyline.*polyline")
-    fail("flag.py drew no curves:\n${picture}")
-  endif()
-  message(STATUS "${output}")
-endif()
+configure_embedding_host(-D WEFT_SOURCE_DIR=${weft_source} ${without} -DBUILD_SHARED_LIBS=ON -DWEFT_EXCEPTIONS=OFF -DWEFT_TBB=OFF)
+run(${CMAKE_COMMAND} --build ${folder}/build --target weft_engine)
+set(objects main.cpp:weft_embed dressed.cpp:weft_embed_dressed flag.c:weft_embed_c plug_in.c:weft_embed_plug_in)
+list(TRANSFORM objects REPLACE "(.*):(.*)" "CMakeFiles/\\2.dir/\\1.o")
+run(${CMAKE_COMMAND} --build ${folder}/build --target ${objects})
 file(REMOVE_RECURSE ${folder})

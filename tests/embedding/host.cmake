@@ -23,8 +23,8 @@ function(make_temporary_folder)
   set(folder ${output} PARENT_SCOPE)
 endfunction()
 
-# Configures, builds and runs demo/embed, given how it finds Weft, and checks what it prints.
-function(run_embedding_host)
+# Configures demo/embed, given how it finds Weft.
+function(configure_embedding_host)
   set(warnings "-Wall -Wextra -Wpedantic -Wconversion -Werror")
   run(${CMAKE_COMMAND} -S ${weft_source}/demo/embed -B ${folder}/build -G ${generator}
     -D CMAKE_C_COMPILER=${c_compiler}
@@ -33,6 +33,11 @@ function(run_embedding_host)
     -D CMAKE_BUILD_TYPE=${build_type}
     "-DCMAKE_C_FLAGS=${warnings}"
     ${ARGN})
+endfunction()
+
+# Builds and runs it as well, and checks what it prints.
+function(run_embedding_host)
+  configure_embedding_host(${ARGN})
   run(${CMAKE_COMMAND} --build ${folder}/build)
   run(${folder}/build/weft_embed)
   if(NOT output MATCHES "step 300: 1536 particles")

@@ -77,7 +77,7 @@ Answer without_value(const Result<T>& result) {
 /// large call makes thousands; WEFT_EVERY_ALLOCATION tries them all, which takes half an hour.
 std::uint64_t next_tried(std::uint64_t allowed) {
     static const bool every = std::getenv("WEFT_EVERY_ALLOCATION") != nullptr;
-    constexpr std::uint64_t all_of = 60, seldom = 16;
+    constexpr std::uint64_t all_of = 40, seldom = 10;
     return every || allowed < all_of ? allowed + 1 : allowed + allowed / seldom;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cloth/mesh/obj_lines.h"
+#include "cloth/mesh/words.h"
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/painted_maps.h"
 
@@ -24,15 +25,6 @@ struct MaterialUse {
     std::string library;
     std::size_t vertices = 0;  // `v` lines
 };
-
-std::string_view take_word(std::string_view& text) {
-    constexpr std::string_view blanks = " \t";
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    text.remove_prefix(end);
-    return word;
-}
 
 /// The rest of a line is one name, blanks and all.
 std::string whole_name(std::string_view text) {

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "cloth/mesh/obj_lines.h"
+#include "cloth/mesh/words.h"
 
 namespace weft::demo {
 namespace {
@@ -30,15 +31,6 @@ constexpr std::array<NamedMap, 8> named_maps{{{"mass", Map::mass, 1},
                                               {"friction", Map::friction, 1},
                                               {"thickness", Map::thickness, 1},
                                               {"stiffness", Map::stiffness, 1}}};
-
-std::string_view next_word(std::string_view& text) {
-    constexpr std::string_view blanks = " \t";
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    text.remove_prefix(end);
-    return word;
-}
 
 template <class T>
 std::optional<T> number_of(std::string_view word) {
@@ -68,16 +60,16 @@ class MapsReader {
   private:
     Result<void> take_line() {
         std::string_view rest = lines_.text();
-        const std::string_view name = next_word(rest);
+        const std::string_view name = take_word(rest);
         if (name.empty()) return {};
         const auto named = std::ranges::find(named_maps, name, &NamedMap::name);
         if (named == named_maps.end())
             return lines_.error("there is no map " + std::string(name) +
                                 "; there are mass, pin, leash, backstop, backstop_radius, friction, "
                                 "thickness and stiffness");
-        const std::string_view which = next_word(rest), word = next_word(rest);
+        const std::string_view which = take_word(rest), word = take_word(rest);
         const auto value = number_of<float>(word);
-        if (!value || !next_word(rest).empty())
+        if (!value || !take_word(rest).empty())
             return lines_.error("the line must be a map, vertices and a number, as in \"leash 1-20 0.1\"");
         std::vector<float>& values =
             maps_.try_emplace(named->map, std::vector<float>(vertices_, named->unset)).first->second;
@@ -142,10 +134,10 @@ std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj) {
     std::vector<Vec3> colours;
     for (auto more = lines.next(); more && *more; more = lines.next()) {
         std::string_view rest = lines.text();
-        if (next_word(rest) != "v") continue;
+        if (take_word(rest) != "v") continue;
         std::array<float, 6> numbers{};
         std::size_t count = 0;
-        for (std::string_view word = next_word(rest); !word.empty() && count < 6; word = next_word(rest))
+        for (std::string_view word = take_word(rest); !word.empty() && count < 6; word = take_word(rest))
             numbers[count++] = number_of<float>(word).value_or(0);
         if (count < 6) return {};
         colours.push_back({numbers[3], numbers[4], numbers[5]});

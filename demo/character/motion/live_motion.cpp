@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/mesh/words.h"
 #include "demo/character/motion/generated_walk.h"
 
 namespace weft::demo {
@@ -23,15 +24,6 @@ Matrix3 trunk_axes(const Vector3& left, const Vector3& up) {
     axes.col(2) = left.cross(up).normalized();
     axes.col(0) = axes.col(1).cross(axes.col(2));
     return axes;
-}
-
-std::string_view next_word(std::string_view& text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
-    text.remove_prefix(end);
-    return word;
 }
 
 }  // namespace
@@ -76,18 +68,18 @@ void LiveMotion::take(std::string_view text) {
 
 void LiveMotion::take_line(std::string_view line) {
     std::string_view rest = line;
-    const std::string_view name = next_word(rest);
+    const std::string_view name = take_word(rest);
     if (name.empty()) return;
-    if (name == "frame" && next_word(rest).empty()) return end_frame();
+    if (name == "frame" && take_word(rest).empty()) return end_frame();
     const auto joint = skeleton_.find(name);
     Vector3 where = Vector3::Zero();
     bool sound = joint.has_value();
     for (int axis = 0; axis < 3 && sound; ++axis) {
-        const std::string_view word = next_word(rest);
+        const std::string_view word = take_word(rest);
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), where[axis]);
         sound = code == std::errc{} && end == word.data() + word.size() && std::abs(where[axis]) <= farthest;
     }
-    if (sound && next_word(rest).empty()) {
+    if (sound && take_word(rest).empty()) {
         seen_[*joint] = where;
         return;
     }

@@ -10,6 +10,7 @@
 
 #include "engine/vector.h"
 #include "tests/cloth/fixtures.h"
+#include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -39,17 +40,6 @@ ClothSettings with_self(SelfCollisionMethod method) {
     ClothSettings settings = undamped();
     settings.self_collision = {.enabled = true, .method = method};
     return settings;
-}
-
-/// A level sheet, turned about its middle so that its mesh does not lie over another's.
-Mesh reporting_sheet(float height, float size = 0.4f, float turn = 0, std::uint32_t side = 13) {
-    const float c = size * std::cos(turn), s = size * std::sin(turn);
-    return make_sheet({.rows = side,
-                       .columns = side,
-                       .origin = {-0.5f * (c + s), height, -0.5f * (c - s)},
-                       .u = {c, 0, -s},
-                       .v = {s, 0, c}})
-        .value();
 }
 
 /// Sums over contacts that `counts` says.
@@ -111,7 +101,7 @@ TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
                 ClothSettings cloth = with.settings;
                 cloth.air_damping = 2;
                 cloth.friction = 10;
-                const ClothId id = world.add_cloth(reporting_sheet(0.0055f), cloth).value();
+                const ClothId id = world.add_cloth(turned_sheet(0.0055f), cloth).value();
                 if (on_ball)
                     EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, -0.3f, 0}, 0.3f}}));
                 else
@@ -140,7 +130,7 @@ TEST(ContactReports, OfAnImpactAddUpToTheMomentumThatItTakes) {
     for (const NamedCloth& with : reporting_methods()) {
         SCOPED_TRACE(with.name);
         World world = World::create(reporting()).value();
-        const ClothId id = world.add_cloth(reporting_sheet(0.3f), with.settings).value();
+        const ClothId id = world.add_cloth(turned_sheet(0.3f), with.settings).value();
         ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
         double sum = 0, fallen = 0, before = 0;
         for (int k = 0; k < 30; ++k) {
@@ -161,7 +151,7 @@ TEST(ContactReports, SayWhereWhichColliderHoldsWhat) {
         world.add_collider({.shape = Capsule{{-0.15f, 0, -1}, {-0.15f, 0, 1}, 0.05f}}).value();
     const ColliderId right = world.add_collider({.shape = Sphere{{0.15f, -0.05f, 0}, 0.1f}}).value();
     ASSERT_TRUE(world.remove_collider(gone));
-    const ClothId id = world.add_cloth(reporting_sheet(0.06f), undamped()).value();
+    const ClothId id = world.add_cloth(turned_sheet(0.06f), undamped()).value();
     for (int k = 0; k < 8; ++k) world.step(h);
     const ClothView view = world.cloth(id).value();
     int of_left = 0, of_right = 0;
@@ -188,7 +178,7 @@ TEST(ContactReports, HaveFrictionThatStopsASlide) {
     World world = World::create(reporting()).value();
     ClothSettings settings = undamped();
     settings.friction = 1;
-    const ClothId id = world.add_cloth(reporting_sheet(0.0051f), settings).value();
+    const ClothId id = world.add_cloth(turned_sheet(0.0051f), settings).value();
     constexpr float friction = 0.3f;
     ASSERT_TRUE(world.add_collider({.shape = Plane{}, .friction = friction}));
     WorldSettings slope = world.settings();
@@ -210,8 +200,8 @@ TEST(ContactReports, OfAStackPassItsWeightOn) {
     World world = World::create(reporting()).value();
     ClothSettings settings = with_self(SelfCollisionMethod::contact);
     settings.air_damping = 2;
-    const ClothId lower = world.add_cloth(reporting_sheet(0.006f, 0.5f), settings).value();
-    const ClothId upper = world.add_cloth(reporting_sheet(0.018f, 0.4f, 0.3f), settings).value();
+    const ClothId lower = world.add_cloth(turned_sheet(0.006f, 0, 13, 0.5f), settings).value();
+    const ClothId upper = world.add_cloth(turned_sheet(0.018f, 0.3f), settings).value();
     ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
     for (int k = 0; k < 120; ++k) world.step(h);
     double on_ground = 0, between = 0;
@@ -232,8 +222,8 @@ TEST(ContactReports, OfTwoClothsThatMeetAreWhatChangesTheirMomentum) {
         World world = World::create(reporting()).value();
         ClothSettings settings = with_self(SelfCollisionMethod::contact);
         settings.time_scheme = scheme;
-        const ClothId lower = world.add_cloth(reporting_sheet(0), settings).value();
-        const ClothId upper = world.add_cloth(reporting_sheet(0.2f, 0.4f, 0.3f), settings).value();
+        const ClothId lower = world.add_cloth(turned_sheet(0), settings).value();
+        const ClothId upper = world.add_cloth(turned_sheet(0.2f, 0.3f), settings).value();
         // The upper one is let fall for a moment, and then there is no gravity.
         std::vector<std::uint32_t> all(world.cloth(lower)->positions.size());
         for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -266,8 +256,8 @@ TEST(ContactReports, OfTwoClothsThatMeetAreWhatChangesTheirMomentum) {
 struct Layers {
     explicit Layers(float gap, const ClothSettings& settings, const WorldSettings& in = reporting())
         : world(World::create(in).value()) {
-        Mesh mesh = reporting_sheet(0);
-        const Mesh other = reporting_sheet(gap);
+        Mesh mesh = turned_sheet(0);
+        const Mesh other = turned_sheet(gap);
         mesh.rows = mesh.columns = 0;
         const auto count = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
@@ -313,10 +303,10 @@ struct Heap {
     explicit Heap(const WorldSettings& settings) : world(World::create(settings).value()) {
         const ClothSettings contact = with_self(SelfCollisionMethod::contact),
                             avoidance = with_self(SelfCollisionMethod::avoidance);
-        cloths = {world.add_cloth(reporting_sheet(0.12f, 0.4f, 0.3f), contact).value(),
-                  world.add_cloth(reporting_sheet(0.105f), contact).value(),
-                  world.add_cloth(reporting_sheet(0.2f, 0.3f, 0, 20), avoidance).value(),
-                  world.add_cloth(reporting_sheet(0.3f, 0.2f), undamped(Xpbd{}, 4)).value()};
+        cloths = {world.add_cloth(turned_sheet(0.12f, 0.3f), contact).value(),
+                  world.add_cloth(turned_sheet(0.105f), contact).value(),
+                  world.add_cloth(turned_sheet(0.2f, 0, 20, 0.3f), avoidance).value(),
+                  world.add_cloth(turned_sheet(0.3f, 0, 13, 0.2f), undamped(Xpbd{}, 4)).value()};
         EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, 0, 0}, 0.1f}}));
         EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
     }

@@ -8,6 +8,7 @@
 
 #include "crossing_count.h"
 #include "tests/cloth/fixtures.h"
+#include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -25,17 +26,6 @@ ClothSettings with_contact() {
     ClothSettings settings;
     settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
     return settings;
-}
-
-/// A level sheet of 0.4 m, turned so that its mesh does not lie over another's.
-Mesh level_sheet(float height, float turn = 0, std::uint32_t side = 13) {
-    const float c = 0.4f * std::cos(turn), s = 0.4f * std::sin(turn);
-    return make_sheet({.rows = side,
-                       .columns = side,
-                       .origin = {-0.5f * (c + s), height, -0.5f * (c - s)},
-                       .u = {c, 0, -s},
-                       .v = {s, 0, c}})
-        .value();
 }
 
 std::vector<std::uint32_t> border_of(std::uint32_t side) {
@@ -60,7 +50,7 @@ struct Stack {
         for (int k = 0; k < count; ++k)
             cloths.push_back(
                 world
-                    .add_cloth(level_sheet(apart * static_cast<float>(k), 0.3f * static_cast<float>(k)),
+                    .add_cloth(turned_sheet(apart * static_cast<float>(k), 0.3f * static_cast<float>(k)),
                                settings)
                     .value());
         EXPECT_TRUE(world.pin(cloths[0], border_of(13)));
@@ -104,8 +94,8 @@ TEST(ClothOnCloth, MeetsWhenOnlyOneOfItsLayersIsInTheOthersMask) {
     one.self_collision.layers = 6;
     other.self_collision.mask = 2;
     World world = World::create(still_air()).value();
-    const ClothId below = world.add_cloth(level_sheet(0), one).value();
-    const ClothId above = world.add_cloth(level_sheet(0.05f, 0.3f), other).value();
+    const ClothId below = world.add_cloth(turned_sheet(0), one).value();
+    const ClothId above = world.add_cloth(turned_sheet(0.05f, 0.3f), other).value();
     ASSERT_TRUE(world.pin(below, border_of(13)));
     for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_GT(mean_height(world, above), mean_height(world, below));
@@ -128,11 +118,11 @@ TEST(ClothOnCloth, GivesTheSameBytesOnAnyThreads) {
 TEST(ClothOnCloth, FarClothDoesNotNotice) {
     const auto far_cloth_after = [](bool alone) {
         World world = World::create(still_air()).value();
-        const ClothId far = world.add_cloth(level_sheet(5), with_contact()).value();
+        const ClothId far = world.add_cloth(turned_sheet(5), with_contact()).value();
         if (!alone) {
-            const ClothId held = world.add_cloth(level_sheet(0), with_contact()).value();
+            const ClothId held = world.add_cloth(turned_sheet(0), with_contact()).value();
             EXPECT_TRUE(world.pin(held, border_of(13)));
-            EXPECT_TRUE(world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()));
+            EXPECT_TRUE(world.add_cloth(turned_sheet(0.02f, 0.3f), with_contact()));
         }
         for (int k = 0; k < 20; ++k) world.step(h);
         const ClothView view = world.cloth(far).value();
@@ -145,8 +135,8 @@ TEST(ClothOnCloth, KeepsTheMomentumOfBoth) {
     World world = World::create(still_air(1, {})).value();
     ClothSettings settings = with_contact();
     settings.air_damping = 0;
-    const std::array cloths{world.add_cloth(level_sheet(0), settings).value(),
-                            world.add_cloth(level_sheet(0.06f, 0.3f), settings).value()};
+    const std::array cloths{world.add_cloth(turned_sheet(0), settings).value(),
+                            world.add_cloth(turned_sheet(0.06f, 0.3f), settings).value()};
     // A push of gravity makes the upper one fall, then there is none.
     ASSERT_TRUE(world.pin(cloths[0], border_of(13)));
     WorldSettings pull = still_air();
@@ -307,8 +297,8 @@ TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
 TEST(ClothOnCloth, ComesToRestOnTheGround) {
     World world = World::create(still_air()).value();
     ASSERT_TRUE(world.add_collider({Plane{{0, 1, 0}, -0.02f}}));
-    const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
-                            world.add_cloth(level_sheet(0.02f, 0.3f), with_contact()).value()};
+    const std::array cloths{world.add_cloth(turned_sheet(0), with_contact()).value(),
+                            world.add_cloth(turned_sheet(0.02f, 0.3f), with_contact()).value()};
     for (int k = 0; k < 600; ++k) world.step(h);
     for (const ClothId id : cloths) EXPECT_LT(speed_of(world, id), 2e-3);
     EXPECT_GT(mean_height(world, cloths[1]), mean_height(world, cloths[0]) + 5e-3f);
@@ -335,8 +325,8 @@ TEST(FoldedCloth, StopsAPinThatWouldGoThroughItAndSaysSo) {
 TEST(FoldedCloth, HasNoCrossingHoweverFastItIsThrown) {
     for (const float speed : {5.0f, 50.0f}) {
         World world = World::create(still_air(1, {})).value();
-        const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
-                                world.add_cloth(level_sheet(0.5f, 0.4f), with_contact()).value()};
+        const std::array cloths{world.add_cloth(turned_sheet(0), with_contact()).value(),
+                                world.add_cloth(turned_sheet(0.5f, 0.4f), with_contact()).value()};
         ASSERT_TRUE(world.pin(cloths[0], border_of(13)));
         ASSERT_TRUE(world.pin(cloths[1], border_of(13)));
         for (int k = 0; k < 12; ++k) {
@@ -352,14 +342,14 @@ TEST(FoldedCloth, HasNoCrossingHoweverFastItIsThrown) {
 
 TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
     World world = World::create(still_air()).value();
-    const std::array cloths{world.add_cloth(level_sheet(0), with_contact()).value(),
-                            world.add_cloth(level_sheet(0.03f, 0.3f), with_contact()).value()};
+    const std::array cloths{world.add_cloth(turned_sheet(0), with_contact()).value(),
+                            world.add_cloth(turned_sheet(0.03f, 0.3f), with_contact()).value()};
     const std::uint64_t bytes_with = world.cloth_info(cloths[0])->bytes;
     ClothSettings off = with_contact();
     off.self_collision.enabled = false;
     ASSERT_TRUE(world.set_cloth_settings(cloths[0], off));
     EXPECT_LT(world.cloth_info(cloths[0])->bytes, bytes_with);
-    const ClothId plain = world.add_cloth(level_sheet(2), off).value();
+    const ClothId plain = world.add_cloth(turned_sheet(2), off).value();
     EXPECT_EQ(world.cloth_info(cloths[0])->bytes, world.cloth_info(plain)->bytes);
     for (int k = 0; k < 5; ++k) world.step(h);
     ASSERT_TRUE(world.set_cloth_settings(cloths[0], with_contact()));

@@ -39,7 +39,7 @@ World world_in_vacuum(const Vec3& acceleration) {
 /// `nodes` rows of two particles along `along`, 1 m at rest. `place` moves a particle, given how far along it
 /// is.
 template <class Place>
-Mesh strip(std::uint32_t nodes, const Vec3& along, const Place& place) {
+Mesh strip_placed(std::uint32_t nodes, const Vec3& along, const Place& place) {
     Mesh mesh =
         evenly_cut({.rows = nodes, .columns = 2, .origin = {0, 0, 0}, .u = {0, 0, strip_width}, .v = along});
     mesh.pattern = mesh.texcoords;
@@ -54,7 +54,7 @@ TEST(HungStrip, EveryEdgeIsStretchedByWhatHangsBelow) {
     constexpr std::uint32_t nodes = 21;
     constexpr float stretch = 200;
     World world = world_in_vacuum({0, -9.81f, 0});
-    const Mesh mesh = strip(nodes, {0, -1, 0}, [](Vec3 x, float) { return x; });
+    const Mesh mesh = strip_placed(nodes, {0, -1, 0}, [](Vec3 x, float) { return x; });
     const ClothSettings settings = threads_only(stretch, nodes - 1, TimeScheme::backward_euler, 1, 20);
     const ClothId id = world.add_cloth(mesh, settings).value();
     (void)world.pin(id, 0);
@@ -89,7 +89,7 @@ TEST(HangingChain, SwingsAtTheZerosOfBesselsFunction) {
                 std::cyl_bessel_j(0.0, zero * std::sqrt(1 - static_cast<double>(along))));
         };
         World world = world_in_vacuum({0, -9.81f, 0});
-        const Mesh mesh = strip(nodes, {0, -1, 0}, [&](Vec3 x, float along) {
+        const Mesh mesh = strip_placed(nodes, {0, -1, 0}, [&](Vec3 x, float along) {
             return Vec3{x.x + 0.005f * shape(along), x.y, x.z};
         });
         const ClothId id = world.add_cloth(mesh, threads_only(4000, 20, TimeScheme::bdf2, 6)).value();
@@ -122,7 +122,7 @@ TEST(HangingChain, HangsAsACatenary) {
     constexpr double span = 0.6;
     World world = world_in_vacuum({0, -9.81f, 0});
     // It starts as a V of the right length.
-    const Mesh mesh = strip(nodes, {1, 0, 0}, [&](Vec3 x, float along) {
+    const Mesh mesh = strip_placed(nodes, {1, 0, 0}, [&](Vec3 x, float along) {
         return Vec3{static_cast<float>(span) * (along - 0.5f), -0.8f * (0.5f - std::abs(along - 0.5f)), x.z};
     });
     const ClothId id =
@@ -151,7 +151,7 @@ struct String {
 
     String(int mode_number, TimeScheme scheme, int substeps)
         : world(world_in_vacuum({0, 0, 0})), p(mode_number) {
-        const Mesh mesh = strip(beads + 2, {1, 0, 0}, [&](Vec3 x, float along) {
+        const Mesh mesh = strip_placed(beads + 2, {1, 0, 0}, [&](Vec3 x, float along) {
             return Vec3{(1 + strain) * x.x, amplitude * shape(along), x.z};
         });
         id = world.add_cloth(mesh, threads_only(stretch, beads + 1, scheme, substeps)).value();
