@@ -285,6 +285,7 @@ struct Simulation {
     Motions motions_;  // one list for each thread
     ContactReports contact_reports_;
     Allotment allotment_;
+    Headroom headroom_;
     std::int64_t began_ = 0;                // the present step, by the clock
     float overhead_ = 1;                    // of the step's time over that of its cloths, threads included
     std::unique_ptr<BodyStage> bodies_;     // null: there are none

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "cloth/frame/worn/rigid_motion.h"
+#include "tests/fuzz/cooked.h"
 #include "tests/fuzz/player.h"
 #include "tests/fuzz/recording.h"
 #include "tests/fuzz/text.h"
@@ -23,23 +24,11 @@ void Player::call(const Operation& operation) {
         if (is_there(i)) check_cloth(i);
 }
 
-/// Saved, read back, and refused with one bit turned.
-Result<CookedCloth> Player::cook(const AddCloth& call) const {
-    const Result<CookedCloth> cooked = CookedCloth::create(call.mesh, call.settings);
-    if (!cooked) return cooked.error();
-    std::vector<std::byte> bytes(cooked->save_size());
-    check(cooked->save(bytes).ok(), "a cooked cloth was not saved");
-    std::byte& damaged = bytes[call.damaged_byte % bytes.size()];
-    const auto bit = static_cast<std::byte>(1u << call.damaged_byte % 8);
-    damaged ^= bit;
-    check(!CookedCloth::load(bytes, call.settings), "a damaged cooked cloth was read");
-    damaged ^= bit;
-    return CookedCloth::load(bytes, call.settings);
-}
-
 Result<ClothId> Player::add(const AddCloth& call) {
     if (!call.cooked) return world_.add_cloth(call.mesh, call.settings);
-    const Result<CookedCloth> cooked = cook(call);
+    const Result<CookedCloth> made = CookedCloth::create(call.mesh, call.settings);
+    if (!made) return made.error();
+    const Result<CookedCloth> cooked = saved_and_read(*made, call.settings, call.damage);
     if (!cooked) return cooked.error();
     return world_.add_cloth(*cooked, {.translation = call.place});
 }

@@ -57,7 +57,6 @@ class Player {
 
     // Each makes the call, and returns its answer where there is one.
     using Answered = std::optional<Result<void>>;
-    [[nodiscard]] Result<CookedCloth> cook(const AddCloth& call) const;
     Result<ClothId> add(const AddCloth& call);
     Answered make(const Operation& operation, const AddCloth& call);
     Answered make(const Operation&, const MeasureCloth& call);

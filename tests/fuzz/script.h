@@ -15,9 +15,9 @@ namespace weft::fuzz {
 struct AddCloth {
     Mesh mesh;
     ClothSettings settings;
-    bool cooked = false;  ///< apart, and by way of its bytes
-    Vec3 place{};         ///< where, if it is cooked
-    std::uint32_t damaged_byte = 0;
+    bool cooked = false;       ///< apart, and by way of its bytes
+    Vec3 place{};              ///< where, if it is cooked
+    std::uint32_t damage = 0;  ///< by which its bytes are damaged
 };
 struct MeasureCloth {
     Mesh mesh;

@@ -46,6 +46,13 @@ void RungCosts::add(std::uint32_t rung, float nanoseconds) {
     }
 }
 
+// Robbins and Monro 1951: it comes to rest where one ratio of twenty is beyond it. A step that was stopped by
+// the machine counts no more than any other beyond it.
+void Headroom::add(float ratio) noexcept {
+    constexpr float up = 0.019f, down = 0.001f, most = 1.5f;
+    quantile_ = std::clamp(quantile_ + (ratio > quantile_ ? up : -down), 1.0f, most);
+}
+
 void Allotment::reserve(std::size_t claims) {
     claims_.reserve(claims);
     reached_.reserve(claims);
@@ -85,6 +92,7 @@ void Allotment::allot(float time) {
         reached_[step.claim] = step.to;
     }
     for (std::uint32_t c = 0; c < claims_.size(); ++c) claims_[c].rung = reached_[c];
+    spent_ = spent;
 }
 
 }  // namespace weft

@@ -27,6 +27,8 @@ class Allotment {
     /// Writes each claim's rung. What a cloth has it keeps as long as all fits, and against what is not much
     /// more worth; what it has not it gets only where some room is left.
     void allot(float time);
+    /// By the claims' costs, of what the last allot() gave.
+    [[nodiscard]] float spent() const noexcept { return spent_; }
 
   private:
     /// From a rung to the one before it.
@@ -37,6 +39,7 @@ class Allotment {
     std::vector<Claim> claims_;
     std::vector<Step> steps_;
     std::vector<std::uint32_t> reached_;
+    float spent_ = 0;
 };
 
 }  // namespace weft

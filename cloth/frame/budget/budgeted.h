@@ -29,6 +29,18 @@ class RungCosts {
     std::uint32_t samples_ = 0;  // since the rung changed
 };
 
+/// By how much steps take longer than what is known of their cloths says.
+class Headroom {
+  public:
+    /// What cloths may be known to take, so that nineteen of twenty steps take no longer than this.
+    [[nodiscard]] float within(float time) const noexcept { return time / quantile_; }
+    /// A step took so many times what was known.
+    void add(float ratio) noexcept;
+
+  private:
+    float quantile_ = 1.075f;  ///< 19 of 20 ratios are less
+};
+
 struct Budgeted {
     explicit Budgeted(const ClothSettings& of, std::uint32_t particles)
         : settings(of), costs(300.0f * static_cast<float>(particles)) {}

@@ -13,8 +13,6 @@ namespace {
 // A cloth goes from rung to rung, and stays on each for so many steps: what a rung has left unsolved the next
 // one would solve at once, for all to see. It does not rise soon after it fell, or it would go to and fro.
 constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
-/// Of the budget, what steps are to take in the mean: some take a tenth more.
-constexpr float aim = 0.93f;
 /// It is not looked from nearer [m].
 constexpr float nearest = 0.1f;
 
@@ -48,7 +46,7 @@ void Simulation::choose_rungs() {
              .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
              .rung = rung});
     }
-    allotment_.allot(aim * 1e6f * settings.budget / overhead_);
+    allotment_.allot(headroom_.within(1e6f * settings.budget) / overhead_);
     for (std::size_t i = 0; i < present_.size(); ++i) {
         Cloth& cloth = *present_[i];
         const std::uint32_t rung = claims[i].rung;
@@ -171,10 +169,10 @@ void Simulation::learn_costs() {
         of.spent = 0;
         of.steps = 0;
     }
-    if (cost_of != nullptr || !(took > 0)) return;
-    const float sample =
-        std::clamp(static_cast<float>(clock() - began_) / took, 0.5f * overhead_, 2 * overhead_);
-    overhead_ += (sample - overhead_) / 32;
+    if (!(took > 0)) return;
+    const float ratio = cost_of != nullptr ? 1.0f : static_cast<float>(clock() - began_) / took;
+    if (const float known = allotment_.spent(); known > 0) headroom_.add(ratio * took / (overhead_ * known));
+    overhead_ += (std::clamp(ratio, 0.5f * overhead_, 2 * overhead_) - overhead_) / 32;
 }
 
 }  // namespace weft

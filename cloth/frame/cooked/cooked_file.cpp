@@ -25,7 +25,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 3;
+constexpr std::uint32_t cooked_version = 4;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 constexpr std::size_t list_count = 22;
 
@@ -131,51 +131,68 @@ class ListReader {
     mutable bool is_short_ = false;
 };
 
-template <class Indices>
-bool all_below(const Indices& indices, std::size_t end) {
-    return std::ranges::all_of(indices, [&](std::uint32_t i) { return i < end; });
+// Files are sound, mostly: loops go through all, without a branch, rather than to what is first not so.
+
+/// All numbers of a list, whose items are made of them.
+template <class Number, class Item>
+std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
+    static_assert(sizeof(Item) % sizeof(Number) == 0);
+    return {reinterpret_cast<const Number*>(list.data()), list.size() * (sizeof(Item) / sizeof(Number))};
+}
+
+bool all_below(std::span<const std::uint32_t> indices, std::size_t end) {
+    const auto first_wrong = static_cast<std::uint32_t>(std::min<std::size_t>(end, ~0u));
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t i : indices) wrong |= i >= first_wrong ? 1u : 0u;
+    return wrong == 0;
 }
 
 /// Ascending offsets of `rows` rows of a list of `items`.
 bool are_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, std::size_t items) {
-    return offsets.size() == rows + 1 && offsets[0] == 0 && offsets[rows] == items &&
-           std::ranges::is_sorted(offsets);
+    if (offsets.size() != rows + 1 || offsets[0] != 0 || offsets[rows] != items) return false;
+    std::uint32_t wrong = 0;
+    for (std::size_t k = 0; k < rows; ++k) wrong |= offsets[k] > offsets[k + 1] ? 1u : 0u;
+    return wrong == 0;
 }
 
-bool is_within(float x, float least, float most) {
-    return x >= least && x <= most;  // not-a-number is not
+/// Not-a-number is not.
+bool all_within(std::span<const float> numbers, float least, float most) {
+    std::uint32_t wrong = 0;
+    for (const float x : numbers) wrong |= (x >= least ? 0u : 1u) | (x <= most ? 0u : 1u);
+    return wrong == 0;
 }
 
 /// Numbers that a mesh could have led to.
 bool are_sound(const ClothModel& model) {
     constexpr float most = std::numeric_limits<float>::max();
-    const auto all_within = [](const SharedBuffer<float>& numbers, float least) {
-        return std::ranges::all_of(numbers, [=](float x) { return is_within(x, least, most); });
-    };
-    const auto is_near = [](float x) { return is_within(x, -runaway_distance, runaway_distance); };
-    return all_within(model.rest_area, 0) && all_within(model.rest_lengths, 0) &&
-           all_within(model.bending, -most) && all_within(model.bending_excess, -most) &&
-           std::ranges::all_of(model.texcoords,
-                               [&](const Vec2& at) {
-                                   return is_within(at.x, -most, most) && is_within(at.y, -most, most);
-                               }) &&
-           std::ranges::all_of(
-               model.positions,
-               [&](const Vec4& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z) && p.w == 0; }) &&
-           std::ranges::all_of(model.panel_sides, [&](const std::array<Vec2, 2>& sides) {
-               return std::ranges::all_of(sides, [&](const Vec2& side) {
-                   return is_within(side.x, -most, most) && is_within(side.y, -most, most);
-               });
-           });
+    std::uint32_t wrong = 0;
+    for (const Vec4& p : model.positions) wrong |= p.w == 0 ? 0u : 1u;
+    return wrong == 0 && all_within(model.rest_area.span(), 0, most) &&
+           all_within(model.rest_lengths.span(), 0, most) && all_within(model.bending.span(), -most, most) &&
+           all_within(model.bending_excess.span(), -most, most) &&
+           all_within(numbers_of<float>(model.texcoords), -most, most) &&
+           all_within(numbers_of<float>(model.positions), -runaway_distance, runaway_distance) &&
+           all_within(numbers_of<float>(model.panel_sides), -most, most);
 }
 
 /// That triangles at a particle have it at a corner. Precondition: offsets and numbers are within their
 /// lists.
 bool have_their_corners(const ClothModel& model) {
+    std::uint32_t wrong = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i)
-        for (std::uint32_t k = model.corner_offsets[i]; k < model.corner_offsets[i + 1]; ++k)
-            if (std::ranges::count(model.triangles[model.corner_triangles[k]], i) == 0) return false;
-    return true;
+        for (std::uint32_t k = model.corner_offsets[i]; k < model.corner_offsets[i + 1]; ++k) {
+            const Triangle& triangle = model.triangles[model.corner_triangles[k]];
+            wrong |= (triangle[0] != i) & (triangle[1] != i) & (triangle[2] != i) ? 1u : 0u;
+        }
+    return wrong == 0;
+}
+
+/// Whether each particle is in one component. Precondition: the numbers are within the lists.
+bool are_components(const ClothModel& model) {
+    std::vector<std::uint8_t> is_in(model.particle_count);
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t i : model.component_particles) wrong |= std::exchange(is_in[i], 1);
+    return wrong == 0;
 }
 
 /// That no list names what another does not have.
@@ -195,15 +212,14 @@ bool is_whole(const ClothModel& model) {
     return has_sizes && are_offsets(model.spring_offsets, n, springs) &&
            are_offsets(model.corner_offsets, n, 3 * triangles) &&
            are_offsets(model.component_offsets, model.component_offsets.size() - 1, n) &&
-           all_below(model.neighbours, n) && all_below(model.component_particles, n) &&
-           all_below(model.vertex_to_particle, n) && all_below(model.corner_triangles, triangles) &&
-           std::ranges::all_of(model.triangles,
-                               [&](const Triangle& triangle) { return all_below(triangle, n); }) &&
-           std::ranges::all_of(model.vertex_triangles,
-                               [&](const Triangle& triangle) { return all_below(triangle, vertices); }) &&
+           all_below(model.neighbours.span(), n) && all_below(model.component_particles.span(), n) &&
+           all_below(model.vertex_to_particle.span(), n) &&
+           all_below(model.corner_triangles.span(), triangles) &&
+           all_below(numbers_of<std::uint32_t>(model.triangles), n) &&
+           all_below(numbers_of<std::uint32_t>(model.vertex_triangles), vertices) &&
            (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
            std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; }) &&
-           have_their_corners(model);
+           are_components(model) && have_their_corners(model);
 }
 
 }  // namespace

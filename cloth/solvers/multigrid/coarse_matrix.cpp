@@ -64,6 +64,12 @@ HWY_INLINE void store_as_rows(const SymmetricLanes& m, Vec4* diagonal, Vec4* off
     store_rows({m.xx, m.yy, m.zz}, set(0), diagonal);
     store_rows({m.xy, m.xz, m.yz}, set(0), off_diagonal);
 }
+/// Rows numbers[0], numbers[1], .., of few bytes or many.
+template <class Number>
+HWY_INLINE Lanes4 gather_numbered(const Vec4* rows, const Number* numbers) {
+    return lanes4_of(
+        rows_from([=](std::uint32_t k) HWY_ATTR { return hn::Load(RowTag(), &rows[numbers[k]].x); }));
+}
 HWY_INLINE SymmetricLanes gather_blocks(const SymmetricRows& rows, const std::uint32_t* numbers) {
     return symmetric_of(gather_rows(rows.diagonal.data(), numbers),
                         gather_rows(rows.off_diagonal.data(), numbers));
@@ -104,19 +110,31 @@ void ground_rows(const BlockRange& range, const Vec4* right_side, const ContactR
     }
 }
 
-/// sums = sum of add_term(sum so far, factors, numbers of fine links), lane by lane.
-template <class First, class AddTerm>
-HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const First& first,
-                          const AddTerm& add_term, SymmetricRows& sums) {
+/// sums = sum of add_term(sum so far, factors, the group's base, numbers of fine links from there), lane by
+/// lane.
+template <class Number, class First, class AddTerm>
+HWY_INLINE void sum_terms_by(const SharedBuffer<Number>& numbers, const GalerkinLists& lists,
+                             const BlockRange& range, const First& first, const AddTerm& add_term,
+                             SymmetricRows& sums) {
+    constexpr bool is_packed = sizeof(Number) < sizeof(std::uint32_t);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
+        const std::uint32_t base = is_packed ? lists.bases[group] : 0;
         SymmetricLanes sum = first(i);
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
-            sum = add_term(sum, load_lanes(&lists.factors[entry]), &lists.fine_links[entry]);
+            sum = add_term(sum, load_lanes(&lists.factors[entry]), base, &numbers[entry]);
         }
         store_as_rows(sum, &sums.diagonal[i], &sums.off_diagonal[i]);
     }
+}
+template <class First, class AddTerm>
+HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const First& first,
+                          const AddTerm& add_term, SymmetricRows& sums) {
+    if (lists.near_links.empty())
+        sum_terms_by(lists.fine_links, lists, range, first, add_term, sums);
+    else
+        sum_terms_by(lists.near_links, lists, range, first, add_term, sums);
 }
 
 /// sum + factor (d d^T + a I).
@@ -135,17 +153,21 @@ void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4
     const auto constants = [&](std::uint32_t i) HWY_ATTR {
         return add_identity(zero_symmetric(), hn::Mul(set(scale), load_lanes(&lists.constants.sums[i])));
     };
-    const auto add = [springs](const auto& sum, Lanes factor, const std::uint32_t* numbers) HWY_ATTR {
-        const Lanes4 spring = gather_rows_with_w(springs, numbers);
-        return add_spring(sum, factor, xyz(spring), spring.w);
-    };
+    const auto add = [springs](const auto& sum, Lanes factor, std::uint32_t base, const auto* numbers)
+                         HWY_ATTR {
+                             const Lanes4 spring = gather_numbered(springs + base, numbers);
+                             return add_spring(sum, factor, xyz(spring), spring.w);
+                         };
     sum_terms(lists, range, constants, add, sums);
 }
 
 void sum_links(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
                SymmetricRows& sums) {
-    const auto add = [&links](const auto& sum, Lanes factor, const std::uint32_t* numbers)
-                         HWY_ATTR { return sum + factor * gather_blocks(links, numbers); };
+    const auto add = [&links](const auto& sum, Lanes factor, std::uint32_t base,
+                              const auto* numbers) HWY_ATTR {
+        return sum + factor * symmetric_of(xyz(gather_numbered(links.diagonal.data() + base, numbers)),
+                                           xyz(gather_numbered(links.off_diagonal.data() + base, numbers)));
+    };
     const auto nothing = [](std::uint32_t) HWY_ATTR { return zero_symmetric(); };
     sum_terms(lists, range, nothing, add, sums);
 }

@@ -219,31 +219,40 @@ struct Rows {
 /// Adds up a row, whose nodes keep the order in which they came.
 class RowSum {
   public:
-    explicit RowSum(std::uint32_t coarse) : places_(coarse, none) {}
+    explicit RowSum(std::uint32_t coarse) : places_(coarse, none), row_(coarse) {}
 
-    void add(std::uint32_t coarse, float value) {
-        std::uint32_t& place = places_[coarse];
-        if (place == none) {
-            place = static_cast<std::uint32_t>(row_.size());
-            row_.push_back({coarse, value});
-        } else {
-            row_[place].value += value;
+    void add(std::span<const Weight> weights, float factor) {
+        std::uint32_t* const places = places_.data();
+        Weight* const row = row_.data();
+        std::uint32_t size = size_;
+        for (const Weight& w : weights) {
+            const std::uint32_t place = places[w.coarse];
+            if (place == none) {
+                places[w.coarse] = size;
+                row[size++] = {w.coarse, factor * w.value};
+            } else {
+                row[place].value += factor * w.value;
+            }
         }
+        size_ = size;
     }
     /// Appends the row over `divisor`, and begins another.
     void move_to(Rows& rows, float divisor) {
-        for (const Weight& w : row_) {
-            rows.weights.push_back({w.coarse, w.value / divisor});
-            places_[w.coarse] = none;
+        const std::size_t begin = rows.weights.size();
+        rows.weights.resize(begin + size_);
+        for (std::uint32_t k = 0; k < size_; ++k) {
+            rows.weights[begin + k] = {row_[k].coarse, row_[k].value / divisor};
+            places_[row_[k].coarse] = none;
         }
         rows.end_row();
-        row_.clear();
+        size_ = 0;
     }
 
   private:
     static constexpr std::uint32_t none = ~0u;
     std::vector<std::uint32_t> places_;  // in the row, by coarse node
-    std::vector<Weight> row_;
+    std::vector<Weight> row_;            // as far as it goes
+    std::uint32_t size_ = 0;
 };
 
 /// Jacobi sweeps of the springs' Laplacian on the weights; kept nodes hold theirs.
@@ -270,8 +279,7 @@ class Smoothing {
             for (std::uint32_t e = graph_.offsets[i]; e < graph_.offsets[i + 1]; ++e) {
                 const float stiffness = graph_.stiffness[e];
                 if (stiffness == 0) continue;
-                for (const Weight& w : rows.row(graph_.neighbours[e]))
-                    sum_.add(w.coarse, stiffness * w.value);
+                sum_.add(rows.row(graph_.neighbours[e]), stiffness);
             }
             sum_.move_to(result, stiffness_[i]);
         }

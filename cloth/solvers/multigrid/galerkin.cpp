@@ -26,8 +26,6 @@ struct Difference {
 struct RowDifference {
     std::array<Difference, 2 * Interpolation::width> entries;
     std::size_t size = 0;
-    [[nodiscard]] auto begin() { return entries.begin(); }
-    [[nodiscard]] auto end() { return entries.begin() + size; }
 };
 
 /// Row i minus row j of P, entries that are not 0.
@@ -35,12 +33,15 @@ RowDifference row_difference(const Interpolation& p, const Link& link) {
     RowDifference result;
     for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
         for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
-            if (p.weights[e] == 0) continue;
-            const auto at = std::ranges::find(result, p.nodes[e], &Difference::coarse);
-            if (at == result.end())
-                result.entries[result.size++] = {p.nodes[e], sign * p.weights[e]};
+            const float weight = p.weights[e];
+            if (weight == 0) continue;
+            const std::uint32_t coarse = p.nodes[e];
+            std::size_t at = 0;
+            while (at < result.size && result.entries[at].coarse != coarse) ++at;
+            if (at == result.size)
+                result.entries[result.size++] = {coarse, sign * weight};
             else
-                at->value += sign * p.weights[e];
+                result.entries[at].value += sign * weight;
         }
     }
     return result;
@@ -74,12 +75,13 @@ struct Term {
 /// body(first node, term) for all terms of a fine link.
 template <class Body>
 void for_each_term(const Interpolation& p, const Link& link, std::uint32_t number, const Body& body) {
-    RowDifference row = row_difference(p, link);
-    for (const Difference& own : row) {
-        for (const Difference& other : row) {
-            if (other.coarse <= own.coarse) continue;
-            const float factor = -own.value * other.value;
-            if (std::abs(factor) > least_factor) body(own.coarse, Term{other.coarse, number, factor});
+    const RowDifference row = row_difference(p, link);
+    for (std::size_t a = 1; a < row.size; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            const float factor = -row.entries[a].value * row.entries[b].value;
+            if (!(std::abs(factor) > least_factor)) continue;
+            const auto [first, second] = std::minmax(row.entries[a].coarse, row.entries[b].coarse);
+            body(first, Term{second, number, factor});
         }
     }
 }
@@ -138,6 +140,13 @@ struct GrowingLists {
         std::vector<float> factors;
     } constants;
 
+    void reserve(std::size_t terms, bool any_constant) {
+        fine_links.reserve(terms);
+        factors.reserve(terms);
+        if (!any_constant) return;
+        constants.fine_links.reserve(terms);
+        constants.factors.reserve(terms);
+    }
     void add(std::uint32_t first, const Term& term, bool is_constant) {
         if (links.empty() || links.back() != Link{first, term.second}) {
             links.push_back({first, term.second});
@@ -205,6 +214,50 @@ GalerkinLists in_groups(const GrowingLists& grown) {
 
 }  // namespace
 
+void GalerkinLists::pack() {
+    constants.pack();
+    constexpr std::uint32_t lanes = Stencil::lanes, far = std::numeric_limits<std::uint16_t>::max();
+    SharedBuffer<std::uint32_t> least(groups());
+    SharedBuffer<std::uint16_t> from_least(fine_links.size());
+    for (std::uint32_t g = 0; g < groups(); ++g) {
+        const std::uint32_t begin = group_slots[g] * lanes, end = group_slots[g + 1] * lanes;
+        std::uint32_t base = ~0u, last = 0;
+        for (std::uint32_t e = begin; e < end; ++e) {
+            if (factors[e] == 0) continue;
+            base = std::min(base, fine_links[e]);
+            last = std::max(last, fine_links[e]);
+        }
+        if (base > last) base = last = 0;
+        if (last - base > far) return;
+        least[g] = base;
+        // What has no part names any that is near.
+        for (std::uint32_t e = begin; e < end; ++e)
+            from_least[e] = static_cast<std::uint16_t>(std::clamp(fine_links[e], base, last) - base);
+    }
+    bases = std::move(least);
+    near_links = std::move(from_least);
+    fine_links = {};
+}
+
+void GalerkinLists::Constants::pack() {
+    const std::size_t links = offsets.empty() ? 0 : offsets.size() - 1;
+    SharedBuffer<std::uint32_t> least(links);
+    SharedBuffer<std::uint16_t> from_least(fine_links.size());
+    for (std::size_t k = 0; k < links; ++k) {
+        const auto of_link =
+            std::as_const(fine_links).span().subspan(offsets[k], offsets[k + 1] - offsets[k]);
+        if (of_link.empty()) continue;
+        const auto [base, last] = std::ranges::minmax(of_link);
+        if (last - base > std::numeric_limits<std::uint16_t>::max()) return;
+        least[k] = base;
+        for (std::uint32_t t = offsets[k]; t < offsets[k + 1]; ++t)
+            from_least[t] = static_cast<std::uint16_t>(fine_links[t] - base);
+    }
+    bases = std::move(least);
+    near_links = std::move(from_least);
+    fine_links = {};
+}
+
 std::vector<Link> links_of(const SpringGraph& graph) {
     std::vector<Link> links;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
@@ -219,6 +272,7 @@ GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpol
                                   const std::vector<bool>& is_constant) {
     GrowingLists lists;
     const Terms terms = terms_of(links, p);
+    lists.reserve(terms.terms.size(), !is_constant.empty());
     SortBySecond sorted(p.coarse);
     for (std::uint32_t first = 0; first < p.coarse; ++first) {
         const std::size_t begin = terms.offsets[first], count = terms.offsets[first + std::size_t{1}] - begin;

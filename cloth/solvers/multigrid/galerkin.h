@@ -31,26 +31,38 @@ struct GalerkinLists {
     struct Constants {
         SharedBuffer<std::uint32_t> offsets, fine_links;
         SharedBuffer<float> factors;
+        SharedBuffer<std::uint32_t> bases;  ///< packed, as those below, of each coarse link
+        SharedBuffer<std::uint16_t> near_links;
         AlignedBuffer<float> sums;  ///< of each place: what the terms add up to, over constant_scale()
 
         [[nodiscard]] std::size_t bytes() const noexcept {
-            return offsets.bytes() + fine_links.bytes() + factors.bytes() + sums.bytes();
+            return offsets.bytes() + fine_links.bytes() + factors.bytes() + bases.bytes() +
+                   near_links.bytes() + sums.bytes();
         }
+        /// The t-th term's, of coarse link k.
+        [[nodiscard]] std::uint32_t fine_link(std::uint32_t k, std::uint32_t t) const noexcept {
+            return near_links.empty() ? fine_links[t] : bases[k] + near_links[t];
+        }
+        void pack();
     } constants;
 
     SharedBuffer<Link> links;                 ///< of the coarse level, ascending
     SharedBuffer<std::uint32_t> places;       ///< of each link: which sum is its, group * lanes + lane
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
-    SharedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]
+    SharedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]; none once packed
     SharedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
+    SharedBuffer<std::uint32_t> bases;        ///< packed: of each group the least of its terms' fine links,
+    SharedBuffer<std::uint16_t> near_links;   ///< and by how much that of each term is more
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return links.bytes() + places.bytes() + group_slots.bytes() + fine_links.bytes() + factors.bytes() +
-               constants.bytes();
+               bases.bytes() + near_links.bytes() + constants.bytes();
     }
+    /// Fine links by what they are from their group's least, unless one is too far.
+    void pack();
 };
 
 /// Links of a graph, ascending: each spring once.

@@ -19,9 +19,13 @@ void for_each_level_list(Level& level, const Visit& visit) {
     visit(level.lists.group_slots);
     visit(level.lists.fine_links);
     visit(level.lists.factors);
+    visit(level.lists.bases);
+    visit(level.lists.near_links);
     visit(level.lists.constants.offsets);
     visit(level.lists.constants.fine_links);
     visit(level.lists.constants.factors);
+    visit(level.lists.constants.bases);
+    visit(level.lists.constants.near_links);
     visit(level.interpolation.nodes);
     visit(level.interpolation.weights);
     visit(level.interpolation.kept);
@@ -96,30 +100,81 @@ class LevelReader {
     bool is_short_ = false;
 };
 
+// Files are sound, mostly: loops go through all, without a branch, rather than to what is first not so.
 template <class Numbers>
 bool are_below(const Numbers& numbers, std::size_t end) {
-    std::uint32_t most = 0;
-    for (const std::uint32_t number : numbers) most = std::max(most, number);
-    return numbers.size() == 0 || most < end;
+    const auto first_wrong = static_cast<std::uint32_t>(std::min<std::size_t>(end, ~0u));
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t number : numbers) wrong |= number >= first_wrong ? 1u : 0u;
+    return wrong == 0;
 }
 
 template <class Numbers>
 bool are_finite(const Numbers& numbers) {
-    float most = 0;  // whether one is not a number does not get lost: comparing with it is false
-    for (const float number : numbers) most = std::abs(number) <= 1e6f ? most : INFINITY;
-    return most == 0;
+    std::uint32_t wrong = 0;
+    for (const float number : numbers) wrong |= std::abs(number) <= 1e6f ? 0u : 1u;  // not-a-number is not
+    return wrong == 0;
+}
+
+/// Whether base + each is below `end`.
+bool are_near(std::span<const std::uint16_t> numbers, std::uint32_t base, std::size_t end) {
+    if (numbers.empty()) return true;
+    if (base >= end) return false;
+    const auto most = static_cast<std::uint16_t>(std::min<std::size_t>(end - base - 1, 65535));
+    std::uint16_t wrong = 0;
+    for (const std::uint16_t number : numbers)
+        wrong = static_cast<std::uint16_t>(wrong | (number > most ? 1u : 0u));
+    return wrong == 0;
 }
 
 /// Offsets of `rows` rows, up to `end`.
 bool are_row_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, std::size_t end) {
-    return offsets.size() == rows + 1 && offsets[0] == 0 && offsets[rows] == end &&
-           std::ranges::is_sorted(offsets);
+    if (offsets.size() != rows + 1 || offsets[0] != 0 || offsets[rows] != end) return false;
+    std::uint32_t wrong = 0;
+    for (std::size_t k = 0; k < rows; ++k) wrong |= offsets[k] > offsets[k + 1] ? 1u : 0u;
+    return wrong == 0;
 }
 
 bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
-    return std::ranges::all_of(links,
-                               [=](const Link& l) { return l.first < l.second && l.second < nodes; }) &&
-           std::ranges::adjacent_find(links, std::greater_equal()) == links.end();
+    std::uint64_t before = 0;
+    std::uint32_t wrong = 0;
+    for (const Link& link : links) {
+        const std::uint64_t now = (std::uint64_t{link.first} << 32 | link.second) + 1;
+        wrong |= (link.first >= link.second ? 1u : 0u) | (link.second >= nodes ? 1u : 0u) |
+                 (now <= before ? 1u : 0u);
+        before = now;
+    }
+    return wrong == 0;
+}
+
+/// Whether terms name springs that there are.
+bool have_springs(const GalerkinLists& lists, std::size_t springs) {
+    if (lists.near_links.empty() && lists.bases.empty())
+        return lists.fine_links.size() == lists.factors.size() && are_below(lists.fine_links, springs);
+    if (!lists.fine_links.empty() || lists.near_links.size() != lists.factors.size() ||
+        lists.bases.size() != lists.groups())
+        return false;
+    const std::span<const std::uint16_t> near = lists.near_links.span();
+    for (std::uint32_t g = 0; g < lists.groups(); ++g) {
+        const std::size_t begin = std::size_t{lists.group_slots[g]} * Stencil::lanes,
+                          end = std::size_t{lists.group_slots[g + 1]} * Stencil::lanes;
+        if (!are_near(near.subspan(begin, end - begin), lists.bases[g], springs)) return false;
+    }
+    return true;
+}
+
+bool have_constants(const GalerkinLists::Constants& lists, std::size_t constants) {
+    if (lists.near_links.empty() && lists.bases.empty())
+        return lists.fine_links.size() == lists.factors.size() && are_below(lists.fine_links, constants);
+    if (!lists.fine_links.empty() || lists.near_links.size() != lists.factors.size() ||
+        lists.bases.size() + 1 != lists.offsets.size())
+        return false;
+    const std::span<const std::uint16_t> near = lists.near_links.span();
+    for (std::size_t k = 0; k < lists.bases.size(); ++k) {
+        const std::uint32_t begin = lists.offsets[k], end = lists.offsets[k + 1];
+        if (!are_near(near.subspan(begin, end - begin), lists.bases[k], constants)) return false;
+    }
+    return true;
 }
 
 /// `fine`: nodes of the finer level, which has so many springs and, of these, constants.
@@ -133,12 +188,11 @@ bool fits_level(const SavedLevels::Level& level, std::uint32_t fine, std::size_t
            p.nodes.size() == weights && p.weights.size() == weights && are_below(p.kept, fine) &&
            are_below(p.nodes, p.coarse) && are_finite(p.weights) && are_links(lists.links, p.coarse) &&
            lists.places.size() == links && are_below(lists.places, groups * lanes) &&
-           lists.fine_links.size() % lanes == 0 && lists.factors.size() == lists.fine_links.size() &&
-           are_row_offsets(lists.group_slots, groups, lists.fine_links.size() / lanes) &&
-           are_below(lists.fine_links, springs) && are_finite(lists.factors) &&
-           are_row_offsets(lists.constants.offsets, links, lists.constants.fine_links.size()) &&
-           lists.constants.factors.size() == lists.constants.fine_links.size() &&
-           are_below(lists.constants.fine_links, constants) && are_finite(lists.constants.factors);
+           lists.factors.size() % lanes == 0 &&
+           are_row_offsets(lists.group_slots, groups, lists.factors.size() / lanes) &&
+           have_springs(lists, springs) && are_finite(lists.factors) &&
+           are_row_offsets(lists.constants.offsets, links, lists.constants.factors.size()) &&
+           have_constants(lists.constants, constants) && are_finite(lists.constants.factors);
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
             const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
         }
+        lists.pack();
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
     }
     coarse_.shrink_to_fit();
@@ -152,9 +153,10 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     GalerkinLists::Constants& terms = coarse_.front().constants();
     double sum = 0;
     for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        const Link& link = constants_.links[terms.fine_links[t]];
+        const std::uint32_t number = terms.fine_link(k, t);
+        const Link& link = constants_.links[number];
         if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
-        sum += static_cast<double>(terms.factors[t] * constants_.weights[terms.fine_links[t]]);
+        sum += static_cast<double>(terms.factors[t] * constants_.weights[number]);
     }
     terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
 }

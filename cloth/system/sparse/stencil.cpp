@@ -29,16 +29,25 @@ std::uint32_t most_neighbours(const Rows& rows, std::uint32_t group) {
     return most;
 }
 
-/// Every difference that occurs in a group, ascending.
-std::vector<std::int64_t> differences_in(const Rows& rows, std::uint32_t group) {
-    std::vector<std::int64_t> result;
+/// Writes every difference that occurs in a group, ascending. False: there are more than `most`.
+bool find_differences(const Rows& rows, std::uint32_t group, std::uint32_t most,
+                      std::vector<std::int64_t>& found) {
+    found.clear();
     const std::uint32_t end = std::min((group + 1) * Stencil::lanes, rows.nodes());
-    for (std::uint32_t node = group * Stencil::lanes; node < end; ++node)
-        for (std::uint32_t e = rows.offsets[node]; e < rows.offsets[node + 1]; ++e)
-            result.push_back(rows.difference(node, e));
-    std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+    for (std::uint32_t node = group * Stencil::lanes; node < end; ++node) {
+        std::size_t at = 0;
+        for (std::uint32_t e = rows.offsets[node]; e < rows.offsets[node + 1]; ++e) {
+            const std::int64_t difference = rows.difference(node, e);
+            if (at > 0 && found[at - 1] >= difference) at = 0;  // rows ascend, mostly
+            while (at < found.size() && found[at] < difference) ++at;
+            if (at == found.size() || found[at] != difference) {
+                if (found.size() == most) return false;
+                found.insert(found.begin() + static_cast<std::ptrdiff_t>(at), difference);
+            }
+            ++at;
+        }
+    }
+    return true;
 }
 
 /// Where a slot of this difference is read, if it may be: rows up to the end of the last group exist.
@@ -62,10 +71,10 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
         group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
     neighbours = SharedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
     runs = SharedBuffer<std::uint32_t>(slots());
+    std::vector<std::int64_t> differences;
     for (std::uint32_t g = 0; g < groups(); ++g) {
-        const std::vector<std::int64_t> differences = differences_in(rows, g);
         const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;
-        const bool by_difference = differences.size() == slot_count;
+        const bool by_difference = find_differences(rows, g, slot_count, differences);
         for (std::uint32_t s = 0; s < slot_count; ++s)
             runs[first_slot + s] = by_difference ? run_at(differences[s], g, groups()) : no_run;
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {

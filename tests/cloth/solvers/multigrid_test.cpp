@@ -138,6 +138,59 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
 
 // Springs and what holds nodes apart: rows of springs sum to 0, so that the sum of a row of W is what holds
 // its node, and this is lumped.
+// A strip whose particles are numbered along it: what a coarse spring sums lies rows apart.
+TEST(Multigrid, TermsAreStoredShortWhereTheyAreNear) {
+    std::vector<Link> links;
+    for (std::uint32_t i = 0; i + 1 < 90; ++i) links.push_back({i, i + 1});
+    SpringGraph graph = graph_between(links, 90);
+    graph.stiffness.assign(graph.neighbours.size(), 1.0f);
+    graph.lengths.assign(graph.neighbours.size(), 1.0f);
+    const Coarsening coarsening = coarsen(graph, components_of(graph), 9, 0);
+    const GalerkinLists as_made = make_galerkin_lists(links, coarsening.interpolation);
+    GalerkinLists lists = as_made;
+    lists.pack();
+    EXPECT_TRUE(lists.fine_links.empty());
+    ASSERT_EQ(lists.near_links.size(), as_made.fine_links.size());
+    std::size_t terms = 0;
+    for (std::uint32_t g = 0; g < lists.groups(); ++g)
+        for (std::uint32_t e = lists.group_slots[g] * 16; e < lists.group_slots[g + 1] * 16; ++e) {
+            EXPECT_LT(lists.bases[g] + lists.near_links[e], links.size());
+            if (lists.factors[e] == 0) continue;
+            EXPECT_EQ(lists.bases[g] + lists.near_links[e], as_made.fine_links[e]);
+            ++terms;
+        }
+    EXPECT_GT(terms, 40u);
+    std::vector<bool> all(links.size(), true);
+    GalerkinLists::Constants constants = make_galerkin_lists(links, coarsening.interpolation, all).constants;
+    const SharedBuffer<std::uint32_t> before = constants.fine_links;
+    constants.pack();
+    EXPECT_TRUE(constants.fine_links.empty());
+    for (std::uint32_t k = 0; k < as_made.links.size(); ++k)
+        for (std::uint32_t t = constants.offsets[k]; t < constants.offsets[k + 1]; ++t)
+            EXPECT_EQ(constants.fine_link(k, t), before[t]);
+    for (const std::uint32_t more : {65535u, 65536u}) {
+        GalerkinLists far = as_made;
+        far.fine_links.make_own();
+        std::uint32_t least = ~0u, last = 0;  // of the first group
+        for (std::uint32_t e = 0; e < far.group_slots[1] * 16; ++e) {
+            if (far.factors[e] == 0) continue;
+            if (far.fine_links[e] <= least) last = e;
+            least = std::min(least, far.fine_links[e]);
+        }
+        std::uint32_t other = 0;
+        while (other == last || far.factors[other] == 0) ++other;
+        far.fine_links[other] = far.fine_links[last] + more;
+        far.pack();
+        EXPECT_EQ(far.fine_links.empty(), more == 65535) << more;
+        if (more == 65535) {
+            EXPECT_EQ(far.near_links[other], 65535);
+        } else {
+            EXPECT_TRUE(far.near_links.empty());
+            EXPECT_TRUE(far.bases.empty());
+        }
+    }
+}
+
 TEST(Multigrid, CoarserLevelsAreSumsOfFinerOnes) {
     for (const Mesh& mesh : {sheet(30, 21), loose_sheet(28, 20), sphere(3)}) {
         const Cloth cloth = waving(mesh, {{0, 1}});
