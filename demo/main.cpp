@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <variant>
 
-#include "demo/app.h"
-#include "demo/headless.h"
-#include "demo/options.h"
+#include "demo/headless/headless.h"
+#include "demo/options/options.h"
 #include "demo/scene_simulation.h"
+#include "demo/window/app.h"
 
 namespace {
 

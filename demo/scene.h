@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "demo/annotation.h"
+#include "demo/window/annotation.h"
 #include "weft/render/camera.h"
 #include "weft/render/scene_renderer.h"
 #include "weft/weft.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "render/render_targets.h"
+#include "render/gl/render_targets.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC

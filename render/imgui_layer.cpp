@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "render/gl_state.h"
+#include "render/gl/gl_state.h"
 
 namespace weft::render {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "render/gl.h"
+#include "render/gl/gl.h"
 #include "weft/render/scene_renderer.h"
 
 namespace weft::render {

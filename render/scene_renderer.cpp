@@ -6,15 +6,15 @@
 #include <map>
 #include <string_view>
 
-#include "render/box_mesh.h"
-#include "render/capsule_mesh.h"
-#include "render/cloth_mesh.h"
-#include "render/gl_state.h"
+#include "render/gl/gl_state.h"
+#include "render/gl/programs.h"
+#include "render/gl/render_targets.h"
 #include "render/light_frame.h"
-#include "render/line_mesh.h"
+#include "render/meshes/box_mesh.h"
+#include "render/meshes/capsule_mesh.h"
+#include "render/meshes/cloth_mesh.h"
+#include "render/meshes/line_mesh.h"
 #include "render/pass_times.h"
-#include "render/programs.h"
-#include "render/render_targets.h"
 
 namespace weft::render {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "render/gl.h"
-#include "render/gl_state.h"
+#include "render/gl/gl.h"
+#include "render/gl/gl_state.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cloth/c/sized.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 #include "weft/weft_c.h"
 
 namespace weft::c {

@@ -5,7 +5,7 @@
 
 #include "cloth/frame/make_solver.h"
 #include "cloth/frame/recut/copies.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 
 namespace weft {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "cloth/surface/air_sources.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/platform.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

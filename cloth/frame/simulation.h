@@ -15,11 +15,11 @@
 #include "cloth/frame/contact/islands.h"
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "cloth/solvers/stages.h"
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 #include "collision/shapes/held_shape.h"
-#include "engine/parallel_blocks.h"
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
 #include "engine/slot_map.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/world.h"
 
 namespace weft {

@@ -12,8 +12,8 @@
 
 #include "cloth/limits/skin_state.h"
 #include "cloth/system/contacts.h"
-#include "collision/contact/tangles.h"
-#include "engine/aligned_buffer.h"
+#include "collision/contact/crossings/tangles.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/slot_map.h"
 #include "engine/vector.h"
 #include "weft/body.h"

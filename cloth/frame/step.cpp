@@ -7,7 +7,7 @@
 
 #include "cloth/frame/advance/advance.h"
 #include "cloth/frame/simulation.h"
-#include "collision/velocity_filter.h"
+#include "collision/particles/velocity_filter.h"
 
 namespace weft {
 

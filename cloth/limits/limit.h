@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
 #include "weft/types.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "weft/types.h"
 
 namespace weft {

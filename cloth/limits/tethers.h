@@ -14,8 +14,8 @@
 #include "cloth/limits/limit.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/mesh/geodesics.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

@@ -12,8 +12,8 @@
 
 #include "cloth/limits/skin_state.h"
 #include "cloth/system/contacts.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 #include "weft/maps.h"
 #include "weft/types.h"

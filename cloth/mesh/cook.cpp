@@ -7,8 +7,8 @@
 #include <string>
 #include <tuple>
 
-#include "cloth/mesh/linear_bending.h"
 #include "cloth/mesh/ordering.h"
+#include "cloth/mesh/rest/linear_bending.h"
 #include "cloth/mesh/topology.h"
 #include "engine/state_hash.h"
 

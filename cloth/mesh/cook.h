@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth/mesh/progress.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "weft/cooked_cloth.h"
 #include "weft/error.h"
 #include "weft/mesh.h"

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "cloth/mesh/cook.h"
-#include "engine/hooked_vector.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/hooked_vector.h"
+#include "engine/memory/shared_buffer.h"
 
 namespace weft {
 

@@ -6,8 +6,8 @@
 
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/error_text.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/vector.h"
-#include "engine/without_exceptions.h"
 #include "weft/mesh.h"
 
 namespace weft {

@@ -1,7 +1,7 @@
 #pragma once
 // How far cooking is, for the host to see.
 
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 #include "weft/cooked_cloth.h"
 
 namespace weft {

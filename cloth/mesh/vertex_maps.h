@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "weft/error.h"
 
 namespace weft {

@@ -7,8 +7,8 @@
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/stages.h"
 #include "cloth/system/step_equation.h"
-#include "engine/parallel_blocks.h"
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
 
 namespace weft {
 

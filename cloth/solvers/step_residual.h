@@ -8,7 +8,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/step_equation.h"
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 namespace weft {
 

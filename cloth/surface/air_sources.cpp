@@ -5,7 +5,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/simd/packed_rows-inl.h"
 #include "engine/vector.h"
 

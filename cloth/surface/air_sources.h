@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
 
 namespace weft {

@@ -7,7 +7,7 @@
 #include "cloth/surface/drawn_bonds.h"
 #include "cloth/surface/nearest_triangle.h"
 #include "engine/error_text.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 
 namespace weft {
 

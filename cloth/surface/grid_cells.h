@@ -8,8 +8,8 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/system/grid/grid_windows.h"
-#include "engine/aligned_buffer.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 
 namespace weft {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "collision/nearest_on_triangle.h"
+#include "collision/colliders/nearest_on_triangle.h"
 
 namespace weft {
 namespace {

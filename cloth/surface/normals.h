@@ -5,7 +5,7 @@
 
 #include "cloth/surface/grid_cells.h"
 #include "cloth/surface/triangle_groups.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

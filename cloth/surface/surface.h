@@ -6,8 +6,8 @@
 #include "cloth/mesh/cook.h"
 #include "cloth/surface/grid_cells.h"
 #include "cloth/surface/triangle_groups.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
 
 namespace weft {

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

@@ -9,7 +9,7 @@
 
 #include "cloth/system/external_row-inl.h"
 #include "cloth/system/sparse/stencil-inl.h"
-#include "collision/block_lanes-inl.h"
+#include "collision/colliders/block_lanes-inl.h"
 #include "engine/simd/symmetric3-inl.h"
 
 #ifndef WEFT_CLOTH_SYSTEM_CONTACTS_TYPES

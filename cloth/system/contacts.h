@@ -11,10 +11,10 @@
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/stencil.h"
 #include "cloth/system/step_equation.h"
-#include "collision/collider_contacts.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "collision/colliders/collider_contacts.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

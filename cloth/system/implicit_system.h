@@ -11,8 +11,8 @@
 #include "cloth/system/sparse/stencil.h"
 #include "cloth/system/sparse/transfers.h"
 #include "cloth/system/step_equation.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

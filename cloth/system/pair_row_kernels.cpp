@@ -8,7 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/contact/leverage.h"
+#include "collision/contact/response/leverage.h"
 #include "engine/simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/pairs.h"
-#include "engine/parallel_blocks.h"
+#include "collision/contact/pairs/pairs.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

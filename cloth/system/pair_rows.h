@@ -8,11 +8,11 @@
 
 #include "cloth/system/pair_row_kernels.h"
 #include "cloth/system/untangling_rows.h"
-#include "collision/contact/incidence.h"
-#include "collision/contact/pairs.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "collision/contact/pairs/incidence.h"
+#include "collision/contact/pairs/pairs.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 
 namespace weft {

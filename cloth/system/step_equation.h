@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 #include "weft/settings.h"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/untangling.h"
-#include "engine/aligned_buffer.h"
+#include "collision/contact/crossings/untangling.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/vector.h"
 

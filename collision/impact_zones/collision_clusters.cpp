@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <Eigen/Geometry>
 
-#include "collision/contact/contours.h"
+#include "collision/contact/crossings/contours.h"
 #include "engine/vector.h"
 
 namespace weft {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "collision/contact/pair_finder.h"
-#include "collision/contact/pairs.h"
+#include "collision/contact/pairs/pair_finder.h"
+#include "collision/contact/pairs/pairs.h"
 #include "weft/types.h"
 
 namespace weft {

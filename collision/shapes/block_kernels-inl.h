@@ -11,9 +11,9 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/block_lanes-inl.h"
-#include "collision/collider_kernels.h"
-#include "collision/coulomb-inl.h"
+#include "collision/colliders/block_lanes-inl.h"
+#include "collision/colliders/collider_kernels.h"
+#include "collision/colliders/coulomb-inl.h"
 #include "collision/shapes/first_met-inl.h"
 
 HWY_BEFORE_NAMESPACE();

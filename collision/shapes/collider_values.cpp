@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 #include "collision/shapes/moving_shapes.h"
 #include "collision/shapes/ranges.h"
 #include "engine/error_text.h"

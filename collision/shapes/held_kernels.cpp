@@ -1,6 +1,6 @@
 // Blocks of particles, and single points, against shapes that the World holds.
 
-#include "collision/collider_kernels.h"
+#include "collision/colliders/collider_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/shapes/held_kernels.cpp"

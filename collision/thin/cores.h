@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 #include "collision/thin/sides_kernels.h"
 #include "engine/vector.h"
 

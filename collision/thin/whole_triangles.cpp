@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "collision/collider_kernels.h"
+#include "collision/colliders/collider_kernels.h"
 #include "collision/shapes/moving_shapes.h"
 #include "collision/thin/cores.h"
 #include "collision/thin/first_approach.h"

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 #include "collision/shapes/moving_shapes.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "demo/hands/held_collider.h"
-#include "demo/pick.h"
+#include "demo/window/pick.h"
 #include "engine/vector.h"
 
 namespace weft::demo {

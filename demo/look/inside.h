@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "demo/annotation.h"
 #include "demo/scene_simulation.h"
+#include "demo/window/annotation.h"
 #include "weft/render/scene_renderer.h"
 
 namespace weft::demo {

@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 namespace {

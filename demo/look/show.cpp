@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "demo/hands/project.h"
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 namespace {

@@ -2,8 +2,8 @@
 // The look's part of a picture in the window.
 
 #include "demo/hands/key_taps.h"
+#include "demo/headless/picture.h"
 #include "demo/look/look.h"
-#include "demo/picture.h"
 
 namespace weft::demo {
 

@@ -1,4 +1,4 @@
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 #include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"

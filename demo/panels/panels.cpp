@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "demo/hands/overlay.h"
+#include "demo/headless/report_text.h"
 #include "demo/panels/column.h"
 #include "demo/panels/widgets.h"
-#include "demo/report_text.h"
 
 namespace weft::demo {
 

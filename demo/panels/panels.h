@@ -9,7 +9,7 @@
 
 #include "demo/look/look.h"
 #include "demo/scene_simulation.h"
-#include "demo/wind_control.h"
+#include "demo/window/wind_control.h"
 #include "weft/render/camera.h"
 #include "weft/render/shown_image.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "demo/method_table.h"
-#include "demo/progress.h"
+#include "demo/headless/progress.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <variant>
 
-#include "demo/simulation_options.h"
+#include "demo/options/simulation_options.h"
 
 namespace weft::demo {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <limits>
 
-#include "demo/frame_table.h"
+#include "demo/headless/frame_table.h"
 
 namespace weft::demo {
 namespace {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 #include "demo/scenes/solids.h"

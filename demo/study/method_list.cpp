@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "demo/study/cholesky.h"
-#include "demo/study/explicit_euler.h"
 #include "demo/study/run.h"
-#include "demo/study/stiffest_modes.h"
+#include "demo/study/stability/cholesky.h"
+#include "demo/study/stability/explicit_euler.h"
+#include "demo/study/stability/stiffest_modes.h"
 
 namespace weft::study {
 

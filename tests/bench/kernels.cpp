@@ -9,7 +9,7 @@
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/multigrid/multigrid.h"
 #include "cloth/solvers/positional/xpbd_kernel.h"
-#include "collision/patches.h"
+#include "collision/search/patches.h"
 #include "tests/bench/stopwatch.h"
 
 namespace weft::bench {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/roof.cpp"

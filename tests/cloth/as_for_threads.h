@@ -1,7 +1,7 @@
 #pragma once
 // Loops cut as for some threads, whatever machine runs them.
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft::test {
 

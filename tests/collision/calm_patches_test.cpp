@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "collision/contact/surface_order.h"
-#include "pair_list_reference.h"
+#include "collision/contact/pairs/surface_order.h"
+#include "tests/collision/contact/pair_list_reference.h"
 
 namespace weft::test {
 namespace {

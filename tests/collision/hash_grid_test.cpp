@@ -1,4 +1,4 @@
-#include "collision/hash_grid.h"
+#include "collision/search/hash_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "crumpled_sheet.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 
 namespace weft::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 
 namespace weft::test {
 

@@ -1,4 +1,4 @@
-#include "collision/patches.h"
+#include "collision/search/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "crumpled_sheet.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 
 namespace weft::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision/rest_neighbours.h"
+#include "collision/particles/rest_neighbours.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "crumpled_sheet.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 
 namespace weft::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision/self_contacts.h"
+#include "collision/particles/self_contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "crumpled_sheet.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 
 namespace weft::test {
 namespace {

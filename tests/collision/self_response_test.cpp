@@ -3,9 +3,9 @@
 #include <cstring>
 #include <random>
 
-#include "collision/self_contacts.h"
-#include "crumpled_sheet.h"
+#include "collision/particles/self_contacts.h"
 #include "engine/vector.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 
 namespace weft::test {
 namespace {

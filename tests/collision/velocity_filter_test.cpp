@@ -1,11 +1,11 @@
-#include "collision/velocity_filter.h"
+#include "collision/particles/velocity_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "particle_cloud.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Fabrics from files: Weft's own and measured ones.
 
-#include "demo/fabric_file.h"
+#include "demo/options/fabric_file.h"
 
 #include <gtest/gtest.h>
 

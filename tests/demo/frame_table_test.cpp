@@ -1,4 +1,4 @@
-#include "demo/frame_table.h"
+#include "demo/headless/frame_table.h"
 
 #include <gtest/gtest.h>
 

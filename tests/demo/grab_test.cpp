@@ -1,4 +1,4 @@
-#include "demo/grab.h"
+#include "demo/window/grab.h"
 
 #include <gtest/gtest.h>
 

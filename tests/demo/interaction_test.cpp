@@ -1,13 +1,13 @@
 // The mouse, played frame by frame against a scene.
 
-#include "demo/interaction.h"
+#include "demo/window/interaction.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
 
-#include "demo/pick.h"
+#include "demo/window/pick.h"
 #include "engine/vector.h"
 
 namespace weft::demo {

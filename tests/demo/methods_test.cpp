@@ -1,6 +1,6 @@
 // The table of methods: complete, and all in it can be had.
 
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

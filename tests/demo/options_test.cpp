@@ -1,4 +1,4 @@
-#include "demo/options.h"
+#include "demo/options/options.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "demo/hands/hands.h"
-#include "demo/method_table.h"
+#include "demo/headless/report_text.h"
+#include "demo/options/method_table.h"
 #include "demo/panels/widgets.h"
-#include "demo/report_text.h"
 
 namespace weft::demo {
 namespace {

@@ -1,4 +1,4 @@
-#include "demo/pick.h"
+#include "demo/window/pick.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "demo/method_table.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 namespace {

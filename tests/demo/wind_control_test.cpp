@@ -1,4 +1,4 @@
-#include "demo/wind_control.h"
+#include "demo/window/wind_control.h"
 
 #include <gtest/gtest.h>
 

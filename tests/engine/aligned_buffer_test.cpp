@@ -1,4 +1,4 @@
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 #include <gtest/gtest.h>
 

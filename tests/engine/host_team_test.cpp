@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "tests/embedding/naive_pool.h"
 
 namespace weft {

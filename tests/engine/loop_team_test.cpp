@@ -1,4 +1,4 @@
-#include "engine/loop_team.h"
+#include "engine/threads/loop_team.h"
 
 #include <gtest/gtest.h>
 

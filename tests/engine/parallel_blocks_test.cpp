@@ -1,4 +1,4 @@
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 namespace {

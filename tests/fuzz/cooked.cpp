@@ -10,7 +10,7 @@
 
 #include "engine/state_hash.h"
 #include "tests/fuzz/play.h"
-#include "tests/fuzz/random.h"
+#include "tests/fuzz/random/random.h"
 
 namespace weft::fuzz {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tests/fuzz/random.h"
+#include "tests/fuzz/random/random.h"
 
 namespace weft::fuzz {
 

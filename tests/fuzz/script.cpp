@@ -5,8 +5,8 @@
 #include <numeric>
 #include <optional>
 
-#include "tests/fuzz/random_mesh.h"
-#include "tests/fuzz/random_settings.h"
+#include "tests/fuzz/random/random_mesh.h"
+#include "tests/fuzz/random/random_settings.h"
 
 namespace weft::fuzz {
 

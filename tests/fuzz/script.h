@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "tests/fuzz/random.h"
-#include "tests/fuzz/random_shape.h"
+#include "tests/fuzz/random/random.h"
+#include "tests/fuzz/random/random_shape.h"
 
 namespace weft::fuzz {
 

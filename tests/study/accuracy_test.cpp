@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "demo/study/accuracy_rows.h"
+#include "demo/study/accuracy/accuracy_rows.h"
 #include "demo/study/commands.h"
 #include "demo/study/study_scenes.h"
 #include "study_folder.h"

@@ -1,6 +1,6 @@
 // Tables that runs are resumed from.
 
-#include "demo/study/csv.h"
+#include "demo/study/charts/csv.h"
 
 #include <gtest/gtest.h>
 #include <fstream>

@@ -1,6 +1,6 @@
 // Explicit Euler against the bounds that its characteristic equation gives.
 
-#include "demo/study/explicit_euler.h"
+#include "demo/study/stability/explicit_euler.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The front against brute force.
 
-#include "demo/study/front.h"
+#include "demo/study/charts/front.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>

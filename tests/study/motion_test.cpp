@@ -1,6 +1,6 @@
 // What weft_study motion measures, on motion that is known.
 
-#include "demo/study/motion_measures.h"
+#include "demo/study/accuracy/motion_measures.h"
 
 #include <gtest/gtest.h>
 

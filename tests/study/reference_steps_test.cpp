@@ -4,9 +4,9 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "demo/study/cholesky.h"
 #include "demo/study/reference/newton.h"
 #include "demo/study/reference/states.h"
+#include "demo/study/stability/cholesky.h"
 #include "demo/study/study_scenes.h"
 #include "tests/cloth/fixtures.h"
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "demo/study/cholesky.h"
-#include "demo/study/energy.h"
-#include "demo/study/stability_cell.h"
+#include "demo/study/accuracy/energy.h"
+#include "demo/study/stability/cholesky.h"
+#include "demo/study/stability/stability_cell.h"
 
 namespace weft::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "demo/study/stability_verdict.h"
+#include "demo/study/stability/stability_verdict.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <variant>
 
-#include "tests/collision/crumpled_sheet.h"
+#include "tests/collision/contact/crumpled_sheet.h"
 #include "tests/guarantees/method_cases.h"
 #include "tests/targets/targets.h"
 

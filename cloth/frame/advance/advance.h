@@ -5,7 +5,7 @@
 
 #include "cloth/frame/state.h"
 #include "cloth/system/step_equation.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

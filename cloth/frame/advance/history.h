@@ -5,8 +5,8 @@
 
 #include "cloth/frame/state.h"
 #include "cloth/system/pair_rows.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 
 namespace weft {

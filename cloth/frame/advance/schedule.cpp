@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

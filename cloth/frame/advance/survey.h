@@ -6,7 +6,7 @@
 
 #include "cloth/frame/state.h"
 #include "cloth/mesh/coordinates.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

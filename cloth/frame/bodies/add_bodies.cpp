@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/simulation.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 
 namespace weft {
 

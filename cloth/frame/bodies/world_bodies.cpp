@@ -5,7 +5,7 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/frame/world/world_calls.h"
 #include "engine/error_text.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 
 namespace weft {
 

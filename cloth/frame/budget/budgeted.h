@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "cloth/frame/budget/ladder.h"
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "weft/settings.h"
 #include "weft/types.h"
 

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "cloth/system/pair_rows.h"
-#include "collision/contact/narrowing.h"
-#include "collision/contact/pair_finder.h"
-#include "collision/contact/settle.h"
-#include "collision/contact/tangles.h"
+#include "collision/contact/crossings/tangles.h"
+#include "collision/contact/pairs/narrowing.h"
+#include "collision/contact/pairs/pair_finder.h"
+#include "collision/contact/response/settle.h"
 #include "collision/impact_zones/impact_zones.h"
-#include "collision/rest_filter.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "collision/particles/rest_filter.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

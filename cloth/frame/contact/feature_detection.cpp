@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cloth/frame/contact/feature_contact.h"
-#include "collision/contact/contours.h"
+#include "collision/contact/crossings/contours.h"
 
 namespace weft {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cloth/frame/simulation.h"
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/frame/world/world_calls.h"
 #include "cloth/frame/worn/moving_frame.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 
 namespace weft {
 

@@ -15,8 +15,8 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

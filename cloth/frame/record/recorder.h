@@ -12,7 +12,7 @@
 
 #include "cloth/frame/record/call.h"
 #include "cloth/frame/record/record_format.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 #include "weft/cooked_cloth.h"
 #include "weft/error.h"
 #include "weft/recording.h"

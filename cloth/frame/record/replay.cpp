@@ -9,8 +9,8 @@
 #include <string>
 
 #include "cloth/frame/record/replayer.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/platform.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
-#include "collision/rest_neighbours.h"
+#include "collision/particles/rest_neighbours.h"
 
 namespace weft {
 

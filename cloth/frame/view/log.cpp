@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/world/world_calls.h"
-#include "engine/hooks.h"
+#include "engine/memory/hooks.h"
 
 namespace weft {
 

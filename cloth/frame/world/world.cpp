@@ -13,8 +13,8 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/frame/world/world_calls.h"
 #include "engine/error_text.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

@@ -12,7 +12,7 @@
 
 #include "cloth/frame/record/recorder.h"
 #include "cloth/frame/simulation.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 #include "weft/world.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/state.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cloth/mesh/topology.h"
-#include "engine/without_exceptions.h"
+#include "engine/memory/without_exceptions.h"
 #include "weft/cutting.h"
 
 namespace weft {

@@ -10,8 +10,8 @@
 #include <Eigen/Geometry>
 
 #include "cloth/mesh/cutting/check_positions.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/vector.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

@@ -6,8 +6,8 @@
 
 #include "cloth/mesh/cutting/check_positions.h"
 #include "cloth/mesh/topology.h"
+#include "engine/memory/without_exceptions.h"
 #include "engine/vector.h"
-#include "engine/without_exceptions.h"
 
 namespace weft {
 

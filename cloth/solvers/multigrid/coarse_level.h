@@ -9,8 +9,8 @@
 #include "cloth/solvers/multigrid/component_solver.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "cloth/system/sparse/transfers.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

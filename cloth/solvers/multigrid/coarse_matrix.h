@@ -7,10 +7,10 @@
 #include "cloth/system/contacts.h"
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

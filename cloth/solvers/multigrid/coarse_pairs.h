@@ -10,10 +10,10 @@
 
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/interpolation.h"
-#include "engine/aligned_buffer.h"
-#include "engine/hooked_vector.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/hooked_vector.h"
 #include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

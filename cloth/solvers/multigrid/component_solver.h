@@ -9,9 +9,9 @@
 #include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/galerkin.h"
-#include "engine/aligned_buffer.h"
-#include "engine/hooked_vector.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/hooked_vector.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

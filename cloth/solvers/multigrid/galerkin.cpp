@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

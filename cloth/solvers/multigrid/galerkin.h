@@ -10,8 +10,8 @@
 
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/aligned_buffer.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 
 namespace weft {
 

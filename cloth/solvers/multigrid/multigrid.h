@@ -9,7 +9,7 @@
 #include "cloth/solvers/multigrid/coarse_level.h"
 #include "cloth/solvers/multigrid/saved_levels.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/hooked_vector.h"
+#include "engine/memory/hooked_vector.h"
 
 namespace weft {
 

@@ -12,7 +12,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/hooked_vector.h"
+#include "engine/memory/hooked_vector.h"
 
 namespace weft {
 

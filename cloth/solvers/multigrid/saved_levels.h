@@ -10,7 +10,7 @@
 #include "cloth/solvers/make_system.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "cloth/system/sparse/interpolation.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
 
 namespace weft {
 

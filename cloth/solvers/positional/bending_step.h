@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "cloth/mesh/linear_bending.h"
+#include "cloth/mesh/rest/linear_bending.h"
 #include "cloth/solvers/positional/occurrences.h"
 #include "cloth/solvers/solver.h"
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 
 #include "cloth/solvers/positional/bending_step.h"
 #include "cloth/solvers/solver.h"
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 namespace weft {
 

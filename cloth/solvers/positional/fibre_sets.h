@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "engine/hooked_vector.h"
+#include "engine/memory/hooked_vector.h"
 
 namespace weft {
 

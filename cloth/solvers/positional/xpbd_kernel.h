@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "cloth/solvers/positional/colouring.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

@@ -11,7 +11,7 @@
 
 #include "cloth/system/bodies/moving_body.h"
 #include "cloth/system/step_equation.h"
-#include "collision/collider_contacts.h"
+#include "collision/colliders/collider_contacts.h"
 #include "weft/collider.h"
 #include "weft/types.h"
 

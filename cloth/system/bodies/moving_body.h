@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "collision/carried.h"
-#include "collision/collider_contacts.h"
+#include "collision/colliders/carried.h"
+#include "collision/colliders/collider_contacts.h"
 #include "engine/vector.h"
 #include "weft/body.h"
 

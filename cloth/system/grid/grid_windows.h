@@ -14,8 +14,8 @@
 #include <cstdint>
 
 #include "cloth/system/grid/diagonals.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

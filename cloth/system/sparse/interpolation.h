@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
 
 namespace weft {
 

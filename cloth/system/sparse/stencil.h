@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

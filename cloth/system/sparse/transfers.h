@@ -5,7 +5,7 @@
 
 #include "cloth/system/sparse/interpolation.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
 namespace weft {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 
 namespace weft {

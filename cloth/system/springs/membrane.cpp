@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "cloth/mesh/rest_elements.h"
+#include "cloth/mesh/rest/rest_elements.h"
 
 namespace weft {
 

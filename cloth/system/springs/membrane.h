@@ -26,7 +26,7 @@
 #include <span>
 
 #include "cloth/mesh/cook.h"
-#include "cloth/mesh/stiffness_map.h"
+#include "cloth/mesh/rest/stiffness_map.h"
 #include "weft/settings.h"
 
 namespace weft {

@@ -9,8 +9,8 @@
 #include "cloth/system/contacts.h"
 #include "cloth/system/grid/diagonals.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

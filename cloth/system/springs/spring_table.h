@@ -5,7 +5,7 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/system/springs/spring_matrix.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "weft/settings.h"
 
 namespace weft {

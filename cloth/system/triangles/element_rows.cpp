@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cloth/mesh/bending.h"
+#include "cloth/mesh/rest/bending.h"
 
 namespace weft {
 

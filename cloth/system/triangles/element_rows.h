@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/mesh/rest_elements.h"
+#include "cloth/mesh/rest/rest_elements.h"
 
 namespace weft {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cloth/mesh/bending.h"
+#include "cloth/mesh/rest/bending.h"
 
 namespace weft {
 

@@ -6,10 +6,10 @@
 #include <functional>
 #include <span>
 
-#include "cloth/mesh/rest_elements.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "cloth/mesh/rest/rest_elements.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/LU>
 
-#include "cloth/mesh/rest_elements.h"
-#include "cloth/mesh/stiffness_map.h"
+#include "cloth/mesh/rest/rest_elements.h"
+#include "cloth/mesh/rest/stiffness_map.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/system/triangles/triangle_elements.cpp"

@@ -7,9 +7,9 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
 
 namespace weft {

@@ -5,9 +5,9 @@
 
 #include "cloth/system/contacts.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/aligned_buffer.h"
-#include "engine/parallel_blocks.h"
-#include "engine/shared_buffer.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 

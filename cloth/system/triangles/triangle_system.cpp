@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/mesh/bending.h"
+#include "cloth/mesh/rest/bending.h"
 
 namespace weft {
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "cloth/mesh/obj_lines.h"
-#include "cloth/mesh/words.h"
+#include "cloth/mesh/obj/obj_lines.h"
+#include "cloth/mesh/obj/words.h"
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/painted_maps.h"
 

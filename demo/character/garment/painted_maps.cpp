@@ -10,8 +10,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "cloth/mesh/obj_lines.h"
-#include "cloth/mesh/words.h"
+#include "cloth/mesh/obj/obj_lines.h"
+#include "cloth/mesh/obj/words.h"
 
 namespace weft::demo {
 namespace {

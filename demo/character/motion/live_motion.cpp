@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cloth/mesh/words.h"
+#include "cloth/mesh/obj/words.h"
 #include "demo/character/motion/generated_walk.h"
 
 namespace weft::demo {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 

@@ -10,8 +10,8 @@
 
 #include "demo/study/budget/budget_chart.h"
 #include "demo/study/budget/crowd.h"
+#include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
-#include "demo/study/csv.h"
 #include "demo/study/machine.h"
 
 namespace weft::study {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "demo/study/gnuplot.h"
+#include "demo/study/charts/gnuplot.h"
 
 namespace weft::study {
 

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/contact/contact_table.h"
 #include "demo/study/contact/searches.h"
-#include "demo/study/csv.h"
 #include "demo/study/machine.h"
 #include "demo/study/study_progress.h"
 

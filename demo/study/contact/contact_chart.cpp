@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "demo/study/charts/gnuplot.h"
 #include "demo/study/contact/contact_scenes.h"
-#include "demo/study/gnuplot.h"
 
 namespace weft::study {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "demo/study/csv.h"
+#include "demo/study/charts/csv.h"
 
 namespace weft::study {
 

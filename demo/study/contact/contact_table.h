@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "demo/study/charts/csv.h"
 #include "demo/study/contact/contact_result.h"
-#include "demo/study/csv.h"
 
 namespace weft::study {
 

@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "cloth/mesh/cook.h"
-#include "collision/rest_neighbours.h"
-#include "collision/self_contacts.h"
+#include "collision/particles/rest_neighbours.h"
+#include "collision/particles/self_contacts.h"
+#include "demo/study/charts/gnuplot.h"
 #include "demo/study/commands.h"
-#include "demo/study/gnuplot.h"
 #include "demo/study/machine.h"
 #include "demo/study/must.h"
 #include "demo/study/study_progress.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/study/csv.h"
+#include "demo/study/charts/csv.h"
 #include "demo/study/study_options.h"
 #include "weft/self_collision.h"
 

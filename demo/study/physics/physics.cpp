@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <iterator>
 
+#include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
-#include "demo/study/csv.h"
 #include "demo/study/machine.h"
 #include "demo/study/physics/physics_table.h"
 #include "demo/study/physics/physics_test.h"

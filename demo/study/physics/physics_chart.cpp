@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "demo/study/gnuplot.h"
+#include "demo/study/charts/gnuplot.h"
 #include "demo/study/physics/physics_test.h"
 
 namespace weft::study {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "demo/study/csv.h"
+#include "demo/study/charts/csv.h"
 #include "demo/study/physics/physics_test.h"
 
 namespace weft::study {

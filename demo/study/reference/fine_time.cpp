@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/system/springs/membrane.h"
-#include "demo/study/stiffest_modes.h"
+#include "demo/study/stability/stiffest_modes.h"
 #include "demo/study/study_options.h"
 
 namespace weft::study {

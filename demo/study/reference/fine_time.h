@@ -7,7 +7,7 @@
 
 #include "cloth/mesh/cook.h"
 #include "demo/study/run.h"
-#include "engine/parallel_blocks.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace weft::study {
 

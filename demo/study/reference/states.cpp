@@ -6,9 +6,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "demo/study/cholesky.h"
 #include "demo/study/reference/fine_time.h"
 #include "demo/study/reference/newton.h"
+#include "demo/study/stability/cholesky.h"
 #include "engine/state_hash.h"
 
 namespace weft::study {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 #include "engine/vector.h"
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"

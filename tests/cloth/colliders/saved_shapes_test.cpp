@@ -9,7 +9,7 @@
 
 #include "engine/vector.h"
 #include "tests/cloth/fixtures.h"
-#include "tests/collision/solids.h"
+#include "tests/collision/colliders/solids.h"
 #include "weft/weft.h"
 
 namespace weft::test {

@@ -9,13 +9,13 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 #include "collision/shapes/held_shape.h"
 #include "engine/vector.h"
 #include "sloping_sheet.h"
 #include "struck_sheet.h"
 #include "tests/cloth/fixtures.h"
-#include "tests/collision/solids.h"
+#include "tests/collision/colliders/solids.h"
 
 namespace weft::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/nearest_surface.h"
+#include "collision/colliders/nearest_surface.h"
 #include "engine/vector.h"
 #include "tests/cloth/contact/crossing_count.h"
 #include "tests/cloth/fixtures.h"

@@ -9,7 +9,7 @@
 
 #include "engine/vector.h"
 #include "struck_sheet.h"
-#include "tests/collision/cuts.h"
+#include "tests/collision/contact/cuts.h"
 #include "weft/weft.h"
 
 namespace weft::test {

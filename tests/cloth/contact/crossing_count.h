@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tests/collision/cuts.h"
+#include "tests/collision/contact/cuts.h"
 #include "weft/weft.h"
 
 namespace weft::test {

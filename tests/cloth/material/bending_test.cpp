@@ -1,7 +1,7 @@
 // Bending: gradients against finite differences, energies against those of bent plates, and a strip of cloth
 // that hangs over an edge against the heavy elastica.
 
-#include "cloth/mesh/bending.h"
+#include "cloth/mesh/rest/bending.h"
 
 #include <gtest/gtest.h>
 

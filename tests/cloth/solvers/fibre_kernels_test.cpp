@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "engine/aligned_buffer.h"
+#include "engine/memory/aligned_buffer.h"
 #include "engine/vector.h"
 #include "tests/cloth/system/dense_algebra.h"
 

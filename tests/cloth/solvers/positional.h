@@ -3,7 +3,7 @@
 
 #include "cloth/frame/make_solver.h"
 #include "cloth/solvers/stages.h"
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
 #include "tests/cloth/fixtures.h"
 
 namespace weft::test {

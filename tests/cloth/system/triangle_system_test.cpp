@@ -1,7 +1,7 @@
 // Finite elements as the linear system of a step: what W must be, what converged strips must show.
 
 #include "cloth/system/triangles/triangle_system.h"
-#include "cloth/mesh/bending.h"
+#include "cloth/mesh/rest/bending.h"
 #include "cloth/solvers/make_system.h"
 #include "cloth/system/triangles/hinge_elements.h"
 

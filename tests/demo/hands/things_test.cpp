@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "demo/hands/air/hand_air.h"
+#include "demo/hands/air/streaks.h"
 #include "demo/hands/balls.h"
-#include "demo/hands/hand_air.h"
 #include "demo/hands/hands.h"
 #include "demo/hands/project.h"
-#include "demo/hands/streaks.h"
 #include "engine/vector.h"
 #include "tests/demo/small_world.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "demo/hands/gamepad.h"
-#include "demo/hands/wind_arrow.h"
+#include "demo/hands/air/gamepad.h"
+#include "demo/hands/air/wind_arrow.h"
 
 namespace weft::demo {
 namespace {

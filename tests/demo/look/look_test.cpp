@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "demo/headless/report_text.h"
 #include "demo/look/dropped.h"
 #include "demo/look/inside.h"
 #include "demo/look/materials.h"
@@ -15,7 +16,6 @@
 #include "demo/look/rounded_mesh.h"
 #include "demo/look/settings_file.h"
 #include "demo/look/show.h"
-#include "demo/report_text.h"
 #include "tests/demo/small_world.h"
 
 namespace weft::demo {

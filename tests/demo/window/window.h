@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/app.h"
+#include "demo/window/app.h"
 #include "tests/demo/window/screen.h"
 
 namespace weft::demo {

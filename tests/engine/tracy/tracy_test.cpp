@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "engine/parallel_blocks.h"
-#include "engine/profiler.h"
+#include "engine/profiling/profiler.h"
+#include "engine/threads/parallel_blocks.h"
 
 namespace {
 

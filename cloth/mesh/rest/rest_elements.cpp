@@ -1,0 +1,142 @@
+#include "cloth/mesh/rest/rest_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include "cloth/mesh/rest/bending.h"
+
+namespace weft {
+
+namespace {
+
+/// Along which a triangle's warp runs, in space.
+Vector3 warp_direction(const ClothModel& model, std::uint32_t triangle, const Vector3& normal) {
+    const Triangle& corners = model.triangles[triangle];
+    if (model.columns > 0) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+            if (a / model.columns == b / model.columns)
+                return xyz(model.positions[std::max(a, b)]) - xyz(model.positions[std::min(a, b)]);
+        }
+    }
+    return std::abs(normal.y()) < 0.9f ? Vector3::UnitY() : Vector3::UnitX();
+}
+
+/// One side of a triangle, as found there.
+struct TriangleSide {
+    std::uint32_t low, high;  ///< particles, low < high
+    std::uint32_t triangle, corner;
+};
+
+std::vector<TriangleSide> sides_by_edge(const ClothModel& model) {
+    std::vector<TriangleSide> sides;
+    sides.reserve(3 * model.triangles.size());
+    for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = model.triangles[t][k], b = model.triangles[t][(k + 1) % 3];
+            sides.push_back({std::min(a, b), std::max(a, b), t, k});
+        }
+    }
+    std::ranges::sort(sides, [](const TriangleSide& p, const TriangleSide& q) {
+        return std::tie(p.low, p.high, p.triangle) < std::tie(q.low, q.high, q.triangle);
+    });
+    return sides;
+}
+
+/// A side and the triangle's apex above it, at rest.
+struct RestSide {
+    float length, area, cot_start, cot_end;
+    std::uint32_t start, end, apex;  ///< particles
+};
+
+RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_t corner) {
+    const RestSides sides = rest_sides(model, triangle);
+    const std::array<Eigen::Vector2f, 3> at{Eigen::Vector2f::Zero(), sides.to1, sides.to2};
+    const std::uint32_t end = (corner + 1) % 3, apex = (corner + 2) % 3;
+    const Eigen::Vector2f side = at[end] - at[corner], to_apex = at[apex] - at[corner];
+    const float twice_area = std::abs(side.x() * to_apex.y() - side.y() * to_apex.x());
+    const Triangle& particles = model.triangles[triangle];
+    return {.length = side.norm(),
+            .area = 0.5f * twice_area,
+            .cot_start = side.dot(to_apex) / twice_area,
+            .cot_end = side.dot(side - to_apex) / twice_area,
+            .start = particles[corner],
+            .end = particles[end],
+            .apex = particles[apex]};
+}
+
+/// Where two triangles are wound against each other the second is seen from behind.
+Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const TriangleSide& other) {
+    const RestSide a = rest_side(model, one.triangle, one.corner);
+    const RestSide b = rest_side(model, other.triangle, other.corner);
+    const bool agree = a.start == b.end;
+    const float b_at_start = agree ? b.cot_end : b.cot_start, b_at_end = agree ? b.cot_start : b.cot_end;
+    const float length = 0.5f * (a.length + b.length);
+    Hinge hinge{.particles = {a.start, a.end, a.apex, b.apex},
+                .q = {-(a.cot_end + b_at_end), -(a.cot_start + b_at_start), a.cot_start + a.cot_end,
+                      b.cot_start + b.cot_end},
+                .feet = {a.cot_start, b_at_start},
+                .length = length,
+                .least_height = 2 * std::min(a.area, b.area) / length,
+                .angle = 0,
+                .weight = 1 / (a.area + b.area)};
+    if (model.panel_sides.empty()) {
+        std::array<Vector3, 4> x;
+        std::ranges::transform(hinge.particles, x.begin(),
+                               [&](std::uint32_t i) { return xyz(model.positions[i]); });
+        hinge.angle = dihedral(x, 0.0f).angle;
+    }
+    return hinge;
+}
+
+constexpr std::uint32_t no_hinge = ~0u;
+
+/// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
+void append_pairs(const ClothModel& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
+                  Bending& bending) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t one = of_sides[k], other = of_sides[(k + 2) % 3];
+        if (one == no_hinge || other == no_hinge) continue;
+        // Both sides meet at corner k; their normals enclose the angle that they do.
+        const RestSide side = rest_side(model, triangle, k);
+        const float squared = side.cot_start * side.cot_start;
+        const float share = side.area * bending.hinges[one].weight * bending.hinges[other].weight;
+        bending.pairs.push_back({one, other, squared / (1 + squared) * share});
+    }
+}
+
+}  // namespace
+
+RestSides rest_sides(const ClothModel& model, std::uint32_t triangle) {
+    if (!model.panel_sides.empty()) {
+        const auto& sides = model.panel_sides[triangle];
+        return {{sides[0].x, sides[0].y}, {sides[1].x, sides[1].y}};
+    }
+    const Triangle& corners = model.triangles[triangle];
+    const Vector3 origin = xyz(model.positions[corners[0]]);
+    const Vector3 to1 = xyz(model.positions[corners[1]]) - origin,
+                  to2 = xyz(model.positions[corners[2]]) - origin;
+    const Vector3 normal = to1.cross(to2).normalized(), along = warp_direction(model, triangle, normal);
+    const Vector3 warp = (along - along.dot(normal) * normal).normalized(), weft = normal.cross(warp);
+    return {{to1.dot(warp), to1.dot(weft)}, {to2.dot(warp), to2.dot(weft)}};
+}
+
+Bending bending_elements(const ClothModel& model) {
+    const std::vector<TriangleSide> sides = sides_by_edge(model);
+    Bending result;
+    std::vector<std::uint32_t> hinge_of_side(sides.size(), no_hinge);
+    for (std::size_t s = 1; s < sides.size(); ++s) {
+        const TriangleSide &one = sides[s - 1], &other = sides[s];
+        if (one.low != other.low || one.high != other.high) continue;
+        for (const TriangleSide& side : {one, other})
+            hinge_of_side[3 * side.triangle + side.corner] = static_cast<std::uint32_t>(result.hinges.size());
+        result.hinges.push_back(make_hinge(model, one, other));
+    }
+    for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
+        append_pairs(model, t, std::span(hinge_of_side).subspan(3 * std::size_t{t}, 3), result);
+    return result;
+}
+
+}  // namespace weft

@@ -1,0 +1,290 @@
+#include "collision/colliders/collider_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "collision/colliders/collider_kernels.h"
+#include "collision/shapes/moving_shapes.h"
+#include "collision/thin/whole_triangles.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+namespace {
+
+float friction_of(const ColliderMotion& motion, const ClothSide& cloth) {
+    return cloth.friction * motion.end.friction;
+}
+
+/// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
+FoundDepth found_depth(const ColliderMotion& motion) {
+    if (motion.body >= 0 || motion.rate != 0) return {};
+    return {.least = 2e-5f};  // beyond rounding
+}
+
+/// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the thickness
+/// and the reach, or not for this cloth.
+template <class Use>
+void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, float beyond,
+             const BlockPaths& paths, const Use& use) {
+    if (!cloth.meets(motion.end)) return;
+    const Pace pace{h, motion.fastest};
+    const Reach reach{thickness_of(motion, cloth), beyond};
+    with_shapes(motion, [&](const auto& start, const auto& end) {
+        if (const auto meeting = may_meet(start, end, pace, reach, paths))
+            use(moving(start, end, pace), *meeting);
+    });
+}
+
+void clear(NearSurfaces& near, float reach) {
+    for (BlockLanes* lanes : {&near.surfaces, &near.motions})
+        for (auto* component : {&lanes->x, &lanes->y, &lanes->z, &lanes->w}) component->fill(0);
+    near.surfaces.w.fill(reach);
+    near.has_inside = false;
+}
+
+/// The i-th particle is nearest to this collider, and its surface goes with the body.
+void take_body(const ColliderMotion& motion, std::size_t i, NearSurfaces& near,
+               std::span<std::int32_t> bodies) {
+    bodies[i] = motion.body;
+    if (motion.body < 0) return;
+    const Vector3 arm = Vector3(near.points.x[i], near.points.y[i], near.points.z[i]) - motion.centre;
+    const Vector3 v = motion.velocity + motion.spin.cross(arm);
+    near.motions.x[i] = v.x();
+    near.motions.y[i] = v.y();
+    near.motions.z[i] = v.z();
+}
+
+Vector3 vector_of(const BlockLanes& lanes, std::size_t k) {
+    return {lanes.x[k], lanes.y[k], lanes.z[k]};
+}
+
+/// Of what is inside a collider, too: which surface counts.
+void choose_surfaces(std::uint32_t size, float reach, NearSurfaces& near, std::span<std::int32_t> bodies) {
+    for (std::uint32_t k = 0; k < size; ++k) {
+        if (!(near.inside.w[k] < std::numeric_limits<float>::infinity())) continue;
+        const bool faces = vector_of(near.inside, k).dot(vector_of(near.surfaces, k)) < 0;
+        if (near.surfaces.w[k] < reach && faces) {
+            near.motions.w[k] = held_fast;
+        } else if (near.inside.w[k] < near.surfaces.w[k]) {
+            for (auto component : {&BlockLanes::x, &BlockLanes::y, &BlockLanes::z, &BlockLanes::w}) {
+                (near.surfaces.*component)[k] = (near.inside.*component)[k];
+                (near.motions.*component)[k] = (near.inside_motions.*component)[k];
+            }
+            if (!bodies.empty()) bodies[k] = -1;
+        }
+    }
+}
+
+/// Among points that have been placed. told(motion): w of the surfaces' motions.
+template <class Told>
+bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h, float reach,
+                     std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size,
+                     const Told& told, NearSurfaces& near, std::span<std::int32_t> bodies = {},
+                     const ColliderMotion* skipped = nullptr) {
+    std::ranges::fill(bodies, -1);
+    std::array<float, block_size> before;
+    bool is_clear = true, found = false;
+    for (const ColliderMotion& motion : colliders) {
+        if (&motion == skipped) continue;
+        if_near(motion, h, cloth, reach, paths, [&](const auto& shape, const Meeting& meeting) {
+            if (is_clear) clear(near, reach);
+            is_clear = false;
+            const ContactSettings settings{.thickness = thickness_of(motion, cloth),
+                                           .friction = told(motion),
+                                           .h = h,
+                                           .of_cloth = cloth.thickness,
+                                           .found = found_depth(motion),
+                                           .meeting = starts.empty() ? Meeting{} : meeting};
+            if (!bodies.empty()) before = near.surfaces.w;
+            found |= find_nearest(shape, {settings, reach, starts, size, cloth.factors}, near);
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
+        });
+    }
+    if (near.has_inside) choose_surfaces(size, reach, near, bodies);
+    return found;
+}
+
+/// Takes particles out, by a part, of what they were left inside of, where that does not lead them deeper
+/// into another collider at whose surface they are.
+class Emerging {
+  public:
+    Emerging(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+             CollidingBlock& block)
+        : colliders_(colliders), cloth_(cloth), h_(h), block_(block) {}
+
+    void all() {
+        const LeftInside& left = *block_.left;
+        std::uint32_t waiting = 0;
+        for (std::uint32_t k = 0; k < block_.positions.size(); ++k)
+            if (left.surfaces.w[k] > 0) waiting_[waiting++] = k;
+        while (waiting > 0) {
+            const std::uint32_t number = left.colliders[waiting_[0]];
+            std::uint32_t others = 0;
+            size_ = 0;
+            for (std::uint32_t m = 0; m < waiting; ++m) {
+                const std::uint32_t k = waiting_[m];
+                if (left.colliders[k] == number)
+                    particles_[size_++] = k;
+                else
+                    waiting_[others++] = k;
+            }
+            waiting = others;
+            out_of(number);
+        }
+    }
+
+  private:
+    static constexpr float reach = 1e-3f;
+    static constexpr std::uint32_t group = 16;  // to whose end arrays go on
+
+    void out_of(std::uint32_t number) {
+        std::array<Vec4, block_size> now, then;
+        for (std::uint32_t m = 0; m < size_; ++m) {
+            now[m] = then[m] = block_.positions[particles_[m]];
+            set_xyz(then[m], xyz(now[m]) + way_of(particles_[m]));
+        }
+        for (std::uint32_t m = size_; m % group != 0; ++m) now[m] = then[m] = now[0];
+        NearSurfaces at_now, at_then;
+        find_others(number, {now.data(), size_}, at_now);
+        find_others(number, {then.data(), size_}, at_then);
+        const std::span<const float> factors = block_.factors.thickness;
+        for (std::uint32_t m = 0; m < size_; ++m) {
+            const std::uint32_t k = particles_[m];
+            const float missing = factors.empty() ? 0 : cloth_.thickness * (1 - factors[k]);
+            const float before = at_now.surfaces.w[m] + missing, after = at_then.surfaces.w[m] + missing;
+            const bool is_held = after < std::min(0.0f, before) && before > -FoundDepth::speed * h_;
+            if (!is_held) block_.positions[k] = then[m];
+        }
+    }
+    [[nodiscard]] Vector3 way_of(std::uint32_t k) const {
+        const float depth = block_.left->surfaces.w[k];
+        const float way = std::min(depth, h_ * std::max(FoundDepth::speed, FoundDepth::rate * depth));
+        return way * vector_of(block_.left->surfaces, k);
+    }
+    void find_others(std::uint32_t number, std::span<const Vec4> points, NearSurfaces& near) const {
+        const BlockPaths paths = place({}, points, 0, points, near.points);
+        const auto no_friction = [](const ColliderMotion&) { return 0.0f; };
+        if (!find_nearest_of(colliders_, cloth_, h_, reach, {}, paths, size_, no_friction, near, {},
+                             &colliders_[number]))
+            near.surfaces.w.fill(reach);
+    }
+
+    std::span<const ColliderMotion> colliders_;
+    const ClothSide& cloth_;
+    float h_;
+    CollidingBlock& block_;
+    std::array<std::uint32_t, block_size> waiting_, particles_;
+    std::uint32_t size_ = 0;  // of `particles_`
+};
+
+std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                            const CollidingParticles& particles) {
+    const std::span<const Vec4> starts = particles.starts;
+    LeftInside left;
+    CollidingBlock block{.positions = particles.positions,
+                         .velocities = particles.velocities,
+                         .held = particles.held,
+                         .starts = starts,
+                         .paths = paths_of(starts, particles.positions),
+                         .factors = particles.factors,
+                         .left = &left};
+    for (std::uint32_t number = 0; number < colliders.size(); ++number) {
+        const ColliderMotion& motion = colliders[number];
+        block.collider = number;
+        if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
+            collide(shape,
+                    {.thickness = thickness_of(motion, cloth),
+                     .friction = friction_of(motion, cloth),
+                     .h = h,
+                     .of_cloth = cloth.thickness,
+                     .restitution = restitution_of(motion, cloth),
+                     .least_bounce = cloth.least_bounce,
+                     .found = found_depth(motion),
+                     .meeting = starts.empty() ? Meeting{} : meeting},
+                    block);
+        });
+    }
+    if (block.has_left) Emerging(colliders, cloth, h, block).all();
+    return std::accumulate(block.met.begin(), block.met.end(), 0u);
+}
+
+/// Of the particles of a block.
+CollidingParticles part_of(const CollidingParticles& all, const BlockRange& range) {
+    const std::uint32_t size = range.end - range.begin;
+    const auto of_block = [&](auto span) { return span.empty() ? span : span.subspan(range.begin, size); };
+    return {.positions = of_block(all.positions),
+            .velocities = of_block(all.velocities),
+            .starts = of_block(all.starts),
+            .held = of_block(all.held),
+            .factors = {of_block(all.factors.thickness), of_block(all.factors.friction)}};
+}
+
+}  // namespace
+
+std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
+                      float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials) {
+    if (colliders.empty()) return 0;
+    const auto block = [&](const BlockRange& range) {
+        return collide_block(colliders, cloth, h, part_of(particles, range));
+    };
+    const std::uint32_t met = parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()),
+                                              block_partials, 0u, block, std::plus<>{});
+    if (particles.whole == nullptr || particles.starts.empty()) return met;
+    return met + particles.whole->keep_out(parallel, colliders, cloth, h, particles);
+}
+
+std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                            const ClothSide& cloth, float h, std::uint32_t most,
+                            std::span<const Vec4> positions, std::span<const Vec4> velocities,
+                            std::span<std::uint32_t> block_partials) {
+    std::uint32_t parts = 1;
+    for (const ColliderMotion& motion : colliders) {
+        const Sweeping fast = with_shapes(motion, [&](const auto& start, const auto& end) {
+            return sweeping(start, end, {h, motion.fastest}, thickness_of(motion, cloth));
+        });
+        if (!(fast.way > fast.thin_as_a_whole)) continue;
+        const auto block = [&](const BlockRange& range) {
+            const std::uint32_t size = range.end - range.begin;
+            const std::span<const Vec4> starts = positions.subspan(range.begin, size);
+            NearSurfaces near;
+            if (!find_near_surfaces({&motion, 1}, cloth, h, 0, starts, starts, h,
+                                    velocities.subspan(range.begin, size), near))
+                return 1u;
+            float longest = 0;
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                if (positions[i].w > 0)
+                    longest = std::max(longest, (h * xyz(velocities[i]) - fast.travel).squaredNorm());
+            const float wanted = std::ceil(std::sqrt(longest) / (2 * fast.thin_as_a_whole));
+            return wanted < static_cast<float>(most) ? std::max(static_cast<std::uint32_t>(wanted), 1u)
+                                                     : most;
+        };
+        parts = parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, parts, block,
+                                [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
+    }
+    return parts;
+}
+
+bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                        float reach, std::span<const Vec4> starts, std::span<const Vec4> positions,
+                        float gamma, std::span<const Vec4> velocities, NearSurfaces& near,
+                        std::span<std::int32_t> bodies) {
+    const BlockPaths paths = place(starts, positions, gamma, velocities, near.points);
+    return find_nearest_of(
+        colliders, cloth, h, reach, starts, paths, static_cast<std::uint32_t>(positions.size()),
+        [&](const ColliderMotion& motion) { return friction_of(motion, cloth); }, near, bodies);
+}
+
+bool find_bouncing_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                            float reach, std::span<const Vec4> positions, float gamma,
+                            std::span<const Vec4> velocities, NearSurfaces& near) {
+    const BlockPaths paths = place({}, positions, gamma, velocities, near.points);
+    return find_nearest_of(
+        colliders, cloth, h, reach, {}, paths, static_cast<std::uint32_t>(positions.size()),
+        [&](const ColliderMotion& motion) { return restitution_of(motion, cloth); }, near);
+}
+
+}  // namespace weft

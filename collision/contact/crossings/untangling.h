@@ -1,0 +1,46 @@
+#pragma once
+// Which way crossing surfaces have to go to come apart: the way on which the curve along which they cross
+// grows shorter ("Resolving surface collisions through intersection contour minimization", Volino &
+// Magnenat-Thalmann 2006).
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/crossings/contours.h"
+#include "collision/contact/crossings/crossings.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+/// Wishes that the weighted sum of its corners, which is 0, were as deep along a direction as it says.
+struct UntanglingRow {
+    std::array<std::uint32_t, 5> corners;  ///< the edge's, then the triangle's
+    std::array<float, 5> weights;          ///< (1 - s, s, -w0, -w1, -w2)
+    Vec4 direction;                        ///< of unit length; w the depth [m], 0: nothing is wished for
+};
+
+class Untangling {
+  public:
+    void reserve(std::size_t crossings);
+
+    /// Makes a row of each crossing. Half of its direction is its own, and half its contour's mean:
+    /// what goes one way together comes free, and what every crossing wants for itself need not agree.
+    /// Precondition: the contours are of these crossings.
+    void find(std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+              std::span<const Crossing> crossings, const Contours& contours);
+
+    void clear() noexcept { size_ = 0; }
+
+    [[nodiscard]] std::span<UntanglingRow> rows() noexcept { return rows_.span().first(size_); }
+    [[nodiscard]] std::span<const UntanglingRow> rows() const noexcept { return rows_.span().first(size_); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return rows_.bytes() + means_.bytes(); }
+
+  private:
+    AlignedBuffer<UntanglingRow> rows_;
+    AlignedBuffer<Vec4> means_;  // of contours: the sum of what side 0 wants, and of how many
+    std::uint32_t size_ = 0;
+};
+
+}  // namespace weft

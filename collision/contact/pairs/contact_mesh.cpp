@@ -1,0 +1,201 @@
+#include "collision/contact/pairs/contact_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/contact/pairs/surface_order.h"
+#include "collision/search/patches.h"
+
+namespace weft {
+
+namespace {
+
+using Triangle = ContactMesh::Triangle;
+using Edge = ContactMesh::Edge;
+
+bool has_three_corners(const Triangle& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+std::vector<Edge> unique_edges(std::span<const Triangle> triangles) {
+    std::vector<Edge> edges;
+    edges.reserve(3 * triangles.size());
+    for (const Triangle& t : triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+            edges.push_back({low, high});
+        }
+    std::ranges::sort(edges);
+    const auto spare = std::ranges::unique(edges);
+    edges.erase(spare.begin(), spare.end());
+    edges.shrink_to_fit();
+    return edges;
+}
+
+/// The particles that triangles have.
+std::vector<std::uint32_t> vertices_of(std::size_t particles, std::span<const Triangle> triangles) {
+    std::vector<bool> is_vertex(particles);
+    for (const Triangle& t : triangles)
+        for (const std::uint32_t i : t) is_vertex[i] = true;
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t i = 0; i < is_vertex.size(); ++i)
+        if (is_vertex[i]) vertices.push_back(i);
+    return vertices;
+}
+
+std::vector<Vec4> finite(std::span<const Vec4> positions) {
+    std::vector<Vec4> result(positions.begin(), positions.end());
+    for (Vec4& p : result)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) p = {};
+    return result;
+}
+
+/// Features of one kind, by clusters of vertices: those of cluster c are [starts[c], starts[c + 1]) of
+/// `order`. Each goes to the lowest of its corners' clusters. In a grid whose clusters are squares they are
+/// then the squares' own and those towards the higher neighbours, so that few corners belong to others.
+struct Shares {
+    std::vector<std::uint32_t> starts, order;
+
+    template <class Feature>
+    Shares(std::span<const Feature> features, std::span<const std::uint32_t> cluster_of,
+           std::uint32_t clusters)
+        : starts(clusters + 1), order(features.size()) {
+        const auto owner = [&](const Feature& feature) {
+            std::uint32_t lowest = cluster_of[feature[0]];
+            for (const std::uint32_t i : feature) lowest = std::min(lowest, cluster_of[i]);
+            return lowest;
+        };
+        for (const Feature& feature : features) ++starts[owner(feature) + 1];
+        for (std::uint32_t c = 0; c < clusters; ++c) starts[c + 1] += starts[c];
+        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+        for (std::uint32_t f = 0; f < features.size(); ++f) order[next[owner(features[f])]++] = f;
+    }
+};
+
+/// Slots of one kind while they are filled.
+template <std::uint32_t corner_count>
+class SlotFiller {
+  public:
+    /// Begins a patch's span.
+    SlotSpan begin() {
+        for (auto& corner : corners_)
+            while (corner.size() % 16 != 0) corner.push_back(corner.back());
+        return {static_cast<std::uint32_t>(corners_[0].size()), 0};
+    }
+    void add(SlotSpan& span, const std::array<std::uint32_t, corner_count>& feature) {
+        for (std::uint32_t k = 0; k < corner_count; ++k) corners_[k].push_back(feature[k]);
+        ++span.count;
+    }
+    FeatureSlots<corner_count> finish() {
+        begin();
+        FeatureSlots<corner_count> slots;
+        for (std::uint32_t k = 0; k < corner_count; ++k) {
+            slots.corners[k] = AlignedBuffer<std::uint32_t>(corners_[k].size());
+            std::ranges::copy(corners_[k], slots.corners[k].data());
+        }
+        return slots;
+    }
+
+  private:
+    std::array<std::vector<std::uint32_t>, corner_count> corners_;
+};
+
+}  // namespace
+
+ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles)
+    : particles_(static_cast<std::uint32_t>(rest_positions.size())) {
+    std::ranges::copy_if(triangles, std::back_inserter(triangles_), has_three_corners);
+    edges_ = unique_edges(triangles_);
+    find_corners();
+
+    std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), triangles_);
+    const std::vector<Vec4> places = finite(rest_positions);
+    order_in_patches(vertices, places);
+    share_out(rest_positions, vertices);
+    if (flat_rest_.has_all_triangles()) return;
+    // Cloth that is folded or closed at rest has patches that lie together in space and not along it: soon
+    // they are spread wide, and meet many others.
+    order_along_surface(vertices, edges_, places);
+    share_out(rest_positions, vertices);
+}
+
+void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices) {
+    patches_.clear();
+    std::vector<std::uint32_t> cluster_of(rest_positions.size());
+    for (std::uint32_t k = 0; k < vertices.size(); ++k)
+        cluster_of[vertices[k]] = k / ContactPatch::most_vertices;
+    const auto clusters = static_cast<std::uint32_t>((vertices.size() + ContactPatch::most_vertices - 1) /
+                                                     ContactPatch::most_vertices);
+    const Shares shares_of_triangles(std::span<const Triangle>(triangles_), cluster_of, clusters);
+    const Shares shares_of_edges(std::span<const Edge>(edges_), cluster_of, clusters);
+
+    SlotFiller<1> vertex_slots;
+    SlotFiller<3> triangle_slots;
+    SlotFiller<2> edge_slots;
+    const auto begin_patch = [&] {
+        patches_.push_back({vertex_slots.begin(), triangle_slots.begin(), edge_slots.begin(), {}});
+    };
+    for (std::uint32_t c = 0; c < clusters; ++c) {
+        begin_patch();
+        const std::size_t end = std::min<std::size_t>(vertices.size(), (c + 1) * ContactPatch::most_vertices);
+        for (std::size_t k = c * ContactPatch::most_vertices; k < end; ++k)
+            vertex_slots.add(patches_.back().vertices, {vertices[k]});
+        // A cluster at a vertex of very many triangles takes several patches.
+        for (std::uint32_t k = shares_of_triangles.starts[c]; k < shares_of_triangles.starts[c + 1]; ++k) {
+            if (patches_.back().triangles.count == ContactPatch::most_triangles) begin_patch();
+            triangle_slots.add(patches_.back().triangles, triangles_[shares_of_triangles.order[k]]);
+        }
+        for (std::uint32_t k = shares_of_edges.starts[c]; k < shares_of_edges.starts[c + 1]; ++k) {
+            if (patches_.back().edges.count == ContactPatch::most_edges) begin_patch();
+            edge_slots.add(patches_.back().edges, edges_[shares_of_edges.order[k]]);
+        }
+    }
+    vertex_slots_ = vertex_slots.finish();
+    triangle_slots_ = triangle_slots.finish();
+    edge_slots_ = edge_slots.finish();
+    corner_slots_ = share_corners();
+    flat_rest_ = FlatRest({rest_positions, triangles_, patches_, corner_slots_, triangle_slots_});
+}
+
+FeatureSlots<1> ContactMesh::share_corners() {
+    SlotFiller<1> slots;
+    std::vector<std::uint32_t> corners;
+    for (ContactPatch& patch : patches_) {
+        const auto take = [&](const auto& features, const SlotSpan& span) {
+            for (const auto& corner : features.corners)
+                corners.insert(corners.end(), corner.data() + span.first,
+                               corner.data() + span.first + span.count);
+        };
+        corners.clear();
+        take(vertex_slots_, patch.vertices);
+        take(triangle_slots_, patch.triangles);
+        take(edge_slots_, patch.edges);
+        std::ranges::sort(corners);
+        const auto spare = std::ranges::unique(corners);
+        corners.erase(spare.begin(), spare.end());
+        patch.corners = slots.begin();
+        for (const std::uint32_t i : corners) slots.add(patch.corners, {i});
+    }
+    return slots.finish();
+}
+
+void ContactMesh::find_corners() {
+    corner_starts_.assign(particles_ + std::size_t{1}, 0);
+    corner_triangles_.resize(3 * triangles_.size());
+    for (const Triangle& t : triangles_)
+        for (const std::uint32_t i : t) ++corner_starts_[i + 1];
+    for (std::uint32_t i = 0; i < particles_; ++i) corner_starts_[i + 1] += corner_starts_[i];
+    std::vector<std::uint32_t> next(corner_starts_.begin(), corner_starts_.end() - 1);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+        for (const std::uint32_t i : triangles_[t]) corner_triangles_[next[i]++] = t;
+}
+
+std::size_t ContactMesh::bytes() const noexcept {
+    return triangles_.size() * sizeof(Triangle) + edges_.size() * sizeof(Edge) +
+           (corner_starts_.size() + corner_triangles_.size()) * sizeof(std::uint32_t) +
+           patches_.size() * sizeof(ContactPatch) + vertex_slots_.bytes() + triangle_slots_.bytes() +
+           edge_slots_.bytes() + corner_slots_.bytes() + flat_rest_.bytes();
+}
+
+}  // namespace weft

@@ -1,0 +1,90 @@
+#pragma once
+// What detection needs of a mesh that moves but does not change: its features, and how they are shared out
+// among patches.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/contact/response/flat_rest.h"
+#include "engine/memory/aligned_buffer.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Features of one kind, by their corners: slots in groups of sixteen, of which one patch owns the first few.
+/// Spare slots repeat a particle of the mesh.
+template <std::uint32_t corner_count>
+struct FeatureSlots {
+    std::array<AlignedBuffer<std::uint32_t>, corner_count> corners;
+
+    [[nodiscard]] std::uint32_t groups() const noexcept {
+        return static_cast<std::uint32_t>(corners[0].size() / 16);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return corner_count * corners[0].bytes(); }
+};
+
+/// Slots [first, first + count) of one kind of feature. `first` is a multiple of 16.
+struct SlotSpan {
+    std::uint32_t first, count;
+};
+
+/// The features that one patch owns.
+struct ContactPatch {
+    static constexpr std::uint32_t most_vertices = 16, most_triangles = 64, most_edges = 96;
+
+    SlotSpan vertices, triangles, edges;
+    SlotSpan corners;  ///< of all of these, each particle once
+};
+
+/// The constant part of a body in contact. Vertices without a triangle have no part in it, and neither have
+/// triangles and edges of which two corners are one particle.
+class ContactMesh {
+  public:
+    using Triangle = std::array<std::uint32_t, 3>;  ///< particles
+    using Edge = std::array<std::uint32_t, 2>;      ///< particles, the lower number first
+
+    /// Precondition: triangles name rest_positions. These, if not finite, count as the origin: they decide
+    /// how long a search takes and nothing else.
+    ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles);
+
+    [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
+    [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_; }
+    /// Each once, in ascending order.
+    [[nodiscard]] std::span<const Edge> edges() const noexcept { return edges_; }
+    /// The triangles that have the particle for a corner, by their places in triangles(), ascending.
+    [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::uint32_t particle) const noexcept {
+        const std::uint32_t begin = corner_starts_[particle];
+        return std::span(corner_triangles_).subspan(begin, corner_starts_[particle + 1] - begin);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+    /// Every vertex of a triangle, every triangle and every edge belongs to one patch. Patches that follow
+    /// one another lie together.
+    [[nodiscard]] std::span<const ContactPatch> patches() const noexcept { return patches_; }
+    [[nodiscard]] const FeatureSlots<1>& vertex_slots() const noexcept { return vertex_slots_; }
+    [[nodiscard]] const FeatureSlots<3>& triangle_slots() const noexcept { return triangle_slots_; }
+    [[nodiscard]] const FeatureSlots<2>& edge_slots() const noexcept { return edge_slots_; }
+    [[nodiscard]] const FeatureSlots<1>& corner_slots() const noexcept { return corner_slots_; }
+    [[nodiscard]] const FlatRest& flat_rest() const noexcept { return flat_rest_; }
+
+  private:
+    /// Among patches, of vertices in this order.
+    void share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices);
+    FeatureSlots<1> share_corners();
+    void find_corners();
+
+    std::uint32_t particles_;
+    std::vector<Triangle> triangles_;
+    std::vector<Edge> edges_;
+    std::vector<std::uint32_t> corner_starts_, corner_triangles_;  // of particles
+    std::vector<ContactPatch> patches_;
+    FeatureSlots<1> vertex_slots_;
+    FeatureSlots<3> triangle_slots_;
+    FeatureSlots<2> edge_slots_;
+    FeatureSlots<1> corner_slots_;
+    FlatRest flat_rest_;
+};
+
+}  // namespace weft

@@ -1,0 +1,61 @@
+#pragma once
+// Which pairs a particle is a corner of: compressed rows, so that what pairs ask of particles is gathered in
+// an order that no thread decides, and never scattered.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/pairs/pairs.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+/// One row for each particle that is a corner of a pair, rows in ascending order of particles. A row's places
+/// are 4 * pair + corner, ascending. Particles without pairs cost nothing but their share of a block.
+class PairIncidence {
+  public:
+    /// Takes the memory for pairs of so many particles.
+    void reserve(std::size_t particles, std::size_t pairs);
+
+    /// Takes over the corners of those pairs for which chosen[pair] is not zero; of all, where chosen is
+    /// empty. Preconditions: reserved for so many pairs and for particles above every corner.
+    void build(Parallel& parallel, std::span<const FeaturePair> pairs, std::span<const std::uint8_t> chosen);
+
+    [[nodiscard]] std::uint32_t rows() const noexcept { return rows_; }
+    [[nodiscard]] std::uint32_t particle(std::uint32_t row) const noexcept { return particles_[row]; }
+    /// Where a row's places begin among all rows'.
+    [[nodiscard]] std::uint32_t start(std::uint32_t row) const noexcept { return starts_[row]; }
+    /// The same of all rows, for kernels.
+    [[nodiscard]] std::span<const std::uint32_t> particles() const noexcept {
+        return particles_.span().first(rows_);
+    }
+    [[nodiscard]] std::span<const std::uint32_t> starts() const noexcept {
+        return starts_.span().first(rows_ + 1);
+    }
+    [[nodiscard]] std::span<const std::uint32_t> places(std::uint32_t row) const noexcept {
+        return places_.span().subspan(starts_[row], starts_[row + 1] - starts_[row]);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Entry {
+        std::uint32_t particle, place;
+    };
+
+    void count_by_bucket(Parallel& parallel, std::span<const FeaturePair> pairs,
+                         std::span<const std::uint8_t> chosen);
+    void move_to_buckets(Parallel& parallel, std::span<const FeaturePair> pairs,
+                         std::span<const std::uint8_t> chosen);
+    void sort_buckets(Parallel& parallel);
+
+    std::uint32_t buckets_ = 0;  // of block_size particles
+    std::uint32_t rows_ = 0;
+    AlignedBuffer<std::uint32_t> counts_;        // by block of pairs and bucket; then where it writes
+    AlignedBuffer<std::uint32_t> bucket_begin_;  // among entries
+    AlignedBuffer<std::uint32_t> bucket_rows_;   // how many, then the first
+    AlignedBuffer<Entry> entries_;               // by bucket
+    AlignedBuffer<std::uint32_t> places_, particles_, starts_;
+};
+
+}  // namespace weft

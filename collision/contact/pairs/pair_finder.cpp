@@ -1,0 +1,276 @@
+#include "collision/contact/pairs/pair_finder.h"
+
+#include <algorithm>
+
+namespace weft {
+
+namespace {
+
+/// What a block keeps of its pairs until all are counted: for layers that lie on one another, enough. A block
+/// with more is searched once more.
+constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
+constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
+constexpr std::uint32_t kept_crossings = 64;
+
+/// Blocks that are searched before what they found is counted: a crowd of n particles has n^2 pairs, and a
+/// search for more of them than there is room for is to be as short as one that has room for all.
+constexpr std::uint32_t blocks_at_a_time = 64;
+
+AlignedBuffer<Boxes> no_boxes(std::size_t count) {
+    AlignedBuffer<Boxes> boxes(count);
+    for (Boxes& group : boxes.span())
+        for (std::uint32_t k = 0; k < 16; ++k) set_box(group, k, no_box);
+    return boxes;
+}
+
+/// `count` items from `first` on, as far as the list goes.
+template <class Item>
+std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t count) {
+    const std::size_t begin = std::min(first, list.size());
+    return list.subspan(begin, std::min(count, list.size() - begin));
+}
+
+}  // namespace
+
+// Vectors keep what they have grown to, so that later choices take no memory.
+PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
+    bodies_.clear();
+    blocks_.clear();
+    Groups groups;
+    for (const ContactBody& body : bodies) {
+        const ContactMesh& mesh = *body.mesh;
+        const auto index = static_cast<std::uint32_t>(bodies_.size());
+        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
+                           groups.vertices, groups.triangles, groups.edges,
+                           static_cast<std::uint32_t>(blocks_.size()), groups.neighbours});
+        groups.vertices += mesh.vertex_slots().groups();
+        groups.triangles += mesh.triangle_slots().groups();
+        groups.edges += mesh.edge_slots().groups();
+        groups.neighbours += mesh.flat_rest().pairs();
+        const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
+        for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
+            blocks_.push_back({index, first, std::min(patches - first, PatchBlock::most)});
+    }
+    is_calm_.resize(blocks_.size());
+    block_pairs_.resize(blocks_.size());
+    block_crossings_.resize(blocks_.size());
+    return groups;
+}
+
+void PairFinder::reserve(std::span<const ContactBody> bodies) {
+    const Groups needed = choose(bodies);
+    const auto [vertices, triangles, edges, neighbours] = needed;
+    const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
+    boxes_ = {no_boxes(vertices),
+              no_boxes(triangles),
+              no_boxes(edges),
+              no_boxes(blocks),
+              no_boxes(groups),
+              no_boxes((groups + 15) / 16),
+              AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
+              AlignedBuffer<std::uint8_t>(neighbours),
+              AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
+    room_ = AlignedBuffer<FeaturePair>(blocks * kept);
+    const bool looks_again = std::ranges::any_of(
+        bodies, [](const ContactBody& body) { return body.mesh->flat_rest().is_empty(); });
+    kept_ = HookedVector<KeptBlock>(looks_again ? blocks : 0);
+    kept_reach_.reserve(looks_again ? bodies.size() : 0);
+    changes_ = AlignedBuffer<PatchChange>(looks_again ? blocks * PatchBlock::most : 0);
+    beyond_ = AlignedBuffer<std::uint16_t>(looks_again ? blocks : 0);
+    crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
+    reserved_ = needed;
+    reserved_blocks_ = blocks;
+}
+
+bool PairFinder::has_room_for(std::span<const ContactBody> bodies) {
+    const Groups needed = choose(bodies);
+    return needed.vertices <= reserved_.vertices && needed.triangles <= reserved_.triangles &&
+           needed.edges <= reserved_.edges && needed.neighbours <= reserved_.neighbours &&
+           blocks_.size() <= reserved_blocks_;
+}
+
+void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
+                      std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
+                      float of_borders) {
+    choose(bodies);
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
+    place(parallel, search);
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+    });
+}
+
+bool PairFinder::can_look_again(std::span<const ContactBody> bodies) const noexcept {
+    return !kept_.empty() && std::ranges::all_of(bodies, [](const ContactBody& body) {
+        return body.mesh->flat_rest().is_empty();
+    });
+}
+
+void PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                                    std::span<const Vec4> positions, std::span<const Vec4> motions,
+                                    PairList& found, float of_borders) {
+    choose(bodies);
+    kept_reach_.clear();
+    for (const ContactBody& body : bodies) kept_reach_.push_back(body.reach);
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
+    place(parallel, search);
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
+        if (is_first) kept_[block].clear();
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs, is_first ? &kept_[block] : nullptr);
+    });
+}
+
+bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& search,
+                                     std::span<const Vec4> before) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        PatchChange* const changes = &changes_[std::size_t{block} * PatchBlock::most];
+        find_changes(search, block, before.data(), kept_reach_[blocks_[block].body], changes);
+        std::uint32_t beyond = 0;
+        for (std::uint32_t p = 0; p < blocks_[block].patch_count; ++p) {
+            if (!kept_[block].is_whole()) changes[p].is_beyond = 1;
+            beyond |= changes[p].is_beyond << p;
+        }
+        beyond_[block] = static_cast<std::uint16_t>(beyond);
+    });
+    return std::ranges::any_of(beyond_.span().first(blocks), [](std::uint16_t bits) { return bits != 0; });
+}
+
+void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                            std::span<const Vec4> positions, std::span<const Vec4> motions,
+                            std::span<const Vec4> before, PairList& found) {
+    choose(bodies);
+    PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data()};
+    if (find_patches_beyond(parallel, search, before)) {
+        search.only = beyond_.data();
+        place(parallel, search);
+    }
+    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
+        find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
+    });
+}
+
+template <class FindBlock>
+void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found,
+                      const FindBlock& find_block) {
+    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()), find_block);
+    number(found);
+    parallel.blocks(static_cast<std::uint32_t>(blocks_.size()),
+                    [&](std::uint32_t block) { write(positions, block, found, find_block); });
+}
+
+template <class FindBlock>
+void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    std::ranges::fill(block_pairs_, BlockPairs{});
+    std::uint64_t count = 0;
+    for (std::uint32_t first = 0; first < blocks && count <= capacity; first += blocks_at_a_time) {
+        const std::uint32_t here = std::min(blocks_at_a_time, blocks - first);
+        parallel.blocks(here, [&](std::uint32_t k) {
+            const std::uint32_t block = first + k;
+            FoundPairs pairs = room_of(block);
+            pairs.vertex_triangle.enough = pairs.edge_edge.enough = capacity + 1;
+            find_block(block, pairs, true);
+            block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
+        });
+        for (const BlockPairs& block : std::span(block_pairs_).subspan(first, here))
+            count += block.vertex_triangle + block.edge_edge;
+    }
+}
+
+void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
+                                std::span<const Vec4> positions, CrossingList& found) {
+    choose(bodies);
+    for (SearchedBody& body : bodies_) body.reach = 0;
+    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), nullptr};
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    const auto room_of_block = [&](std::uint32_t block) {
+        return crossing_room_.span().subspan(std::size_t{block} * kept_crossings, kept_crossings);
+    };
+    place(parallel, search);
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        Found<Crossing> crossings{room_of_block(block)};
+        if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
+        block_crossings_[block] = crossings.count;
+    });
+
+    std::uint64_t count = 0;
+    for (std::uint32_t block = 0; block < blocks; ++block) {  // few: most blocks have none
+        const std::span<Crossing> to = part_of(found.crossings.span(), count, block_crossings_[block]);
+        count += block_crossings_[block];
+        Found<Crossing> again{to};
+        if (block_crossings_[block] > kept_crossings)
+            weft::find_crossings(search, block, again);
+        else
+            std::copy_n(room_of_block(block).begin(), to.size(), to.begin());
+    }
+    found.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(count, found.capacity()));
+    found.overflowed = count > found.capacity();
+}
+
+void PairFinder::place(Parallel& parallel, const PairSearch& search) {
+    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        set_box(boxes_.blocks[block / 16], block % 16, place_patches(search, block, boxes_));
+    });
+    // Behind the last box nothing is, though a search of more bodies may have left something there.
+    const std::uint32_t groups = (blocks + 15) / 16;
+    for (std::uint32_t k = blocks; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
+    for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
+        set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
+    parallel.blocks(
+        blocks, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
+    if (std::ranges::all_of(is_calm_, [](std::uint8_t calm) { return calm == 1; })) return;
+    parallel.blocks(blocks, [&](std::uint32_t block) { place_features(search, block, boxes_); });
+}
+
+FoundPairs PairFinder::room_of(std::uint32_t block) {
+    const std::span<FeaturePair> room = room_.span().subspan(std::size_t{block} * kept, kept);
+    return {{room.first(kept_vertex_triangle)}, {room.subspan(kept_vertex_triangle)}};
+}
+
+void PairFinder::number(PairList& found) {
+    std::uint64_t count = 0;
+    const auto take = [&](std::uint32_t pairs) {
+        const std::uint64_t first = std::min<std::uint64_t>(count, found.capacity());
+        count += pairs;
+        return static_cast<std::uint32_t>(first);
+    };
+    for (BlockPairs& block : block_pairs_) block.first_vertex_triangle = take(block.vertex_triangle);
+    found.vertex_triangle = take(0);
+    for (BlockPairs& block : block_pairs_) block.first_edge_edge = take(block.edge_edge);
+    found.size = take(0);
+    found.overflowed = count > found.capacity();
+    found.dropped = count - found.size;
+}
+
+template <class FindBlock>
+void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& found,
+                       const FindBlock& find_block) {
+    const BlockPairs& here = block_pairs_[block];
+    const std::span<FeaturePair> vertex_triangle =
+        part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
+    const std::span<FeaturePair> edge_edge =
+        part_of(found.pairs.span(), here.first_edge_edge, here.edge_edge);
+    if (here.vertex_triangle > kept_vertex_triangle || here.edge_edge > kept_edge_edge) {
+        FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
+                         {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
+        find_block(block, pairs, false);
+    } else {
+        const FoundPairs pairs = room_of(block);
+        std::copy_n(pairs.vertex_triangle.room.begin(), vertex_triangle.size(), vertex_triangle.begin());
+        std::copy_n(pairs.edge_edge.room.begin(), edge_edge.size(), edge_edge.begin());
+    }
+    shape_pairs(positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
+    shape_pairs(positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
+}
+
+std::size_t PairFinder::bytes() const noexcept {
+    return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) +
+           boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) +
+           kept_.capacity() * sizeof(KeptBlock) + kept_reach_.capacity() * sizeof(float) + changes_.bytes() +
+           beyond_.bytes() + crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) +
+           is_calm_.capacity();
+}
+
+}  // namespace weft

@@ -1,0 +1,116 @@
+#pragma once
+// Detection: which features of bodies of triangles are near, or are brought together by a motion.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/contact/crossings/crossings.h"
+#include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/pairs/pair_kernels.h"
+#include "collision/contact/pairs/pairs.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/hooked_vector.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+/// A body in a search: a mesh, and where its particles are among all bodies'.
+struct ContactBody {
+    const ContactMesh* mesh;
+    std::uint32_t first;       ///< its first particle among all bodies'
+    float reach;               ///< [m]; a pair of two bodies has the mean of theirs
+    std::uint32_t layer = 1;   ///< bits: which layers it is in
+    std::uint32_t mask = ~0u;  ///< bits: which layers it meets; two bodies meet if both masks allow it
+    bool meets_itself = true;
+};
+
+class PairFinder {
+  public:
+    /// Takes the memory that searches of these bodies need, or of a part of them, whatever their reach and
+    /// positions.
+    void reserve(std::span<const ContactBody> bodies);
+    /// Whether what is reserved does for these, too. May throw.
+    [[nodiscard]] bool has_room_for(std::span<const ContactBody> bodies);
+
+    /// Lists every pair of features that share no vertex, of bodies that may meet, with
+    ///     min over A of min(n . x, n . (x + m)) - max over B of max(n . x, n . (x + m)) < reach,
+    /// n being the normal of the pair's closest points at x: those that can come nearer than reach, if each
+    /// particle goes any part of its own motion m. Of pairs whose closest points are at a border
+    /// (PairShape::is_at_border) the reach is the part `of_borders`. positions[i].w is ignored. Both spans
+    /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
+    /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
+    ///
+    /// Precondition: the bodies' meshes are among those of the last reserve(), or of has_room_for() since.
+    void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+              std::span<const Vec4> motions, PairList& found, float of_borders = 1);
+
+    /// Whether find_to_look_again() keeps anything of these: of meshes without FlatRest, which many pairs of
+    /// patches are looked at of. Otherwise find() it is, and none may be looked at again.
+    [[nodiscard]] bool can_look_again(std::span<const ContactBody> bodies) const noexcept;
+
+    /// find(), and keeps what it looked at until the next such search.
+    void find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+                            std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
+                            float of_borders);
+
+    /// find() with other motions and another reach, but of the same bodies at the same positions as the last
+    /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order. Where
+    /// features stay within the boxes they had, it looks among what was kept.
+    ///
+    /// Preconditions: can_look_again(bodies); that list did not overflow, and no reach was less than it is
+    /// now.
+    void find_again(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+                    std::span<const Vec4> motions, std::span<const Vec4> before, PairList& found);
+
+    /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
+    /// edge's ends are on different sides of the triangle's plane, and the line through them meets the
+    /// triangle. An edge in the plane crosses nothing. Otherwise as find().
+    void find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
+                        std::span<const Vec4> positions, CrossingList& found);
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// How many pairs a block has, and where its first ones go in the list.
+    struct BlockPairs {
+        std::uint32_t vertex_triangle, edge_edge;
+        std::uint32_t first_vertex_triangle, first_edge_edge;
+    };
+
+    /// How many groups of sixteen the slots of each kind take, and how many neighbours patches have.
+    struct Groups {
+        std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
+    };
+    Groups choose(std::span<const ContactBody> bodies);
+    Groups reserved_;
+    std::size_t reserved_blocks_ = 0;
+    void place(Parallel& parallel, const PairSearch& search);
+    [[nodiscard]] FoundPairs room_of(std::uint32_t block);
+    /// find_block(block, pairs, is_first) finds those of a block; once more where it has many.
+    template <class FindBlock>
+    void list(Parallel& parallel, const Vec4* positions, PairList& found, const FindBlock& find_block);
+    template <class FindBlock>
+    void count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block);
+    void number(PairList& found);
+    template <class FindBlock>
+    void write(const Vec4* positions, std::uint32_t block, PairList& found, const FindBlock& find_block);
+    /// Returns whether any patch goes beyond.
+    bool find_patches_beyond(Parallel& parallel, const PairSearch& search, std::span<const Vec4> before);
+
+    std::vector<SearchedBody> bodies_;
+    std::vector<PatchBlock> blocks_;
+    std::vector<std::uint8_t> is_calm_;  // by block: nothing to look at
+    FeatureBoxes boxes_;
+    AlignedBuffer<FeaturePair> room_;  // for the pairs of each block, until all are counted
+    std::vector<BlockPairs> block_pairs_;
+    AlignedBuffer<Crossing> crossing_room_;
+    std::vector<std::uint32_t> block_crossings_;
+
+    HookedVector<KeptBlock> kept_;         // by block
+    std::vector<float> kept_reach_;        // by body
+    AlignedBuffer<PatchChange> changes_;   // of patches, sixteen to each block
+    AlignedBuffer<std::uint16_t> beyond_;  // by block: see PairSearch::only
+};
+
+}  // namespace weft

@@ -1,0 +1,345 @@
+#include "collision/contact/pairs/pair_kernels.h"
+
+#include <algorithm>
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/contact/pairs/pair_kernels.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "collision/contact/pairs/candidates-inl.h"
+#include "collision/contact/pairs/near_slots-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// PairShape::is_at_border.
+template <std::uint32_t of_a>
+HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
+    const auto in_triangle = hn::Or(hn::Eq(w.y, set(0)), hn::Or(hn::Eq(w.z, set(0)), hn::Eq(w.w, set(0))));
+    return of_a == vertex_and_triangle ? in_triangle : hn::Or(in_triangle, hn::Eq(w.x, set(0)));
+}
+
+/// How far searches look for pairs of two bodies' features: the mean of the bodies' reaches, and the halves
+/// of these by which boxes are grown.
+struct PairReach {
+    float mean = 0, half_of_a = 0, half_of_b = 0;
+
+    PairReach() = default;
+    PairReach(const SearchedBody& a, const SearchedBody& b)
+        : mean(0.5f * (a.reach + b.reach)), half_of_a(half_reach_of(a)), half_of_b(half_reach_of(b)) {}
+    bool operator==(const PairReach&) const = default;
+};
+
+/// Whether the boxes overlap, of those candidates from `first` on that are listed.
+template <std::uint32_t of_a>
+HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairReach& reach,
+                                         const Candidates& of, std::uint32_t first) {
+    return overlap(placed_box(search, of.corners, 0, of_a, first, reach.half_of_a),
+                   placed_box(search, of.corners, of_a, 4, first, reach.half_of_b));
+}
+
+/// Adds the candidates from `first` on, as many as a register has lanes.
+HWY_INLINE void keep(const Candidates& of, std::uint32_t first, Lanes gaps, KeptCandidates& kept) {
+    const std::uint32_t count = std::min(part_lanes, of.count - first);
+    if (kept.count + count > KeptCandidates::most) {
+        kept.count = KeptCandidates::most + 1;
+        return;
+    }
+    for (std::uint32_t c = 0; c < 4; ++c)
+        hn::StoreU(hn::LoadU(IndexTag(), of.corners[c] + first), IndexTag(), kept.corners[c] + kept.count);
+    hn::StoreU(gaps, Tag(), kept.gaps + kept.count);
+    kept.count += count;
+}
+
+/// Passes on, of the candidates, those that come within reach; keeps all, unless `kept` is null.
+template <std::uint32_t of_a>
+HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
+                                  Found<FeaturePair>& found, KeptCandidates* kept) {
+    if (found.has_enough()) candidates.count = 0;
+    if (candidates.count == 0) return;
+    pad(candidates);
+    for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
+        const ShapeLanes shape =
+            shape_of<of_a>(gather_corners(search.positions, search.motions, candidates, k));
+        if (kept != nullptr) keep(candidates, k, shape.gap, *kept);
+        const Lanes within = hn::IfThenElse(is_at_border<of_a>(shape.weights),
+                                            set(reach.mean * search.of_borders), set(reach.mean));
+        auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
+        // What is within reach now has boxes that overlap.
+        const auto unsure = hn::AndNot(hn::Lt(shape.gap, set(0.999f * reach.mean)), listed);
+        if (!hn::AllFalse(Tag(), unsure))
+            listed = hn::And(listed, boxes_overlap<of_a>(search, reach, candidates, k));
+        for (std::uint32_t rest = bits_of(listed); rest != 0; rest &= rest - 1) {
+            const auto i = k + static_cast<std::uint32_t>(std::countr_zero(rest));
+            const auto& c = candidates.corners;
+            found.add({{c[0][i], c[1][i], c[2][i], c[3][i]}});
+        }
+    }
+    candidates.count = 0;
+}
+
+/// A feature, and which of some others that follow one another may have boxes that overlap its own. No branch
+/// depends on how boxes lie: none could foresee that.
+struct BoxHits {
+    struct Hit {
+        std::uint8_t a, b;    ///< the feature, the first of the others
+        std::uint16_t lanes;  ///< a bit for each
+    };
+    static constexpr std::uint32_t most = ContactPatch::most_edges;
+    static_assert(most >= ContactPatch::most_triangles && most <= 256);
+
+    Hit list[most * (most + group_lanes) / part_lanes];
+
+    /// Returns how many; `is_same`: each pair of one set, once.
+    template <class SlotsA, class SlotsB>
+    HWY_INLINE std::uint32_t find(const SlotsA& a, const SlotsB& b, bool is_same) {
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < a.count; ++i) {
+            const CoarseBox box(a, i);
+            const std::uint32_t after = is_same ? i + 1 : 0;
+            for (std::uint32_t k = after / part_lanes * part_lanes; k < b.count; k += part_lanes) {
+                const std::uint32_t lanes =
+                    bits_of<IndexTag>(box.may_overlap(b, k)) & ~0u << (std::max(after, k) - k);
+                list[count] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(k),
+                               static_cast<std::uint16_t>(lanes)};
+                count += lanes != 0 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+};
+
+HWY_INLINE IndexMask mask_of(std::uint16_t bits) {
+    std::uint8_t bytes[8] = {};
+    std::memcpy(bytes, &bits, sizeof bits);
+    return hn::LoadMaskBits(IndexTag(), bytes);
+}
+
+/// Gathers candidates, and tests them whenever there are many.
+struct PairCollector {
+    const PairSearch& search;
+    FoundPairs& found;
+    KeptBlock* kept;
+    PairReach reach;  // of the candidates
+    Candidates vertex_triangle, edge_edge;
+    NearVertices vertices;
+    NearTriangles triangles;
+    NearEdges edges, other_edges;
+    BoxHits hits;
+
+    HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f, KeptBlock* k)
+        : search(s), found(f), kept(k) {
+        if (kept != nullptr) kept->clear();
+    }
+
+    HWY_INLINE void test_vertex_triangle() {
+        test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle,
+                                             kept != nullptr ? &kept->vertex_triangle : nullptr);
+    }
+    HWY_INLINE void test_edge_edge() {
+        test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge,
+                                       kept != nullptr ? &kept->edge_edge : nullptr);
+    }
+    void test_all() {
+        test_vertex_triangle();
+        test_edge_edge();
+    }
+
+    HWY_INLINE void pair_vertices_with_triangles() {
+        if (found.vertex_triangle.has_enough()) return;
+        const IndexTag d;
+        const std::uint32_t count = hits.find(vertices, triangles, false);
+        for (std::uint32_t h = 0; h < count; ++h) {
+            const BoxHits::Hit hit = hits.list[h];
+            const Indices vertex = set_index(vertices.corners[0][hit.a]);
+            Indices corner[3];
+            for (std::uint32_t c = 0; c < 3; ++c) corner[c] = hn::Load(d, triangles.corners[c] + hit.b);
+            const auto shared = hn::Or(hn::Eq(vertex, corner[0]),
+                                       hn::Or(hn::Eq(vertex, corner[1]), hn::Eq(vertex, corner[2])));
+            append<vertex_and_triangle>(vertex_triangle, hn::AndNot(shared, mask_of(hit.lanes)),
+                                        {vertex, corner[0], corner[1], corner[2]});
+            if (HWY_UNLIKELY(vertex_triangle.count >= Candidates::full)) test_vertex_triangle();
+        }
+    }
+
+    HWY_INLINE void pair_edges(const NearEdges& a, const NearEdges& b, bool is_same) {
+        if (found.edge_edge.has_enough()) return;
+        const IndexTag d;
+        const std::uint32_t count = hits.find(a, b, is_same);
+        for (std::uint32_t h = 0; h < count; ++h) {
+            const BoxHits::Hit hit = hits.list[h];
+            const Indices a0 = set_index(a.corners[0][hit.a]), a1 = set_index(a.corners[1][hit.a]);
+            const Indices b0 = hn::Load(d, b.corners[0] + hit.b), b1 = hn::Load(d, b.corners[1] + hit.b);
+            const auto shared =
+                hn::Or(hn::Or(hn::Eq(a0, b0), hn::Eq(a0, b1)), hn::Or(hn::Eq(a1, b0), hn::Eq(a1, b1)));
+            append<edge_and_edge>(edge_edge, hn::AndNot(shared, mask_of(hit.lanes)), {a0, a1, b0, b1});
+            if (HWY_UNLIKELY(edge_edge.count >= Candidates::full)) test_edge_edge();
+        }
+    }
+
+    HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
+        pair(a, b, is_same);
+        if (kept != nullptr) close(a, b);
+    }
+
+    /// What a search before kept of these patches, `too_far` apart before any motion at most.
+    HWY_INLINE void look_again(const KeptCandidates& before, std::uint32_t first, std::uint32_t end,
+                               float too_far, Candidates& to) {
+        const IndexTag d;
+        for (std::uint32_t k = first; k < end; k += part_lanes) {
+            const auto far = hn::Gt(hn::LoadU(Tag(), before.gaps + k), set(too_far));
+            const auto near = hn::AndNot(far, hn::FirstN(Tag(), end - k));
+            if (hn::AllFalse(Tag(), near)) continue;
+            const Kept of_these(hn::RebindMask(d, near));
+            for (std::uint32_t c = 0; c < 4; ++c)
+                hn::StoreU(of_these.of(hn::LoadU(d, before.corners[c] + k)), d, to.corners[c] + to.count);
+            to.count += of_these.count();
+            if (HWY_UNLIKELY(to.count >= Candidates::full)) test_all();
+        }
+    }
+
+    /// The next candidates are features of a and of b.
+    HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
+        const PairReach next(a, b);
+        if (next == reach) return;
+        test_all();
+        reach = next;
+    }
+
+  private:
+    HWY_INLINE void pair(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
+        if (found.vertex_triangle.has_enough() && found.edge_edge.has_enough()) return;
+        const FeatureBoxes& boxes = *search.boxes;
+        const CoarsePlaces places(a.box, b.box);
+        look_for(a.body, b.body);
+        a.select(boxes, b.box, places, vertices);
+        if (vertices.count > 0) {
+            b.select(boxes, a.box, places, triangles);
+            pair_vertices_with_triangles();
+        }
+        a.select(boxes, b.box, places, edges);
+        if (edges.count > 0) {
+            if (!is_same) b.select(boxes, a.box, places, other_edges);
+            pair_edges(edges, is_same ? edges : other_edges, is_same);
+        }
+        if (is_same) return;
+        look_for(b.body, a.body);
+        b.select(boxes, a.box, places, vertices);
+        if (vertices.count > 0) {
+            a.select(boxes, b.box, places, triangles);
+            pair_vertices_with_triangles();
+        }
+    }
+
+    /// All candidates of these patches have been found.
+    HWY_INLINE void close(const SearchedPatch& a, const SearchedPatch& b) {
+        const std::uint32_t vertex_triangles = kept->vertex_triangle.count + vertex_triangle.count;
+        const std::uint32_t edge_edges = kept->edge_edge.count + edge_edge.count;
+        std::uint32_t& count = kept->pairs_of_patches;
+        if (count < KeptBlock::most_pairs_of_patches)
+            kept->patches[count] = {number_of(a), number_of(b), vertex_triangles, edge_edges};
+        ++count;
+    }
+    static std::uint32_t number_of(const SearchedPatch& patch) {
+        return PatchBlock::most * patch.body.first_block + patch.number;
+    }
+
+    /// The first `of_a` corners are the same in all lanes.
+    template <std::uint32_t of_a>
+    HWY_INLINE static void append(Candidates& to, IndexMask near, const Indices (&corners)[4]) {
+        const IndexTag d;
+        const Kept kept(near);
+        for (std::uint32_t c = 0; c < 4; ++c)
+            hn::StoreU(c < of_a ? corners[c] : kept.of(corners[c]), d, to.corners[c] + to.count);
+        to.count += kept.count();
+    }
+};
+
+HWY_INLINE void visit_near_patches(const PairSearch& search, std::uint32_t block, PairCollector& collector) {
+    for_each_near_patch(search, block,
+                        [&](const SearchedPatch& a, const SearchedPatch& b, bool is_same)
+                            HWY_ATTR { collector.visit(a, b, is_same); });
+}
+
+void find(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+    PairCollector collector(search, found, kept);
+    visit_near_patches(search, block, collector);
+    collector.test_all();
+}
+
+void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
+                const PatchChange* changes, FoundPairs& found) {
+    constexpr float with_rounding = 1.001f;
+    PairCollector collector(search, found, nullptr);
+    KeptBlock::OfPatches from{};
+    const std::uint32_t count = kept.is_whole() ? kept.pairs_of_patches : 0;
+    for (const KeptBlock::OfPatches& patches : std::span(kept.patches).first(count)) {
+        const PatchChange &a = changes[patches.a], &b = changes[patches.b];
+        if ((a.is_beyond | b.is_beyond) == 0) {
+            const auto body_of = [&](std::uint32_t patch) -> const SearchedBody& {
+                return search.bodies[search.blocks[patch / PatchBlock::most].body];
+            };
+            collector.look_for(body_of(patches.a), body_of(patches.b));
+            const float too_far = with_rounding * (collector.reach.mean + a.longest + b.longest);
+            collector.look_again(kept.vertex_triangle, from.end_of_vertex_triangle,
+                                 patches.end_of_vertex_triangle, too_far, collector.vertex_triangle);
+            collector.look_again(kept.edge_edge, from.end_of_edge_edge, patches.end_of_edge_edge, too_far,
+                                 collector.edge_edge);
+        }
+        from = patches;
+    }
+    if (search.only != nullptr) visit_near_patches(search, block, collector);
+    collector.test_all();
+}
+
+template <std::uint32_t of_a>
+HWY_INLINE void shape(const Vec4* positions, std::span<const FeaturePair> pairs, PairShape* shapes) {
+    Candidates batch;
+    alignas(64) Vec4 weights[group_lanes], normals[group_lanes];
+    for (std::uint32_t k = 0; k < pairs.size(); k += part_lanes) {
+        batch.count = std::min(part_lanes, static_cast<std::uint32_t>(pairs.size()) - k);
+        for (std::uint32_t i = 0; i < batch.count; ++i)
+            for (std::uint32_t c = 0; c < 4; ++c) batch.corners[c][i] = pairs[k + i].corners[c];
+        pad(batch);
+        const ShapeLanes lanes = shape_of<of_a>(gather_corners(positions, nullptr, batch, 0));
+        store_rows(xyz(lanes.weights), lanes.weights.w, weights);
+        store_rows(lanes.normal, lanes.gap, normals);
+        for (std::uint32_t i = 0; i < batch.count; ++i) shapes[k + i] = {weights[i], normals[i]};
+    }
+}
+
+void shapes(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs, PairShape* to) {
+    vertex_triangle ? shape<vertex_and_triangle>(positions, pairs, to)
+                    : shape<edge_and_edge>(positions, pairs, to);
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace weft {
+
+HWY_EXPORT(find);
+HWY_EXPORT(find_again);
+HWY_EXPORT(shapes);
+
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+    HWY_DYNAMIC_DISPATCH(find)(search, block, found, kept);
+}
+
+void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
+                      const PatchChange* changes, FoundPairs& found) {
+    HWY_DYNAMIC_DISPATCH(find_again)(search, block, kept, changes, found);
+}
+
+void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
+                 PairShape* to) {
+    HWY_DYNAMIC_DISPATCH(shapes)(positions, vertex_triangle, pairs, to);
+}
+
+}  // namespace weft
+#endif

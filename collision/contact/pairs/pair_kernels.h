@@ -1,0 +1,169 @@
+#pragma once
+// Boxes of features, and the pairs of near ones, many at a time; compiled once for each kind of machine. See
+// pair_finder.h.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/crossings/crossings.h"
+#include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/pairs/pairs.h"
+#include "collision/search/patch_kernels.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Whether two bodies meet: each one's mask has a bit of the other's layers.
+constexpr bool masks_allow(std::uint32_t layers_a, std::uint32_t mask_a, std::uint32_t layers_b,
+                           std::uint32_t mask_b) {
+    return (mask_a & layers_b) != 0 && (mask_b & layers_a) != 0;
+}
+
+/// A body as searches see it.
+struct SearchedBody {
+    const ContactMesh* mesh;
+    std::uint32_t first;  ///< its first particle
+    float reach;          ///< [m]
+    std::uint32_t layer, mask;
+    bool meets_itself;
+    /// Where the boxes of its vertices, triangles and edges begin.
+    std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
+    std::uint32_t first_block;
+    std::uint32_t first_neighbours;  ///< of its FlatRest's pairs
+};
+/// By which boxes of its features are grown [m].
+constexpr float half_reach_of(const SearchedBody& body) {
+    return 0.5f * body.reach * (1 + 1e-6f);
+}
+
+/// Up to sixteen patches of a body: what a thread searches at a time.
+struct PatchBlock {
+    static constexpr std::uint32_t most = 16;
+
+    std::uint32_t body, first_patch, patch_count;
+};
+
+/// Boxes over the motion, grown by half the body's reach: two that overlap are within the mean of both.
+struct FeatureBoxes {
+    AlignedBuffer<Boxes> vertices, triangles, edges;  ///< as the meshes' slots
+    /// Of patches, sixteen to each block, of blocks, and of groups of sixteen blocks.
+    AlignedBuffer<Boxes> patches, blocks, groups;
+    AlignedBuffer<PatchStrain> strains;  ///< of patches, sixteen to each block
+    /// Of pairs of neighbours: 1 where no features of theirs come within reach.
+    AlignedBuffer<std::uint8_t> calm;
+    /// Of patches: 1 where the boxes of the features are filled, as others come near them.
+    AlignedBuffer<std::uint8_t> wanted;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return vertices.bytes() + triangles.bytes() + edges.bytes() + patches.bytes() + blocks.bytes() +
+               groups.bytes() + strains.bytes() + calm.bytes() + wanted.bytes();
+    }
+};
+
+/// What a search reads. `motions` is null where nothing moves.
+struct PairSearch {
+    std::span<const SearchedBody> bodies;
+    std::span<const PatchBlock> blocks;
+    const FeatureBoxes* boxes;
+    const Vec4* positions;
+    const Vec4* motions;
+    float of_borders = 1;  ///< share of the reach that pairs nearest at a border have
+    /// By block: a bit for each patch; only pairs of patches are looked at of which one has its own. Null:
+    /// all.
+    const std::uint16_t* only = nullptr;
+};
+
+/// Items found, as far as there is room; `count` goes on, until there are `enough` and the search is over.
+template <class Item>
+struct Found {
+    std::span<Item> room;
+    std::uint32_t enough = ~0u;
+    std::uint32_t count = 0;
+
+    [[nodiscard]] bool has_enough() const { return count >= enough; }
+
+    void add(const Item& item) {
+        if (count < room.size()) room[count] = item;
+        ++count;
+    }
+};
+
+struct FoundPairs {
+    Found<FeaturePair> vertex_triangle, edge_edge;
+};
+
+/// Pairs of features of one kind whose boxes overlapped in a search.
+struct KeptCandidates {
+    static constexpr std::uint32_t most = 4096, room = most + 16;
+
+    std::uint32_t corners[4][room];
+    float gaps[room];     ///< along their normals, before any motion [m]
+    std::uint32_t count;  ///< above `most` where there was no room for more
+};
+
+/// All of a block's, those of two patches one after the other.
+struct KeptBlock {
+    struct OfPatches {
+        std::uint32_t a, b;  ///< sixteen to each block of bodies
+        std::uint32_t end_of_vertex_triangle, end_of_edge_edge;
+    };
+    static constexpr std::uint32_t most_pairs_of_patches = 768;
+
+    KeptCandidates vertex_triangle, edge_edge;
+    OfPatches patches[most_pairs_of_patches];
+    std::uint32_t pairs_of_patches;  ///< likewise
+
+    void clear() noexcept { vertex_triangle.count = edge_edge.count = pairs_of_patches = 0; }
+    [[nodiscard]] bool is_whole() const noexcept {
+        return vertex_triangle.count <= KeptCandidates::most && edge_edge.count <= KeptCandidates::most &&
+               pairs_of_patches <= most_pairs_of_patches;
+    }
+};
+
+/// How patches go, beside how they went in a search before.
+struct PatchChange {
+    float longest;            ///< motion [m]
+    std::uint32_t is_beyond;  ///< 1: boxes of features may not be within those of that search
+};
+
+/// Fills the boxes and strains of a block's patches, wants none of their features, and returns its own box.
+/// Features that are not finite, now or after their motion, are in no box.
+Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Finds which neighbours are calm, of a block's patches and those after them, and wants the features of the
+/// patches that are to be looked at, of the block and of those after it; false if there are none.
+bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Fills the boxes of a block's wanted features.
+void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// The pairs of a block with itself and with the blocks after it; `kept`, unless null, gets all that was
+/// looked at.
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept = nullptr);
+
+/// Likewise, of what a search before looked at, and `search.only` besides.
+void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
+                      const PatchChange* changes, FoundPairs& found);
+
+/// Of a block's patches; `before`: the motions of the search before, `reach` its reach.
+void find_changes(const PairSearch& search, std::uint32_t block, const Vec4* before, float reach,
+                  PatchChange* changes);
+
+/// The edges and triangles that cross, of a block with itself and with the blocks after it.
+void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found);
+
+/// Shapes of pairs of one kind; `vertex_triangle`: of which.
+void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
+                 PairShape* shapes);
+
+/// What is left of a list: see PairNarrowing::narrow.
+struct PairNarrow {
+    const Vec4* positions;
+    const Vec4* motions;
+    float reach, longest;
+};
+/// Moves the pairs that are left, and their shapes, to the front; returns how many.
+std::uint32_t narrow_pairs(const PairNarrow& narrow, bool vertex_triangle, std::span<FeaturePair> pairs,
+                           PairShape* shapes);
+
+}  // namespace weft

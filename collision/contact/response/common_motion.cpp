@@ -1,0 +1,146 @@
+#include "collision/contact/response/common_motion.h"
+
+#include <cmath>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace weft {
+
+namespace {
+
+using Vector3d = Eigen::Vector3d;
+using Matrix3d = Eigen::Matrix3d;
+using Decomposition = Eigen::JacobiSVD<Matrix3d>;
+
+// Share of the mean square extent that is added in every direction: a sheet of 1 m then follows the rigid
+// motion across layers that are less than 0.1 mm thick in all, and its own where they are thicker.
+constexpr double regularisation = 1e-8;
+
+// Below this share of the largest, a sum of singular values leaves the rotation about an axis open.
+constexpr double no_extent = 1e-6;
+
+bool is_finite(const Vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The first finite position, about which sums are taken: far from the origin they would lose the extents.
+Vec4 point_near(std::span<const ParticleRange> island, std::span<const Vec4> positions) {
+    for (const ParticleRange& range : island) {
+        for (const Vec4& x : positions.subspan(range.first, range.count)) {
+            if (is_finite(x)) return x;
+        }
+    }
+    return {};
+}
+
+/// The rotation nearest to a covariance of places after and before (Kabsch, 1976), or false where a whole
+/// family of them is equally near.
+bool nearest_rotation(const Matrix3d& covariance, Matrix3d& rotation) {
+    const Decomposition svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Vector3d s = svd.singularValues();
+    const double side = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+    if (!(s[1] + side * s[2] > no_extent * s[0])) return false;
+    rotation = svd.matrixU() * Vector3d(1, 1, side).asDiagonal() * svd.matrixV().transpose();
+    return true;
+}
+
+bool keeps_its_orientation_well(const Matrix3d& map) {
+    if (!map.allFinite()) return false;
+    const Vector3d s = Decomposition(map).singularValues();
+    return map.determinant() > 0 && s[2] >= CommonMotionFit::least_scale &&
+           s[0] <= CommonMotionFit::most_scale;
+}
+
+void set_map(CommonMotion& motion, const Matrix3d& map, CommonMotionKind kind) {
+    motion.linear = (map - Matrix3d::Identity()).cast<float>();
+    motion.inverse = map.inverse().cast<float>();
+    motion.kind = kind;
+}
+
+}  // namespace
+
+void CommonMotionFit::reserve(std::size_t particles, std::size_t ranges) {
+    partials_ = AlignedBuffer<Moments>(block_count(static_cast<std::uint32_t>(particles)) + ranges);
+}
+
+CommonMotionFit::Moments CommonMotionFit::add(const Moments& a, const Moments& b) {
+    Moments sum = a;
+    sum.count += b.count;
+    for (int i = 0; i < 3; ++i) {
+        sum.u[i] += b.u[i];
+        sum.v[i] += b.v[i];
+        for (int j = 0; j < 3; ++j) {
+            sum.uu[i][j] += b.uu[i][j];
+            sum.vu[i][j] += b.vu[i][j];
+        }
+    }
+    return sum;
+}
+
+CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRange> island,
+                                  std::span<const Vec4> positions, std::span<const Vec4> displacements,
+                                  CommonMotionKind most) {
+    const Vec4 near = point_near(island, positions);
+    const auto sum_block = [&](const BlockRange& block) {
+        Moments sum;
+        for (std::uint32_t p = block.begin; p < block.end; ++p) {
+            const Vec4 &x = positions[p], &d = displacements[p];
+            if (!is_finite(x) || !is_finite(d)) continue;
+            const double u[3] = {double{x.x} - double{near.x}, double{x.y} - double{near.y},
+                                 double{x.z} - double{near.z}};
+            const double v[3] = {double{d.x}, double{d.y}, double{d.z}};
+            sum.count += 1;
+            for (int i = 0; i < 3; ++i) {
+                sum.u[i] += u[i];
+                sum.v[i] += v[i];
+                for (int j = 0; j < 3; ++j) {
+                    sum.uu[i][j] += u[i] * u[j];
+                    sum.vu[i][j] += v[i] * u[j];
+                }
+            }
+        }
+        return sum;
+    };
+    const Moments sums = reduce_ranges(parallel, island, partials_.span(), Moments{}, sum_block, add);
+
+    CommonMotion motion;
+    if (sums.count == 0) return motion;
+    const Vector3d u = Vector3d(sums.u) / sums.count, v = Vector3d(sums.v) / sums.count;
+    motion.kind = CommonMotionKind::translation;
+    motion.centre = (u + xyz(near).cast<double>()).cast<float>();
+    motion.translation = v.cast<float>();
+    if (!motion.centre.allFinite() || !motion.translation.allFinite()) return {};
+
+    Matrix3d extents, changes;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            extents(i, j) = sums.uu[i][j] / sums.count - u[i] * u[j];
+            changes(i, j) = sums.vu[i][j] / sums.count - v[i] * u[j];
+        }
+    }
+    Matrix3d rotation;
+    if (!extents.allFinite() || !changes.allFinite()) return motion;
+    if (!nearest_rotation(extents + changes, rotation)) return motion;
+    const double added = regularisation * extents.trace();
+    const Matrix3d map =
+        (extents + changes + added * rotation) * (extents + added * Matrix3d::Identity()).inverse();
+    if (most == CommonMotionKind::affine && keeps_its_orientation_well(map)) {
+        set_map(motion, map, CommonMotionKind::affine);
+    } else {
+        set_map(motion, rotation, CommonMotionKind::rigid);
+    }
+    return motion;
+}
+
+void take_out(Parallel& parallel, const CommonMotion& common, std::span<const ParticleRange> island,
+              std::span<const Vec4> positions, std::span<const Vec4> displacements,
+              std::span<Vec4> relative) {
+    for_ranges(parallel, island, [&](const BlockRange& block) {
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const Vector3 left = xyz(displacements[i]) - common.of(xyz(positions[i]));
+            set_xyz(relative[i], common.inverse * left);
+        }
+    });
+}
+
+}  // namespace weft

@@ -1,0 +1,111 @@
+#pragma once
+// Why nothing of a calm sheet touches itself, without a look at its features.
+//
+// Let X be where points of a sheet lie in a chart, a plane in which its triangles lie side by side and fill a
+// convex region, and x where they are in space. On each triangle x is affine, with gradient F = dx/dX. Let R
+// take the chart into space without stretching it, and let all triangles under a convex part of the chart
+// have R w . F w >= s for every unit vector w. Then for any two points of it, with w from one to the other
+// and by the mean of F along the straight line between them,
+//     |x(u) - x(v)| >= R w . (x(u) - x(v)) >= s |X(u) - X(v)|,
+// and features that share no vertex are apart in the chart by the least altitude of the triangles around
+// their corners: the line from a corner to what is not of its triangles leaves these across the side that
+// faces it. So they are apart in space by s times that. Cloth may turn by some 130 degrees until it is not.
+//
+// Of each patch are known a frame Q, the least of Q w . F w, c, and the most that F w has across Q w, p.
+// Where R w . Q w >= k >= 0 and c >= 0,
+//     R w . F w >= k c - sqrt(1 - k^2) p,
+// since what R w has across Q w is no longer than sqrt(1 - k^2).
+//
+// Over a motion: the normal n of closest points keeps a pair apart by their distance. What a part of the
+// motion takes off is at most n . (p - q) for p and q each a particle's motion or 0, which is at most the
+// diameter of all these.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/memory/aligned_buffer.h"
+#include "weft/types.h"
+
+namespace weft {
+
+struct ContactPatch;
+template <std::uint32_t corner_count>
+struct FeatureSlots;
+
+/// A map of the chart into space that stretches nothing: x, y and z along the chart's first axis, then along
+/// its second.
+using ChartFrame = std::array<float, 6>;
+
+/// The frame nearest to a gradient; it is finite if the gradient is, and has an area.
+[[nodiscard]] ChartFrame nearest_frame(const ChartFrame& gradient) noexcept;
+
+/// How a patch's triangles lie, and the motions of its corners.
+struct PatchStrain {
+    ChartFrame frame;
+    float along;   ///< the least of w . Q^T F w; below 0: nothing is known
+    float across;  ///< the most that F w has across Q w
+    std::array<float, 3> least_motion, most_motion;
+};
+
+/// A pair of patches that lie side by side or nearly so, or one with itself.
+struct PatchNeighbours {
+    std::uint32_t other;       ///< not below the first
+    std::uint32_t begin, end;  ///< in FlatRest::covers(): the patches whose triangles lie around both
+    float height;              ///< [m] between features that share no vertex, at least
+};
+
+/// The charts of those pieces of a mesh that have one: that, seen along their mean normal at rest, are
+/// without a fold and without a hole, with a convex border. A sheet is, and so is each of several that are
+/// one mesh.
+class FlatRest {
+  public:
+    struct Features {
+        std::span<const Vec4> rest_positions;
+        std::span<const std::array<std::uint32_t, 3>> triangles;
+        std::span<const ContactPatch> patches;
+        const FeatureSlots<1>& corner_slots;
+        const FeatureSlots<3>& triangle_slots;
+    };
+
+    FlatRest() = default;
+    explicit FlatRest(const Features& features);
+
+    [[nodiscard]] bool is_empty() const noexcept { return starts_.empty(); }
+    /// Whether all triangles are within a chart.
+    [[nodiscard]] bool has_all_triangles() const noexcept;
+    /// By triangle slot, 0 outside charts: dx/dX = [x1 - x0, x2 - x0] times the matrix of rows (0, 1) and (2,
+    /// 3).
+    [[nodiscard]] const AlignedBuffer<float>& inverse(std::size_t k) const noexcept { return inverse_[k]; }
+    static constexpr std::uint32_t none = ~0u;
+    /// The number of a pair of neighbours; none if these are not, or one of them is not within a chart, where
+    /// a patch is its own neighbour. Precondition: patch <= other.
+    [[nodiscard]] std::uint32_t find(std::uint32_t patch, std::uint32_t other) const noexcept {
+        if (is_empty()) return none;
+        for (std::uint32_t k = starts_[patch]; k < starts_[patch + 1]; ++k)
+            if (neighbours_[k].other == other) return k;
+        return none;
+    }
+    /// How many pairs of neighbours there are.
+    [[nodiscard]] std::uint32_t pairs() const noexcept {
+        return static_cast<std::uint32_t>(neighbours_.size());
+    }
+    /// Sets, by pair, for those of one patch, whether all features of the two that share no vertex surely
+    /// stay farther apart than reach, while each particle goes any part of its motion. `strains` are those of
+    /// the mesh's patches.
+    void find_calm(std::uint32_t patch, float reach, const PatchStrain* strains,
+                   std::span<std::uint8_t> is_calm) const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    [[nodiscard]] bool keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, float reach,
+                                   const PatchStrain* strains) const noexcept;
+
+    std::array<AlignedBuffer<float>, 4> inverse_;
+    std::vector<std::uint32_t> starts_;  // by patch, into neighbours_
+    std::vector<PatchNeighbours> neighbours_;
+    std::vector<std::uint32_t> covers_;
+};
+
+}  // namespace weft

@@ -1,0 +1,59 @@
+#pragma once
+// What the solver wants, moved so that pairs come less near: before motion is cut, momentum is passed on.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/pairs/incidence.h"
+#include "collision/contact/pairs/pairs.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// A length for each pair [m], or one for all.
+struct PairLengths {
+    float all = 0;
+    std::span<const float> each = {};  ///< by pair; empty: all have the same
+    [[nodiscard]] float operator[](std::uint32_t pair) const noexcept {
+        return each.empty() ? all : each[pair];
+    }
+};
+
+/// Jacobi projections, weighted by mass (position based dynamics, Mueller et al. 2007, of all pairs at once).
+class PairProjection {
+  public:
+    void reserve(std::size_t particles, std::size_t pairs);
+
+    /// Up to `iterations` times: each pair whose gap after the motion, along its normal at the start, is less
+    /// than wanted, asks its corners for the impulse that would open it to that. It takes 1 / (such pairs of
+    /// its busiest corner that can move) of it: no particle goes farther than the mean of what is asked, and
+    /// both sides take the same share, so linear momentum is kept to rounding. Particles of inverse mass 0
+    /// stay as they are. Left out: pairs that are exempt (exempt[pair] != 0; may be empty) or whose
+    /// normal.w is not positive.
+    /// positions.w is the inverse mass. Displacements [m] are of the step, in and out; their w is kept.
+    /// Returns the pairs that were too near in the first iteration. A list with more pairs than reserved for
+    /// is left as it is. One with too many pairs to be complete is projected as far as it goes.
+    std::uint32_t project(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
+                          std::span<const std::uint8_t> exempt, PairLengths wanted, std::uint32_t iterations,
+                          std::span<Vec4> displacements);
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    std::uint32_t find_impulses(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
+                                std::span<const std::uint8_t> exempt, PairLengths wanted,
+                                std::span<const Vec4> displacements);
+    void share_impulses(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs);
+    void apply_impulses(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
+                        std::span<Vec4> displacements);
+
+    PairIncidence incidence_;                  // of pairs with an impulse
+    AlignedBuffer<std::uint8_t> has_impulse_;  // by pair
+    AlignedBuffer<float> impulses_;            // by pair: displacement over inverse mass [m kg]
+    AlignedBuffer<std::uint32_t> sharers_;     // by particle: pairs with an impulse
+    AlignedBuffer<std::uint32_t> block_counts_;
+};
+
+}  // namespace weft

@@ -1,0 +1,188 @@
+#include "collision/contact/response/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/vector.h"
+
+namespace weft {
+
+namespace {
+
+// Pairs that rounding brought too near are held, which can bring others too near, and so on: not for ever.
+constexpr int most_rounds_of_rounding = 3;
+
+// Of the gap that a pair must keep, as much must be left after rounding.
+constexpr float left_after_rounding = 0.5f;
+
+float gap_along(const Vector3& normal, const FeaturePair& pair, std::uint32_t corners_of_a,
+                std::span<const Vec4> positions) {
+    const Vector3 origin = xyz(positions[pair.corners[0]]);
+    float a = std::numeric_limits<float>::infinity(), b = -a;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const float value = normal.dot(xyz(positions[pair.corners[i]]) - origin);
+        if (i < corners_of_a) {
+            a = std::min(a, value);
+        } else {
+            b = std::max(b, value);
+        }
+    }
+    return a - b;
+}
+
+}  // namespace
+
+void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pairs) {
+    projection_.reserve(particles, pairs);
+    fit_.reserve(particles, bodies);
+    truncation_.reserve(particles, pairs);
+    relative_ = ends_ = AlignedBuffer<Vec4>(particles);
+    held_ = AlignedBuffer<std::uint8_t>(pairs);
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies;
+    partials_ = AlignedBuffer<Totals>(blocks);
+    momenta_ = AlignedBuffer<Momentum>(blocks);
+    failures_ = AlignedBuffer<Failures>(block_count(static_cast<std::uint32_t>(pairs)));
+}
+
+void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+                    CommonMotionKind most) {
+    common_ = fit_.fit(parallel, island.particles, island.positions, displacements, most);
+    take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
+}
+
+SettleResult Settler::settle(Parallel& parallel, const Island& island, const PairList& pairs,
+                             std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
+                             std::span<Vec4> displacements) {
+    SettleResult result;
+    truncation_.cut(parallel, island.positions, relative_.span(), pairs, exempt, settings);
+    result.sweeps = truncation_.sweeps();
+    result.list_was_incomplete = truncation_.list_was_incomplete();
+    if (result.list_was_incomplete && island.is_pinned) common_ = CommonMotion{};
+    given_back_ = mean_loss(parallel, island, displacements);
+    for (int round = 0; pairs.size > 0 && !result.list_was_incomplete; ++round) {
+        place_ends(parallel, island, displacements);
+        const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result.uncertain);
+        if (to_hold == 0) break;
+        if (round == most_rounds_of_rounding) {
+            result.uncertain += to_hold;
+            break;
+        }
+        truncation_.cut_again(parallel, pairs, held_.span(), settings);
+        given_back_ = mean_loss(parallel, island, displacements);
+        result.sweeps = truncation_.sweeps();
+    }
+    const Totals totals = apply(parallel, island, displacements);
+    result.common = common_.kind;
+    result.truncated = totals.truncated;
+    result.standing_planes = truncation_.standing_planes(parallel, pairs);
+    result.pinned_lag = totals.lag;
+    result.motion_lost = totals.wanted > 0 ? static_cast<float>(totals.lost / totals.wanted) : 0;
+    return result;
+}
+
+Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
+    if (!island.is_free) return Vector3::Zero();
+    const auto find_block = [&](const BlockRange& block) {
+        Momentum lost;
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const double mass = 1 / double{island.positions[i].w};
+            lost.mass += mass;
+            const float tau = truncation_.fractions()[i];
+            if (tau >= 1) continue;
+            const Vector3 wanted = xyz(displacements[i]);
+            const Vector3 way = wanted - give_back(common_, xyz(island.positions[i]), wanted, tau);
+            for (int axis = 0; axis < 3; ++axis) lost.way[axis] += mass * double{way[axis]};
+        }
+        return lost;
+    };
+    const auto add = [](Momentum a, const Momentum& b) {
+        a.mass += b.mass;
+        for (int axis = 0; axis < 3; ++axis) a.way[axis] += b.way[axis];
+        return a;
+    };
+    const Momentum lost =
+        reduce_ranges(parallel, island.particles, momenta_.span(), Momentum{}, find_block, add);
+    const Vector3 mean =
+        (Eigen::Map<const Eigen::Vector3d>(lost.way) / std::max(lost.mass, 1e-300)).cast<float>();
+    return mean.allFinite() ? mean : Vector3::Zero();
+}
+
+void Settler::place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
+    for_ranges(parallel, island.particles, [&](const BlockRange& block) {
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const Vector3 x = xyz(island.positions[i]);
+            const float tau = truncation_.fractions()[i];
+            set_xyz(ends_[i], x + (give_back(common_, x, xyz(displacements[i]), tau) + given_back_));
+        }
+    });
+}
+
+// The certificate again, of the ends as rounded. Along (A^-1)^T n the map's image of a gap is as wide as the
+// gap was along n.
+std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pairs,
+                                         std::uint32_t& uncertain) {
+    const Matrix3 to_ends = common_.inverse.transpose();
+    const auto stands_still = [&](const FeaturePair& pair) {
+        return std::ranges::all_of(pair.corners,
+                                   [&](std::uint32_t i) { return truncation_.fractions()[i] <= 0; });
+    };
+    const auto find_block = [&](const BlockRange& block) {
+        Failures failures;
+        for (std::uint32_t k = block.begin; k < block.end; ++k) {
+            held_[k] = 0;
+            const float kept = truncation_.kept_gap(k);
+            if (!(kept > 0) || truncation_.is_left_out(k)) continue;
+            const Vector3 normal = to_ends * xyz(pairs.shapes[k].normal);
+            const float gap = gap_along(normal, pairs.pairs[k], pairs.corners_of_a(k), ends_.span());
+            if (gap >= left_after_rounding * kept) continue;
+            if (stands_still(pairs.pairs[k])) {
+                failures.uncertain += gap > 0 ? 0 : 1;
+            } else {
+                held_[k] = 1;
+                ++failures.to_hold;
+            }
+        }
+        return failures;
+    };
+    const auto add = [](const Failures& a, const Failures& b) {
+        return Failures{a.to_hold + b.to_hold, a.uncertain + b.uncertain};
+    };
+    const Failures found = parallel.reduce(pairs.size, failures_.span(), Failures{}, find_block, add);
+    uncertain = found.uncertain;
+    return found.to_hold;
+}
+
+Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements) {
+    const auto apply_block = [&](const BlockRange& block) {
+        Totals totals;
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const Vector3 wanted = xyz(displacements[i]);
+            const float length = wanted.norm();
+            if (std::isfinite(length)) totals.wanted += double{length};
+            const float tau = truncation_.fractions()[i];
+            if (tau >= 1 && given_back_.isZero(0)) continue;
+            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau) + given_back_;
+            set_xyz(displacements[i], had);
+            if (tau >= 1) continue;
+            const float lost = (wanted - had).norm();
+            ++totals.truncated;
+            if (!std::isfinite(lost)) continue;
+            totals.lost += double{lost};
+            if (!(island.positions[i].w > 0)) totals.lag = std::max(totals.lag, lost);
+        }
+        return totals;
+    };
+    const auto add = [](const Totals& a, const Totals& b) {
+        return Totals{a.wanted + b.wanted, a.lost + b.lost, std::max(a.lag, b.lag),
+                      a.truncated + b.truncated};
+    };
+    return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, apply_block, add);
+}
+
+std::size_t Settler::bytes() const noexcept {
+    return projection_.bytes() + fit_.bytes() + truncation_.bytes() + relative_.bytes() + ends_.bytes() +
+           held_.bytes() + partials_.bytes() + momenta_.bytes() + failures_.bytes();
+}
+
+}  // namespace weft

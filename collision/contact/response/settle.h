@@ -1,0 +1,110 @@
+#pragma once
+// Settling: takes the motion that a solver wants of an island, and returns one that crosses nothing.
+
+#include <cstdint>
+#include <span>
+
+#include "collision/contact/pairs/pairs.h"
+#include "collision/contact/pairs/particle_ranges.h"
+#include "collision/contact/response/common_motion.h"
+#include "collision/contact/response/projection.h"
+#include "collision/contact/response/truncation.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+/// Bodies that touch one another, directly or through others. Spans and numbers are of all bodies' particles.
+struct Island {
+    std::span<const ParticleRange> particles;
+    std::span<const Vec4> positions;  ///< at the start, free of crossings [m]; w = inverse mass
+    /// Nothing else holds any of its particles. Then what settling takes of its momentum all get back alike,
+    /// which brings nothing nearer.
+    bool is_free = false;
+    /// Some are at a place that is given: a common motion would draw them off it. So where the list is
+    /// incomplete, none moves.
+    bool is_pinned = false;
+};
+
+struct SettleResult {
+    CommonMotionKind common = CommonMotionKind::none;
+    bool list_was_incomplete = false;   ///< all particles have the common motion, or none
+    std::uint32_t truncated = 0;        ///< particles with tau < 1
+    std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
+    std::uint32_t sweeps = 0;
+    std::uint32_t uncertain = 0;  ///< pairs as near as rounding, which may have crossed by it
+    float pinned_lag = 0;         ///< [m]; how far the farthest pinned particle is from its place
+    /// Share of the way that all particles wanted to go: the sum of |wanted - had| over that of |wanted|.
+    float motion_lost = 0;
+};
+
+/// Four steps, in this order, for one island after another:
+///   1. project: pairs found at x, with the displacements wanted.
+///   2. split: the common motion is taken out, and relative() is what the next detection's motions are.
+///   3. The caller finds pairs, again at x, with motions = relative(), of the island's bodies.
+///   4. settle: cuts displacements, with that list.
+/// The state x + displacement then has no crossing, if x has none, save in pairs that are exempt. That is for
+/// the sum rounded to float.
+class Settler {
+  public:
+    /// Takes the memory for islands of that many particles, bodies and pairs in all.
+    void reserve(std::size_t particles, std::size_t bodies, std::size_t pairs);
+
+    /// See PairProjection::project.
+    std::uint32_t project(Parallel& parallel, const Island& island, const PairList& pairs,
+                          std::span<const std::uint8_t> exempt, PairLengths wanted, std::uint32_t iterations,
+                          std::span<Vec4> displacements) {
+        return projection_.project(parallel, island.positions, pairs, exempt, wanted, iterations,
+                                   displacements);
+    }
+
+    void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+               CommonMotionKind most = CommonMotionKind::affine);
+    /// Displacements without the common motion, in its frame [m], of all bodies' particles.
+    [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
+    [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
+
+    /// Preconditions: after split() of the same island and displacements; every corner of a pair is in the
+    /// island; the list is what PairFinder lists with a reach of at least settings.floor.
+    SettleResult settle(Parallel& parallel, const Island& island, const PairList& pairs,
+                        std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
+                        std::span<Vec4> displacements);
+    /// tau of every particle, as last settled.
+    [[nodiscard]] std::span<const float> fractions() const noexcept { return truncation_.fractions(); }
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    struct Totals {
+        double wanted = 0, lost = 0;
+        float lag = 0;
+        std::uint32_t truncated = 0;
+    };
+    struct Momentum {
+        double mass = 0;     // [kg]
+        double way[3] = {};  // mass times displacement [kg m]
+    };
+    struct Failures {
+        std::uint32_t to_hold = 0, uncertain = 0;
+    };
+
+    [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const Island& island,
+                                    std::span<const Vec4> displacements);
+    void place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
+    std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, std::uint32_t& uncertain);
+    Totals apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements);
+
+    PairProjection projection_;
+    CommonMotionFit fit_;
+    Truncation truncation_;
+    CommonMotion common_;
+    Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
+    AlignedBuffer<Vec4> relative_;
+    AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step
+    AlignedBuffer<std::uint8_t> held_;  // by pair: rounding took its gap
+    AlignedBuffer<Totals> partials_;
+    AlignedBuffer<Momentum> momenta_;
+    AlignedBuffer<Failures> failures_;
+};
+
+}  // namespace weft

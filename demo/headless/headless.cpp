@@ -1,0 +1,138 @@
+#include "demo/headless/headless.h"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "demo/headless/frame_table.h"
+#include "demo/headless/photographer.h"
+#include "demo/headless/progress.h"
+#include "demo/headless/report_text.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr float frame_seconds = 1.0f / 60.0f;
+
+/// Prints the error, if any, and remembers that there was one.
+class Failures {
+  public:
+    void note(const Result<void>& result) {
+        if (!result) note(result.error());
+    }
+    void note(const Error& error) {
+        std::fprintf(stderr, "weft_demo: %s\n", error.message.c_str());
+        any_ = true;
+    }
+    [[nodiscard]] bool any() const { return any_; }
+
+  private:
+    bool any_ = false;
+};
+
+std::filesystem::path picture_file(const Options& options, int frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%06d.png", frame);
+    return options.out / name;
+}
+
+/// Error: the folder cannot be made, or what the run shall leave cannot be written.
+Result<void> prepare_files(const Options& options) {
+    std::error_code cannot;
+    std::filesystem::create_directories(options.out, cannot);
+    if (cannot) {
+        return Error{ErrorCode::file_not_found,
+                     "--out " + options.out.string() + " cannot be used: " + cannot.message()};
+    }
+    for (const char* file : {"final.png", "frame_times.csv", "final.obj"}) {
+        if (auto writable = check_writable("--out", options.out / file); !writable) return writable;
+    }
+    return check_writable("--trace", options.trace);  // it may lie in the same folder
+}
+
+/// What the run met on its way, from all its reports.
+struct Troubles {
+    StepFlags flags = StepFlags::none;
+    int frames = 0;
+
+    void add(const StepReport& report) {
+        flags = flags | report.flags;
+        if (report.flags != StepFlags::none) ++frames;
+    }
+};
+
+void print_summary(const Simulation& simulation, const FrameTable& table, const Troubles& troubles) {
+    const StepReport& report = simulation.world().report();
+    std::printf("scene %s, %u particles, %d substeps, %" PRIu64 " frames of 1/60 s\n",
+                simulation.entry().name, report.particles, report.substeps, report.step);
+    std::uint64_t bytes = 0;
+    for (const SceneCloth& cloth : simulation.content().cloths)
+        bytes += simulation.world().cloth_info(cloth.id).value().bytes;
+    std::printf("cloths take %.1f MB, %.0f bytes a particle\n", 1e-6 * static_cast<double>(bytes),
+                static_cast<double>(bytes) / std::max(1.0, static_cast<double>(report.particles)));
+    std::fputs(table.summary().c_str(), stdout);
+    if (troubles.frames > 0)
+        std::printf("in %d frames: %s", troubles.frames, flags_text(troubles.flags).c_str());
+    std::printf("hash: %016" PRIx64 "\n", simulation.world().state_hash());
+}
+
+}  // namespace
+
+int run_headless(const Options& options, Simulation& simulation) {
+    if (auto prepared = prepare_files(options); !prepared) {
+        std::fprintf(stderr, "weft_demo: %s\n", prepared.error().message.c_str());
+        return 2;
+    }
+    Failures failures;
+    std::optional<Photographer> photographer;
+    if (auto made = Photographer::create(options, simulation)) {
+        photographer.emplace(std::move(*made));
+    } else {
+        failures.note(Error{made.error().code, "no pictures: " + made.error().message});
+    }
+
+    std::optional<Sequence> sequence;
+    if (options.sequence) {
+        auto begun = Sequence::begin(simulation, *options.sequence, options.out);
+        if (!begun) {
+            std::fprintf(stderr, "weft_demo: %s\n", begun.error().message.c_str());
+            return 2;
+        }
+        sequence.emplace(std::move(*begun));
+    }
+    if (!options.trace.empty()) failures.note(simulation.world().start_trace());
+    const int frames = options.frames.value_or(Options::default_frames);
+    FrameTable table;
+    Troubles troubles;
+    {
+        Progress progress(simulation.entry().name, frames);
+        for (int frame = 1; frame <= frames; ++frame) {
+            troubles.add(simulation.step(frame_seconds));
+            table.add(simulation.world().profile(), simulation.world().report());
+            if (sequence) failures.note(sequence->add(simulation));
+            if (photographer) photographer->record(simulation);
+            if (photographer && options.every > 0 && frame % options.every == 0)
+                failures.note(photographer->shoot(simulation, picture_file(options, frame)));
+            progress.update(frame);
+        }
+    }
+    if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png"));
+
+    if (photographer)
+        for (const std::string& each : photographer->take_complaints())
+            failures.note(Error{ErrorCode::unsupported, "OpenGL: " + each});
+    if (sequence) failures.note(sequence->end());
+    failures.note(table.write_csv(options.out / "frame_times.csv"));
+    failures.note(
+        save_obj(options.out / "final.obj", current_mesh(simulation.world(), simulation.content())));
+    if (!options.trace.empty()) failures.note(simulation.world().write_trace(options.trace));
+    if (!options.overrides.record.empty()) failures.note(simulation.world().stop_recording());
+    print_summary(simulation, table, troubles);
+    return failures.any() ? 1 : 0;
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,47 @@
+#pragma once
+// Takes pictures of a Simulation without a window.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "demo/headless/picture.h"
+#include "demo/options/options.h"
+#include "demo/panels/panels.h"
+#include "weft/render/context.h"
+#include "weft/render/imgui_layer.h"
+
+namespace weft::demo {
+
+class Photographer {
+  public:
+    /// Draws offscreen; where that cannot be had, behind a window of the display. Error: what both lack.
+    [[nodiscard]] static Result<Photographer> create(const Options& options, const Simulation& simulation);
+
+    /// What the driver objected to since the last call, where Options::check_gl asks it.
+    [[nodiscard]] std::vector<std::string> take_complaints() { return context_.take_complaints(); }
+
+    /// Notes a step that was taken, for the panels.
+    void record(const Simulation& simulation);
+    /// Writes a PNG of the simulation as it is now.
+    [[nodiscard]] Result<void> shoot(Simulation& simulation, const std::filesystem::path& file);
+
+  private:
+    struct PanelsInPicture {
+        render::ImGuiLayer layer;
+        Panels panels;
+    };
+
+    Photographer(render::Context context, Picture picture, int width, int height);
+    void build_panels(Simulation& simulation);
+
+    // Destroyed from the last to the first: OpenGL's objects before its context.
+    render::Context context_;
+    Picture picture_;
+    std::unique_ptr<PanelsInPicture> panels_;  // null where none are to be drawn
+    int width_, height_;
+    float turn_ = 0;  // of the camera [rad]
+};
+
+}  // namespace weft::demo

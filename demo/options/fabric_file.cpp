@@ -1,0 +1,203 @@
+#include "demo/options/fabric_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace weft::demo {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Field {
+    const char* key;
+    float Fabric::*value;
+    double least, most;
+    const char* unit;
+};
+
+// The ranges of settings.h.
+constexpr std::array<Field, 7> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
+                                       {"warp", &Fabric::warp, 0, 1e9, "N/m"},
+                                       {"weft", &Fabric::weft, 0, 1e9, "N/m"},
+                                       {"shear", &Fabric::shear, 0, 1e9, "N/m"},
+                                       {"bending", &Fabric::bending, 0, 1e4, "N m"},
+                                       {"damping", &Fabric::damping, 0, 100, "s"},
+                                       {"stiffening", &Fabric::stiffening, 0, 1000, "per strain"}}};
+
+std::string range_text(const Field& field) {
+    return "a number from " + Json(field.least).dump() + " to " + Json(field.most).dump() + " " + field.unit;
+}
+
+std::string all_keys() {
+    std::string all;
+    for (const Field& field : fields) all.append(all.empty() ? "" : ", ").append(field.key);
+    return all;
+}
+
+/// Complaints about one file.
+class Complaints {
+  public:
+    explicit Complaints(const std::filesystem::path& file) : file_(file.string()) {}
+
+    [[nodiscard]] Error operator()(const std::string& what) const {
+        return {ErrorCode::malformed_file, file_ + ": " + what};
+    }
+
+  private:
+    std::string file_;
+};
+
+Result<void> set(const Field& field, const Json& value, const Complaints& complain, Fabric& fabric) {
+    if (!value.is_number() || !(value.get<double>() >= field.least && value.get<double>() <= field.most))
+        return complain(std::string(field.key) + " is " + value.dump() + "; it must be " + range_text(field));
+    fabric.*field.value = value.get<float>();
+    return {};
+}
+
+Result<Fabric> read_own(const Json& json, const Complaints& complain) {
+    Fabric fabric;
+    for (const auto& [key, value] : json.items()) {
+        const auto field = std::ranges::find_if(fields, [&](const Field& each) { return key == each.key; });
+        if (field == fields.end())
+            return complain("a fabric has no \"" + key + "\"; it has " + all_keys() +
+                            ", or those of a measured one: density, stretching, bending");
+        if (auto done = set(*field, value, complain, fabric); !done) return done.error();
+    }
+    return fabric;
+}
+
+/// `rows` rows of `columns` numbers; none if it is not that.
+std::optional<std::vector<std::vector<double>>> read_table(const Json& json, std::size_t rows,
+                                                           std::size_t columns) {
+    if (!json.is_array() || json.size() != rows) return {};
+    std::vector<std::vector<double>> table;
+    for (const Json& row : json) {
+        if (!row.is_array() || row.size() != columns) return {};
+        if (!std::ranges::all_of(row, [](const Json& each) { return each.is_number(); })) return {};
+        table.push_back(row.get<std::vector<double>>());
+    }
+    return table;
+}
+
+/// Of the positive ones, since a fit that fails shows as a negative stiffness; 0 if there are none.
+double mean_of_positive(const std::vector<std::vector<double>>& table, std::size_t first, std::size_t last) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& row : table)
+        for (std::size_t k = first; k < last; ++k)
+            if (row[k] > 0) {
+                sum += row[k];
+                ++count;
+            }
+    return count > 0 ? sum / count : 0;
+}
+
+constexpr int strains = 40;
+constexpr double last_strain = 1.0 / 6;
+using Curve = std::array<double, strains>;  // over strains up to the last
+
+double strain_at(int k) {
+    return last_strain * (k + 1) / strains;
+}
+
+/// Tension per width where stiffness is `at_rest`, and `stretched` at the last strain.
+Curve tension(double at_rest, double stretched) {
+    Curve curve{};
+    for (int k = 0; k < strains; ++k) {
+        const double e = strain_at(k), c = at_rest + (stretched - at_rest) * e / last_strain;
+        curve[static_cast<std::size_t>(k)] = std::max(c, 0.0) * (e + e * e / 2) * (1 + e);
+    }
+    return curve;
+}
+
+struct Fit {
+    double stiffness, error;  ///< error: the greatest, over the greatest tension
+};
+/// Of K e (1 + stiffening e), by least squares.
+Fit fit(const Curve& curve, double stiffening) {
+    double product = 0, square = 0, greatest = 0, error = 0;
+    const auto shape = [&](int k) { return strain_at(k) * (1 + stiffening * strain_at(k)); };
+    for (int k = 0; k < strains; ++k) {
+        product += shape(k) * curve[static_cast<std::size_t>(k)];
+        square += shape(k) * shape(k);
+    }
+    for (int k = 0; k < strains; ++k) {
+        const double truth = curve[static_cast<std::size_t>(k)];
+        error = std::max(error, std::abs(product / square * shape(k) - truth));
+        greatest = std::max(greatest, truth);
+    }
+    return {product / square, greatest > 0 ? error / greatest : 0};
+}
+
+/// K along both axes, and the stiffening that suits both best.
+struct StretchFit {
+    double c11, c22, stiffening;
+};
+StretchFit fit_stiffening(const std::vector<std::vector<double>>& samples) {
+    const Curve along1 = tension(samples[0][0], samples[1][0]),
+                along2 = tension(samples[0][2], samples[5][2]);
+    const auto error = [&](double s) { return std::max(fit(along1, s).error, fit(along2, s).error); };
+    double best = 0;
+    for (double s = 0; s < 300; s += 0.25)
+        if (error(s) < error(best)) best = s;
+    return {fit(along1, best).stiffness, fit(along2, best).stiffness, best};
+}
+
+Result<Fabric> read_measured(const Json& json, const Complaints& complain, MeasuredStretch stretch) {
+    for (const auto& [key, value] : json.items())
+        if (key != "density" && key != "stretching" && key != "bending")
+            return complain("a measured fabric has no \"" + key +
+                            "\"; it has density, stretching and bending");
+    if (!json.contains("density")) return complain("density is missing; it must be " + range_text(fields[0]));
+    const auto stretching = read_table(json.value("stretching", Json()), 6, 4);
+    if (!stretching) return complain("stretching must be 6 rows of 4 numbers: c11, c12, c22, c33 [N/m]");
+    const auto bending = read_table(json.value("bending", Json()), 3, 5);
+    if (!bending) return complain("bending must be 3 rows, for 0, 45 and 90 degrees, of 5 numbers [N m]");
+
+    StretchFit k{mean_of_positive(*stretching, 0, 1), mean_of_positive(*stretching, 2, 3), 0};
+    const bool is_warp_first = k.c11 >= k.c22;
+    if (stretch == MeasuredStretch::stiffening) k = fit_stiffening(*stretching);
+    Fabric fabric;
+    const std::array<std::pair<std::size_t, Json>, 6> values{{{0, json["density"]},
+                                                              {1, is_warp_first ? k.c11 : k.c22},
+                                                              {2, is_warp_first ? k.c22 : k.c11},
+                                                              {3, mean_of_positive(*stretching, 3, 4)},
+                                                              {4, 0.25 * mean_of_positive(*bending, 0, 5)},
+                                                              {6, k.stiffening}}};
+    for (const auto& [field, value] : values)
+        if (auto done = set(fields[field], value, complain, fabric); !done) return done.error();
+    return fabric;
+}
+
+}  // namespace
+
+Result<Fabric> load_fabric(const std::filesystem::path& file, MeasuredStretch stretch) {
+    std::ifstream in(file);
+    if (!in)
+        return Error{ErrorCode::file_not_found,
+                     file.string() + " cannot be read; it must be a JSON file of a fabric"};
+    const Complaints complain(file);
+    const Json json = Json::parse(in, nullptr, false);
+    if (json.is_discarded() || !json.is_object())
+        return complain("it must hold one JSON object, as {\"areal_density\": 0.2, \"warp\": 400}");
+    const bool measured = json.contains("density") || json.contains("stretching");
+    return measured ? read_measured(json, complain, stretch) : read_own(json, complain);
+}
+
+Result<Fabric> find_fabric(const std::string& name_or_file) {
+    constexpr std::string_view stiffening = "stiffening:";
+    if (name_or_file.starts_with(stiffening))
+        return load_fabric(name_or_file.substr(stiffening.size()), MeasuredStretch::stiffening);
+    if (name_or_file.ends_with(".json")) return load_fabric(name_or_file);
+    auto named = Fabric::named(name_or_file);
+    if (named) return named;
+    return Error{named.error().code, named.error().message + "; or a file that ends in .json"};
+}
+
+}  // namespace weft::demo

@@ -1,0 +1,75 @@
+#include "demo/study/stability/cholesky.h"
+
+#include <optional>
+#include <vector>
+
+namespace weft::study {
+
+namespace {
+
+std::vector<ParticlePair> pairs_of(const ClothModel& model) {
+    std::vector<ParticlePair> pairs;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
+            if (model.neighbours[e] > i) pairs.push_back({i, model.neighbours[e]});
+    }
+    return pairs;
+}
+
+/// a I + d d^T.
+Eigen::Matrix3d block_of(const Vec4& spring) {
+    const Eigen::Vector3d d = xyz(spring).cast<double>();
+    return static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();
+}
+
+}  // namespace
+
+CholeskySolver::CholeskySolver(const ClothModel& model, const ClothSettings& settings,
+                               std::uint32_t direct_up_to)
+    : LinearSolver(model, settings),
+      matrix_(model.particle_count, pairs_of(model)),
+      exact_solve_(model.particle_count, direct_up_to) {}
+
+bool CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
+    const std::span<const Vec4> b = system.right_side().span();
+    fill_matrix(step, system);
+    Eigen::VectorXd right_side(3 * static_cast<Eigen::Index>(b.size())), change;
+    for (std::uint32_t i = 0; i < b.size(); ++i)
+        right_side.segment<3>(3 * static_cast<Eigen::Index>(i)) = xyz(b[i]).cast<double>();
+    std::optional<MultigridCycle> cycle;
+    if (!exact_solve_.is_direct()) cycle.emplace(step.parallel, system, step.equation.positions);
+    exact_solve_.solve(
+        matrix_, right_side, 1e-10, [&](const auto& r, auto& z) { cycle->apply(r, z); }, change);
+    for (std::uint32_t i = 0; i < b.size(); ++i) {
+        const Eigen::Vector3d change_i = change.segment<3>(3 * static_cast<Eigen::Index>(i));
+        dv[i] = to_vec4(change_i.cast<float>(), 0);
+    }
+    return true;
+}
+
+// Rows of pinned particles become those of the identity. The blocks in them, which may hold anything, are not
+// read.
+void CholeskySolver::fill_matrix(const SolverStep& step, ImplicitSystem& system) {
+    const std::span<const Vec4> b = system.right_side().span();
+    const AlignedBuffer<Vec4> springs = system.all_spring_blocks(step.parallel);
+    const auto is_free = [&](std::uint32_t i) { return b[i].w > 0; };
+    matrix_.set_zero();
+    std::size_t pair = 0;
+    for (std::uint32_t i = 0; i < b.size(); ++i) {
+        const double row_sum = is_free(i) ? static_cast<double>(b[i].w) : 1.0;
+        Eigen::Matrix3d diagonal = row_sum * Eigen::Matrix3d::Identity();
+        if (is_free(i) && touches(system.contacts(), i)) diagonal += system.contacts()->block(i).full();
+        for (std::uint32_t e = step.model.spring_offsets[i]; e < step.model.spring_offsets[i + 1]; ++e) {
+            const std::uint32_t j = step.model.neighbours[e];
+            if (is_free(i)) {
+                const Eigen::Matrix3d block = block_of(springs[system.entry_between(i, j)]);
+                diagonal += block;
+                if (j > i && is_free(j)) matrix_.add_pair(pair, -block);
+            }
+            if (j > i) ++pair;
+        }
+        matrix_.add_diagonal(i, diagonal);
+    }
+}
+
+}  // namespace weft::study

@@ -1,0 +1,73 @@
+#pragma once
+// Memory that is written while something is made, and after that only read: copies share it. Who is to change
+// a copy makes it its own first.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "engine/memory/aligned_buffer.h"
+
+namespace weft {
+
+/// An AlignedBuffer, padded as that is. What copies are made of must not change any more, nor the copies
+/// unless they have been made their own. So threads may copy one buffer at a time, and read all copies.
+template <class T>
+class SharedBuffer {
+  public:
+    SharedBuffer() = default;
+    /// `size` elements, all of value T{}. Throws std::bad_alloc, as all that makes memory here.
+    explicit SharedBuffer(std::size_t size) : SharedBuffer(AlignedBuffer<T>(size)) {}
+    SharedBuffer(AlignedBuffer<T>&& made) : size_(made.size()) {  // NOLINT(google-explicit-constructor)
+        if (size_ == 0) return;
+        memory_ = std::make_shared<AlignedBuffer<T>>(std::move(made));
+        data_ = memory_->data();
+    }
+    explicit SharedBuffer(std::span<const T> values)
+        : SharedBuffer(AlignedBuffer<T>::from_bytes(std::as_bytes(values))) {}
+
+    SharedBuffer(SharedBuffer&& other) noexcept { *this = std::move(other); }
+    SharedBuffer& operator=(SharedBuffer&& other) noexcept {
+        memory_ = std::move(other.memory_);
+        data_ = std::exchange(other.data_, nullptr);
+        size_ = std::exchange(other.size_, 0);
+        is_copy_ = std::exchange(other.is_copy_, false);
+        return *this;
+    }
+    SharedBuffer(const SharedBuffer& other) noexcept
+        : memory_(other.memory_), data_(other.data_), size_(other.size_), is_copy_(other.size_ > 0) {}
+    SharedBuffer& operator=(const SharedBuffer& other) noexcept {
+        if (this != &other) *this = SharedBuffer(other);
+        return *this;
+    }
+    ~SharedBuffer() = default;
+
+    /// Gives a copy memory of its own, with the same values.
+    void make_own() {
+        if (is_copy_) *this = SharedBuffer(std::as_const(*this).span());
+    }
+
+    [[nodiscard]] T* data() noexcept { return data_; }
+    [[nodiscard]] const T* data() const noexcept { return data_; }
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    /// 0 for a copy: they are those of what it is a copy of.
+    [[nodiscard]] std::size_t bytes() const noexcept { return is_copy_ || !memory_ ? 0 : memory_->bytes(); }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    [[nodiscard]] std::span<T> span() noexcept { return {data_, size_}; }
+    [[nodiscard]] std::span<const T> span() const noexcept { return {data_, size_}; }
+    [[nodiscard]] T* begin() noexcept { return data_; }
+    [[nodiscard]] T* end() noexcept { return data_ + size_; }
+    [[nodiscard]] const T* begin() const noexcept { return data_; }
+    [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
+
+  private:
+    std::shared_ptr<AlignedBuffer<T>> memory_;
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+    bool is_copy_ = false;
+};
+
+}  // namespace weft

@@ -1,0 +1,34 @@
+#include "render/gl/complaints.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace weft::render {
+namespace {
+
+void GLAD_API_PTR hear(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
+                       const GLchar* message, const void* to) {
+    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
+    static_cast<Complaints*>(const_cast<void*>(to))->add(message);
+}
+
+}  // namespace
+
+Complaints::Complaints() {
+    if (GLAD_GL_KHR_debug == 0) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // on this thread, within the call that is at fault
+    glDebugMessageCallback(hear, this);
+}
+
+std::vector<std::string> Complaints::take() {
+    return std::exchange(heard_, {});
+}
+
+void Complaints::add(const std::string& message) {
+    if (std::ranges::find(heard_, message) == heard_.end()) heard_.push_back(message);
+}
+
+}  // namespace weft::render

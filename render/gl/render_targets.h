@@ -1,0 +1,60 @@
+#pragma once
+// The framebuffers that a picture passes through.
+
+#include "render/gl/gl.h"
+#include "weft/render/scene_renderer.h"
+
+namespace weft::render {
+
+/// Depth seen from a light; read both compared (for filtered shadows) and plain (for the distance of what
+/// casts them).
+class DepthMap {
+  public:
+    explicit DepthMap(int texels);
+    void resize(int texels);  ///< keeps what it has where the size is the same
+
+    void begin() const;  ///< binds, sets the viewport and clears
+    void bind(int plain_unit) const;
+    void bind(int plain_unit, int compare_unit) const;
+    [[nodiscard]] int texels() const noexcept { return texels_; }
+
+  private:
+    int texels_ = 0;
+    Texture texture_;
+    Framebuffer framebuffer_;
+    Sampler compare_;
+};
+
+/// The picture in display-linear light, half floats, so that averages of its samples, or of its pixels where
+/// it is shown larger, are of light and not of codes.
+class ScenePicture {
+  public:
+    /// Keeps what it has where the size is the same.
+    void resize(int width, int height, int samples);
+    void begin() const;  ///< binds, sets the viewport and clears the depth
+    /// Averages the samples into a texture, and binds that to a texture unit; `smooth` where it is shown in
+    /// another size.
+    void resolve(int texture_unit, bool smooth) const;
+
+  private:
+    int width_ = 0, height_ = 0, samples_ = 0;
+    Renderbuffer color_, depth_;
+    Framebuffer drawn_;  // of several samples; one alone is drawn where it is resolved
+    Texture resolved_color_;
+    Framebuffer resolved_;
+};
+
+/// An 8-bit RGB framebuffer that is read back.
+class CaptureTarget {
+  public:
+    void resize(int width, int height);
+    [[nodiscard]] GLuint framebuffer() const noexcept { return framebuffer_.id(); }
+    [[nodiscard]] Image read() const;
+
+  private:
+    int width_ = 0, height_ = 0;
+    Texture color_;
+    Framebuffer framebuffer_;
+};
+
+}  // namespace weft::render

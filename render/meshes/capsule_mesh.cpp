@@ -1,0 +1,84 @@
+#include "render/meshes/capsule_mesh.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace weft::render {
+
+namespace {
+
+constexpr std::uint32_t sectors = 64;        // around the axis
+constexpr std::uint32_t rings_per_end = 17;  // from the pole to the equator, both included
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// xyz: the unit normal, axis along +Y; w: 0 at the first end, 1 at the second.
+std::vector<Vec4> capsule_vertices() {
+    std::vector<Vec4> vertices;
+    for (std::uint32_t ring = 0; ring < 2 * rings_per_end; ++ring) {
+        const bool second = ring >= rings_per_end;
+        const auto step = static_cast<float>(second ? ring - 1 : ring);  // the equator comes twice
+        const float latitude = std::numbers::pi_v<float> * (step / (2.0f * (rings_per_end - 1)) - 0.5f);
+        for (std::uint32_t sector = 0; sector <= sectors; ++sector) {
+            const float longitude = 2.0f * std::numbers::pi_v<float> * static_cast<float>(sector) / sectors;
+            const float across = std::cos(latitude);
+            vertices.push_back({across * std::sin(longitude), std::sin(latitude),
+                                across * std::cos(longitude), second ? 1.0f : 0.0f});
+        }
+    }
+    return vertices;
+}
+
+std::vector<Triangle> capsule_triangles() {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t ring = 0; ring + 1 < 2 * rings_per_end; ++ring) {
+        for (std::uint32_t sector = 0; sector < sectors; ++sector) {
+            const std::uint32_t low = ring * (sectors + 1) + sector, high = low + sectors + 1;
+            triangles.push_back({low, low + 1, high + 1});
+            triangles.push_back({low, high + 1, high});
+        }
+    }
+    return triangles;
+}
+
+}  // namespace
+
+CapsuleMesh::CapsuleMesh() : vertex_array_(VertexArray::make()) {
+    const std::vector<Triangle> triangles = capsule_triangles();
+    glBindVertexArray(vertex_array_.id());
+    vertices_ = static_buffer<Vec4>(GL_ARRAY_BUFFER, capsule_vertices());
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vec4), nullptr);
+    indices_ = static_buffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, triangles);
+    index_count_ = static_cast<GLsizei>(3 * triangles.size());
+    glBindVertexArray(0);
+}
+
+void CapsuleMesh::draw(const Program& program, const DrawnTaperedCapsule& capsule) const {
+    program.set("end_a", capsule.a);
+    program.set("end_b", capsule.b);
+    program.set("radius_a", capsule.radius_a);
+    program.set("radius_b", capsule.radius_b);
+    program.set("color", capsule.color);
+    glBindVertexArray(vertex_array_.id());
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+DrawnTaperedCapsule as_tapered(const DrawnSphere& sphere) {
+    return {sphere.center, sphere.center, sphere.radius, sphere.radius, sphere.color};
+}
+
+DrawnTaperedCapsule as_tapered(const DrawnCapsule& capsule) {
+    return {capsule.a, capsule.b, capsule.radius, capsule.radius, capsule.color};
+}
+
+Box bounds_of(const DrawnTaperedCapsule& capsule) {
+    const Vector3 a = Vector3::Constant(capsule.radius_a), b = Vector3::Constant(capsule.radius_b);
+    Box box(to_vector(capsule.a) - a, to_vector(capsule.a) + a);
+    box.extend(Box(to_vector(capsule.b) - b, to_vector(capsule.b) + b));
+    return box;
+}
+
+}  // namespace weft::render

@@ -1,0 +1,54 @@
+#pragma once
+// A cloth on the graphics card: its triangles, and its particles as the simulation keeps them.
+
+#include "render/gl/gl.h"
+#include "render/light_frame.h"
+#include "weft/render/scene_renderer.h"
+
+namespace weft::render {
+
+/// A per-particle buffer that shaders read by particle index: particle i is texel (i mod width, i div width).
+/// Textures two-dimensional, since a buffer texture need not hold more than 65 536 elements, while 1024 x
+/// 1024 texels are within what OpenGL 3.3 guarantees.
+class ParticleTexture {
+  public:
+    static constexpr GLsizei width = 1024;
+
+    ParticleTexture();
+    void upload(std::span<const Vec4> particles);
+    void bind(int texture_unit) const;
+
+  private:
+    Texture texture_;
+    GLsizei height_ = 0;
+};
+
+class ClothMesh {
+  public:
+    explicit ClothMesh(const ClothSurface& surface);
+
+    void stream(const ClothFrame& frame);
+    /// With a program made of cloth.vert in use.
+    void draw(const Program& program, float alpha) const;
+
+    [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< of both position buffers
+
+    FabricLook look;
+
+  private:
+    struct Vertex {
+        Vec2 texcoord;
+        std::uint32_t particle;
+    };
+    [[nodiscard]] static std::vector<Vertex> vertices_of(const ClothSurface& surface);
+
+    VertexArray vertex_array_;
+    Buffer vertices_, indices_;
+    GLsizei index_count_ = 0;
+    bool textured_ = false;
+    ParticleTexture positions_, previous_positions_, normals_, colours_;
+    bool coloured_ = false;
+    Box bounds_;
+};
+
+}  // namespace weft::render

@@ -1,0 +1,244 @@
+// What a search makes of its memory, its threads and what it is given: the list, whatever features are in it.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include "collision/contact/pairs/narrowing.h"
+#include "tests/collision/contact/pair_finder_scenes.h"
+#include "tests/collision/contact/pair_list_reference.h"
+
+namespace weft::test {
+namespace {
+
+ContactScene crowded() {
+    ContactScene scene = folded(64, 0.3f);
+    scene.add_motions(random_vectors(scene.positions.size(), 0.1f * edge, 2));
+    return scene;
+}
+
+void expect_equal(const PairList& a, const PairList& b) {
+    ASSERT_EQ(a.size, b.size);
+    EXPECT_EQ(a.vertex_triangle, b.vertex_triangle);
+    EXPECT_EQ(a.overflowed, b.overflowed);
+    EXPECT_EQ(std::memcmp(a.pairs.data(), b.pairs.data(), a.size * sizeof(FeaturePair)), 0);
+    EXPECT_EQ(std::memcmp(a.shapes.data(), b.shapes.data(), a.size * sizeof(PairShape)), 0);
+}
+
+TEST(PairFinder, TheListDoesNotDependOnThreads) {
+    const ContactScene scene = crowded();
+    const PairList expected = pairs_of(scene);
+    ASSERT_GT(expected.size, 10000u);
+    for (const int threads : {2, 4}) expect_equal(pairs_of(scene, threads), expected);
+}
+
+TEST(PairFinder, WhatDoesNotFitIsLeftOutFromTheEnd) {
+    const ContactScene scene = crowded();
+    const PairList all = pairs_of(scene);
+    for (const std::uint32_t capacity : {0u, 1u, 100u, all.vertex_triangle, all.size - 1, all.size}) {
+        const PairList list = pairs_of(scene, 2, capacity);
+        EXPECT_EQ(list.overflowed, capacity < all.size);
+        ASSERT_EQ(list.size, capacity);
+        EXPECT_EQ(list.vertex_triangle, std::min(capacity, all.vertex_triangle));
+        EXPECT_EQ(std::memcmp(list.pairs.data(), all.pairs.data(), capacity * sizeof(FeaturePair)), 0);
+        EXPECT_EQ(std::memcmp(list.shapes.data(), all.shapes.data(), capacity * sizeof(PairShape)), 0);
+    }
+}
+
+TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
+    ContactScene scene = waving(16, 0);
+    for (Vec4& p : scene.positions) p = {0.02f * p.x, 0, 0.02f * p.z, 0};
+    scene.jitter(0.3f * edge);
+    scene.bodies[0].reach = edge;
+    const PairList expected = pairs_of(scene, 1, 1 << 20);
+    EXPECT_FALSE(expected.overflowed);
+    EXPECT_GT(expected.size, 200000u);
+    expect_equal(pairs_of(scene, 2, 1 << 20), expected);
+}
+
+// A World's islands differ from step to step, and share one finder.
+TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
+    constexpr std::uint32_t side = 300;  // so many blocks that they take two groups of groups
+    ContactScene small = folded(20, 0.3f), all = sheet(side, 0.3f * edge, flat(side, side));
+    for (Vec4& p : small.positions) {  // over the part of the large one that is searched last
+        p.x += 0.9f * edge * side;
+        p.z += 0.9f * edge * side;
+    }
+    const std::vector<Triangle> triangles = grid_triangles(20, 20);
+    all.add(small.positions, small.positions, triangles, 0.3f * edge);
+    PairFinder finder;
+    finder.reserve(all.bodies);
+    Parallel serial(1);
+    PairList of_all(1 << 18), found(1 << 18);
+    finder.find(serial, all.bodies, all.positions, all.motions, of_all);
+    ContactBody alone = all.bodies[1];
+    alone.first = 0;
+    finder.find(serial, std::span(&alone, 1), small.positions, small.motions, found);
+    ContactScene own;
+    own.add(small.positions, small.positions, triangles, 0.3f * edge);
+    expect_equal(found, pairs_of(own));
+}
+
+TEST(PairFinder, OfPairsNearestAtABorderAPartOfTheReachCounts) {
+    const ContactScene scene = crowded();
+    const PairList all = pairs_of(scene), list = pairs_of(scene, 1, 1 << 18, 0.5f);
+    const double reach = 0.5 * double{scene.bodies[0].reach};
+    std::uint32_t k = 0, left_out = 0;
+    for (std::uint32_t of_all = 0; of_all < all.size; ++of_all) {
+        const FeaturePair& pair = all.pairs[of_all];
+        const bool is_listed = k < list.size && list.pairs[k].corners == pair.corners;
+        const double gap =
+            reference_pair(pair.corners, all.corners_of_a(of_all), scene.positions, scene.motions).swept_gap;
+        if (std::abs(gap - reach) > 1e-3 * reach) {
+            EXPECT_EQ(is_listed, !all.shapes[of_all].is_at_border() || gap < reach) << of_all;
+        }
+        k += is_listed;
+        left_out += !is_listed;
+    }
+    EXPECT_EQ(k, list.size);
+    EXPECT_GT(left_out, all.size / 10);
+    EXPECT_GT(list.size, all.size / 10);
+}
+
+/// Of a mesh that is curved at rest, as garments are: nothing is known of its patches beforehand.
+ContactScene curved(std::uint32_t side, float spread) {
+    const ContactScene flat = folded(side, 0.3f);
+    ContactScene scene;
+    scene.add(flat.positions, flat.positions, grid_triangles(side, side), 0.3f * edge);
+    scene.add_motions(random_vectors(scene.positions.size(), spread * edge, 2));
+    return scene;
+}
+
+std::multiset<Corners> keys_of(const PairList& list, bool vertex_triangle) {
+    std::multiset<Corners> keys;
+    for (std::uint32_t k = 0; k < list.size; ++k)
+        if ((k < list.vertex_triangle) == vertex_triangle)
+            keys.insert(key_of(list.pairs[k].corners, vertex_triangle));
+    return keys;
+}
+
+/// Expects that looking again finds what a search by itself does.
+void expect_the_same_again(const ContactScene& first, const ContactScene& then) {
+    const PairList expected = pairs_of(then);
+    PairList before(1 << 18), list(1 << 18);
+    for (const int threads : {1, 3}) {
+        PairFinder finder;
+        finder.reserve(first.bodies);
+        Parallel parallel(threads);
+        ASSERT_TRUE(finder.can_look_again(first.bodies));
+        finder.find_to_look_again(parallel, first.bodies, first.positions, first.motions, before, 0.5f);
+        expect_equal(before, pairs_of(first, 1, 1 << 18, 0.5f));
+        CrossingList crossings(1 << 12);
+        finder.find_crossings(parallel, first.bodies, first.positions, crossings);
+        for (int time = 0; time < 2; ++time) {
+            finder.find_again(parallel, then.bodies, then.positions, then.motions, first.motions, list);
+            for (const bool vertex_triangle : {true, false})
+                EXPECT_EQ(keys_of(list, vertex_triangle), keys_of(expected, vertex_triangle));
+        }
+    }
+}
+
+TEST(PairFinder, WhatItLooksAtAgainIsWhatASearchFinds) {
+    for (const float reach : {0.01f, 0.29f}) {
+        for (const float change : {0.0f, 0.1f, 0.15f, 0.5f}) {
+            const ContactScene first = curved(24, 0.2f);
+            ContactScene then = first;
+            then.bodies[0].reach = reach * edge;
+            std::vector<Vec4> changes = random_vectors(then.motions.size(), change * edge, 5);
+            for (std::size_t i = 0; i < changes.size(); ++i)
+                if (i % 24 >= 12) changes[i] = {};  // most of what is there stays in its boxes
+            then.add_motions(changes);
+            SCOPED_TRACE(testing::Message() << reach << " " << change);
+            expect_the_same_again(first, then);
+        }
+    }
+}
+
+TEST(PairFinder, LooksAgainWhereTheFirstMotionOrTheSecondIsNotFinite) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    ContactScene first = curved(24, 0.2f);
+    ContactScene then = first;
+    then.bodies[0].reach = 0.1f * edge;
+    first.motions[100].y = nan;
+    then.motions[300].x = std::numeric_limits<float>::infinity();
+    then.motions[301].z = nan;
+    expect_the_same_again(first, then);
+}
+
+TEST(PairFinder, LooksAgainWhereWhatWasTooFarGoesFartherThanItWasExpected) {
+    constexpr std::uint32_t side = 16;
+    constexpr float reach = 0.3f * edge, gap = 0.31f * edge;
+    const std::vector<Vec4> rest = folded(side, 0.3f).positions;
+    ContactScene first;
+    for (const float height : {0.0f, gap}) {
+        std::vector<Vec4> now = flat(side, side);
+        for (Vec4& p : now) p.y = height;
+        first.add(rest, now, grid_triangles(side, side), reach);
+    }
+    ContactScene then = first;
+    for (ContactBody& body : then.bodies) body.reach = 0.01f * edge;
+    for (std::uint32_t i = 0; i < then.motions.size(); ++i)
+        then.motions[i].y = (i < side * side ? 0.52f : -0.52f) * gap;
+    ASSERT_GT(pairs_of(then).size, 1000u);
+    expect_the_same_again(first, then);
+}
+
+TEST(PairFinder, LooksAgainWhereThereWasNoRoomForAllItLookedAt) {
+    ContactScene first = curved(24, 0);
+    first.bodies[0].reach = 1.5f * edge;
+    ContactScene then = first;
+    then.bodies[0].reach = 0.3f * edge;
+    expect_the_same_again(first, then);
+}
+
+/// Each ends within `slack` of the way from 0 to the motion.
+std::vector<Vec4> near_these(const std::vector<Vec4>& motions, float slack) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> part(0, 1);
+    std::vector<Vec4> ends = random_vectors(motions.size(), slack / std::sqrt(3.0f), 6);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        set_xyz(ends[i], xyz(ends[i]) + part(random) * xyz(motions[i]));
+    return ends;
+}
+
+float longest_of(const std::vector<Vec4>& motions) {
+    float longest = 0;
+    for (const Vec4& m : motions) longest = std::max(longest, xyz(m).norm());
+    return longest;
+}
+
+TEST(PairNarrowing, LeavesWhatASearchWithTheShorterReachFinds) {
+    ContactScene wide = crowded();
+    PairNarrowing narrowing;
+    narrowing.reserve(1 << 18);
+    constexpr float of_borders = 0.8f;
+    for (const float reach : {0.12f, 0.16f, 0.2f}) {
+        ContactScene narrow = wide;
+        narrow.bodies[0].reach = reach * edge;
+        narrow.motions = near_these(wide.motions, 0.49f * (of_borders * wide.bodies[0].reach - reach * edge));
+        const PairList searched = pairs_of(narrow);
+        EXPECT_GT(searched.size, 10u);
+        for (const int threads : {1, 3}) {
+            PairList list = pairs_of(wide, 1, 1 << 18, of_borders);
+            EXPECT_GT(list.size, searched.size + 1000);
+            Parallel parallel(threads);
+            narrowing.narrow(parallel, narrow.positions, narrow.motions, reach * edge,
+                             longest_of(narrow.motions), list);
+            expect_equal(list, searched);
+        }
+    }
+}
+
+TEST(PairNarrowing, OfAListWithoutPairsNothingIsLeft) {
+    PairNarrowing narrowing;
+    narrowing.reserve(100);
+    PairList list(100);
+    Parallel serial(1);
+    narrowing.narrow(serial, {}, {}, 1, 0, list);
+    EXPECT_EQ(list.size, 0u);
+}
+
+}  // namespace
+}  // namespace weft::test
