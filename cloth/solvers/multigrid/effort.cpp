@@ -43,6 +43,7 @@ int Effort::most_iterations() const {
 // far takes energy from it, however stiff it is, but wants some ten iterations.
 int Effort::iterations_for(double decrement) {
     constexpr int least = 10;
+    constexpr float least_effort = 2;  // with less the passes are as many as were asked for, and end nearer
     const bool is_last = passes_ + 1 >= method_.passes;
     if (goes_back()) {
         course_ = Course::whole;
@@ -55,7 +56,8 @@ int Effort::iterations_for(double decrement) {
         course_ = Course::whole;
         return std::max(afforded_iterations(coarse_operators_work), method_.iterations);
     }
-    if (one_pass_will_do_ && afforded_iterations(work_ + pass_work) >= least) {
+    if (one_pass_will_do_ && method_.effort >= least_effort &&
+        afforded_iterations(work_ + pass_work) >= least) {
         course_ = Course::back;
         return 0;
     }
