@@ -125,7 +125,8 @@ HWY_INLINE Rows rows_from(const RowAt& row) {
             every_fourth_row(d, 3, row)};
 }
 /// Rows nodes[0], nodes[1], ..
-HWY_INLINE Rows fetch(const Vec4* rows, const std::uint32_t* nodes) {
+template <class Number>
+HWY_INLINE Rows fetch(const Vec4* rows, const Number* nodes) {
     return rows_from([=](std::uint32_t k) HWY_ATTR { return hn::Load(RowTag(), &rows[nodes[k]].x); });
 }
 
@@ -147,10 +148,12 @@ HWY_INLINE Lanes3 lanes_of(const Rows& v) {
 }
 
 /// Rows nodes[0], nodes[1], .., one to a lane. Fetching each whole is twice as fast as gathering x, y and z.
-HWY_INLINE Lanes3 gather_rows(const Vec4* rows, const std::uint32_t* nodes) {
+template <class Number>
+HWY_INLINE Lanes3 gather_rows(const Vec4* rows, const Number* nodes) {
     return lanes_of(fetch(rows, nodes));
 }
-HWY_INLINE Lanes4 gather_rows_with_w(const Vec4* rows, const std::uint32_t* nodes) {
+template <class Number>
+HWY_INLINE Lanes4 gather_rows_with_w(const Vec4* rows, const Number* nodes) {
     return lanes4_of(fetch(rows, nodes));
 }
 

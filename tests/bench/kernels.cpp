@@ -71,9 +71,8 @@ struct CoarseCounts {
             const double slots = 16.0 * level.matrix().stencil.slots();
             const GalerkinLists& of = level.lists();
             terms += static_cast<double>(of.factors.size()) / n;
-            lists += static_cast<double>(of.group_slots.bytes() + of.fine_links.bytes() +
-                                         of.near_links.bytes() + of.factors.bytes()) /
-                     n;
+            lists +=
+                static_cast<double>(of.group_slots.bytes() + of.fine_links.bytes() + of.factors.bytes()) / n;
             matrices += static_cast<double>(level.matrix().bytes()) / n;
             read_by_cycle +=
                 (28 * slots + (4 * 16 + 24) * nodes) / n;  // blocks of 24, indices of 4; b, x, D^-1

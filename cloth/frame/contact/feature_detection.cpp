@@ -24,14 +24,10 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
 void FeatureContact::detect(Parallel& parallel) {
     const auto search = [&] {
         set_reach(&ContactCloth::radius);
-        can_look_again_ = finder_.can_look_again(bodies_);
-        if (can_look_again_)
-            finder_.find_to_look_again(parallel, bodies_, start_.span(), searched_.span(), pairs_,
-                                       of_borders);
-        else
-            finder_.find(parallel, bodies_, start_.span(), searched_.span(), pairs_, of_borders);
+        const bool is_kept = finder_.find_to_look_again(parallel, bodies_, start_.span(), searched_.span(),
+                                                        pairs_, of_borders);
         has_all_near_ = !pairs_.overflowed;
-        can_look_again_ = can_look_again_ && has_all_near_;
+        can_look_again_ = is_kept && has_all_near_;
     };
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
     std::ranges::copy(settler_.relative(), searched_.data());

@@ -14,6 +14,7 @@
 #include "cloth/frame/cooked/cooked_cloth.h"
 #include "cloth/frame/settings/validate.h"
 #include "cloth/mesh/coordinates.h"
+#include "cloth/mesh/list_checks.h"
 #include "cloth/mesh/mesh_limits.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"
@@ -131,8 +132,6 @@ class ListReader {
     mutable bool is_short_ = false;
 };
 
-// Files are sound, mostly: loops go through all, without a branch, rather than to what is first not so.
-
 /// All numbers of a list, whose items are made of them.
 template <class Number, class Item>
 std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
@@ -140,39 +139,17 @@ std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
     return {reinterpret_cast<const Number*>(list.data()), list.size() * (sizeof(Item) / sizeof(Number))};
 }
 
-bool all_below(std::span<const std::uint32_t> indices, std::size_t end) {
-    const auto first_wrong = static_cast<std::uint32_t>(std::min<std::size_t>(end, ~0u));
-    std::uint32_t wrong = 0;
-    for (const std::uint32_t i : indices) wrong |= i >= first_wrong ? 1u : 0u;
-    return wrong == 0;
-}
-
-/// Ascending offsets of `rows` rows of a list of `items`.
-bool are_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, std::size_t items) {
-    if (offsets.size() != rows + 1 || offsets[0] != 0 || offsets[rows] != items) return false;
-    std::uint32_t wrong = 0;
-    for (std::size_t k = 0; k < rows; ++k) wrong |= offsets[k] > offsets[k + 1] ? 1u : 0u;
-    return wrong == 0;
-}
-
-/// Not-a-number is not.
-bool all_within(std::span<const float> numbers, float least, float most) {
-    std::uint32_t wrong = 0;
-    for (const float x : numbers) wrong |= (x >= least ? 0u : 1u) | (x <= most ? 0u : 1u);
-    return wrong == 0;
-}
-
 /// Numbers that a mesh could have led to.
 bool are_sound(const ClothModel& model) {
     constexpr float most = std::numeric_limits<float>::max();
     std::uint32_t wrong = 0;
     for (const Vec4& p : model.positions) wrong |= p.w == 0 ? 0u : 1u;
-    return wrong == 0 && all_within(model.rest_area.span(), 0, most) &&
-           all_within(model.rest_lengths.span(), 0, most) && all_within(model.bending.span(), -most, most) &&
-           all_within(model.bending_excess.span(), -most, most) &&
-           all_within(numbers_of<float>(model.texcoords), -most, most) &&
-           all_within(numbers_of<float>(model.positions), -runaway_distance, runaway_distance) &&
-           all_within(numbers_of<float>(model.panel_sides), -most, most);
+    return wrong == 0 && are_within(model.rest_area.span(), 0, most) &&
+           are_within(model.rest_lengths.span(), 0, most) && are_within(model.bending.span(), -most, most) &&
+           are_within(model.bending_excess.span(), -most, most) &&
+           are_within(numbers_of<float>(model.texcoords), -most, most) &&
+           are_within(numbers_of<float>(model.positions), -runaway_distance, runaway_distance) &&
+           are_within(numbers_of<float>(model.panel_sides), -most, most);
 }
 
 /// That triangles at a particle have it at a corner. Precondition: offsets and numbers are within their
@@ -209,14 +186,14 @@ bool is_whole(const ClothModel& model) {
         (model.texcoords.empty() || model.texcoords.size() == vertices) &&
         (model.vertex_triangles.empty() || model.vertex_triangles.size() == triangles) &&
         (model.rows == 0 ? model.columns == 0 : std::uint64_t{model.rows} * model.columns == n);
-    return has_sizes && are_offsets(model.spring_offsets, n, springs) &&
-           are_offsets(model.corner_offsets, n, 3 * triangles) &&
-           are_offsets(model.component_offsets, model.component_offsets.size() - 1, n) &&
-           all_below(model.neighbours.span(), n) && all_below(model.component_particles.span(), n) &&
-           all_below(model.vertex_to_particle.span(), n) &&
-           all_below(model.corner_triangles.span(), triangles) &&
-           all_below(numbers_of<std::uint32_t>(model.triangles), n) &&
-           all_below(numbers_of<std::uint32_t>(model.vertex_triangles), vertices) &&
+    return has_sizes && are_offsets(model.spring_offsets.span(), n, springs) &&
+           are_offsets(model.corner_offsets.span(), n, 3 * triangles) &&
+           are_offsets(model.component_offsets.span(), model.component_offsets.size() - 1, n) &&
+           are_below(model.neighbours.span(), n) && are_below(model.component_particles.span(), n) &&
+           are_below(model.vertex_to_particle.span(), n) &&
+           are_below(model.corner_triangles.span(), triangles) &&
+           are_below(numbers_of<std::uint32_t>(model.triangles), n) &&
+           are_below(numbers_of<std::uint32_t>(model.vertex_triangles), vertices) &&
            (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
            std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; }) &&
            are_components(model) && have_their_corners(model);

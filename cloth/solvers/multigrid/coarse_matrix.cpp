@@ -64,15 +64,11 @@ HWY_INLINE void store_as_rows(const SymmetricLanes& m, Vec4* diagonal, Vec4* off
     store_rows({m.xx, m.yy, m.zz}, set(0), diagonal);
     store_rows({m.xy, m.xz, m.yz}, set(0), off_diagonal);
 }
-/// Rows numbers[0], numbers[1], .., of few bytes or many.
 template <class Number>
-HWY_INLINE Lanes4 gather_numbered(const Vec4* rows, const Number* numbers) {
-    return lanes4_of(
-        rows_from([=](std::uint32_t k) HWY_ATTR { return hn::Load(RowTag(), &rows[numbers[k]].x); }));
-}
-HWY_INLINE SymmetricLanes gather_blocks(const SymmetricRows& rows, const std::uint32_t* numbers) {
-    return symmetric_of(gather_rows(rows.diagonal.data(), numbers),
-                        gather_rows(rows.off_diagonal.data(), numbers));
+HWY_INLINE SymmetricLanes gather_blocks(const SymmetricRows& rows, std::uint32_t base,
+                                        const Number* numbers) {
+    return symmetric_of(gather_rows(rows.diagonal.data() + base, numbers),
+                        gather_rows(rows.off_diagonal.data() + base, numbers));
 }
 
 // A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
@@ -87,7 +83,7 @@ void finish(const BlockRange& range, CoarseMatrix& matrix) {
         SymmetricLanes diagonal = ground;
         for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
-            const SymmetricLanes block = gather_blocks(matrix.links, &matrix.link_rows[entry]);
+            const SymmetricLanes block = gather_blocks(matrix.links, 0, &matrix.link_rows[entry]);
             store_symmetric(block, &matrix.coefficients[lane_index(entry, 0, CoarseMatrix::arrays)]);
             diagonal = diagonal + block;
         }
@@ -119,7 +115,7 @@ HWY_INLINE void sum_terms_by(const SharedBuffer<Number>& numbers, const Galerkin
     constexpr bool is_packed = sizeof(Number) < sizeof(std::uint32_t);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        const std::uint32_t base = is_packed ? lists.bases[group] : 0;
+        const std::uint32_t base = is_packed ? lists.fine_links.bases[group] : 0;
         SymmetricLanes sum = first(i);
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t entry = s * Stencil::lanes + lane;
@@ -131,10 +127,10 @@ HWY_INLINE void sum_terms_by(const SharedBuffer<Number>& numbers, const Galerkin
 template <class First, class AddTerm>
 HWY_INLINE void sum_terms(const GalerkinLists& lists, const BlockRange& range, const First& first,
                           const AddTerm& add_term, SymmetricRows& sums) {
-    if (lists.near_links.empty())
-        sum_terms_by(lists.fine_links, lists, range, first, add_term, sums);
+    if (lists.fine_links.is_packed())
+        sum_terms_by(lists.fine_links.from_base, lists, range, first, add_term, sums);
     else
-        sum_terms_by(lists.near_links, lists, range, first, add_term, sums);
+        sum_terms_by(lists.fine_links.numbers, lists, range, first, add_term, sums);
 }
 
 /// sum + factor (d d^T + a I).
@@ -155,7 +151,7 @@ void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4
     };
     const auto add = [springs](const auto& sum, Lanes factor, std::uint32_t base, const auto* numbers)
                          HWY_ATTR {
-                             const Lanes4 spring = gather_numbered(springs + base, numbers);
+                             const Lanes4 spring = gather_rows_with_w(springs + base, numbers);
                              return add_spring(sum, factor, xyz(spring), spring.w);
                          };
     sum_terms(lists, range, constants, add, sums);
@@ -163,11 +159,8 @@ void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4
 
 void sum_links(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
                SymmetricRows& sums) {
-    const auto add = [&links](const auto& sum, Lanes factor, std::uint32_t base,
-                              const auto* numbers) HWY_ATTR {
-        return sum + factor * symmetric_of(xyz(gather_numbered(links.diagonal.data() + base, numbers)),
-                                           xyz(gather_numbered(links.off_diagonal.data() + base, numbers)));
-    };
+    const auto add = [&links](const auto& sum, Lanes factor, std::uint32_t base, const auto* numbers)
+                         HWY_ATTR { return sum + factor * gather_blocks(links, base, numbers); };
     const auto nothing = [](std::uint32_t) HWY_ATTR { return zero_symmetric(); };
     sum_terms(lists, range, nothing, add, sums);
 }

@@ -185,7 +185,7 @@ GalerkinLists in_groups(const GrowingLists& grown) {
     GalerkinLists lists;
     lists.links = SharedBuffer<Link>(grown.links);
     lists.constants.offsets = SharedBuffer<std::uint32_t>(grown.constants.offsets);
-    lists.constants.fine_links = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
+    lists.constants.fine_links.numbers = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
     lists.constants.factors = SharedBuffer<float>(grown.constants.factors);
     lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
     lists.places = SharedBuffer<std::uint32_t>(order.size());
@@ -198,14 +198,14 @@ GalerkinLists in_groups(const GrowingLists& grown) {
     for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
 
     const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
-    lists.fine_links = SharedBuffer<std::uint32_t>(entries);
+    lists.fine_links.numbers = SharedBuffer<std::uint32_t>(entries);
     lists.factors = SharedBuffer<float>(entries);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
         const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
         const std::uint32_t terms = grown.terms(order[place]);
         for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
             const std::uint32_t t = s - lists.group_slots[group], entry = s * lanes + place % lanes;
-            if (terms > 0) lists.fine_links[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
+            if (terms > 0) lists.fine_links.numbers[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
             lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
         }
     }
@@ -214,48 +214,34 @@ GalerkinLists in_groups(const GrowingLists& grown) {
 
 }  // namespace
 
-void GalerkinLists::pack() {
-    constants.pack();
-    constexpr std::uint32_t lanes = Stencil::lanes, far = std::numeric_limits<std::uint16_t>::max();
-    SharedBuffer<std::uint32_t> least(groups());
-    SharedBuffer<std::uint16_t> from_least(fine_links.size());
-    for (std::uint32_t g = 0; g < groups(); ++g) {
-        const std::uint32_t begin = group_slots[g] * lanes, end = group_slots[g + 1] * lanes;
+void FineLinks::pack(std::span<const std::uint32_t> offsets, std::uint32_t width,
+                     std::span<const float> factors) {
+    constexpr std::uint32_t far = std::numeric_limits<std::uint16_t>::max();
+    const std::size_t rows = offsets.empty() ? 0 : offsets.size() - 1;
+    SharedBuffer<std::uint32_t> least(rows);
+    SharedBuffer<std::uint16_t> from_least(numbers.size());
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::uint32_t begin = offsets[row] * width, end = offsets[row + 1] * width;
         std::uint32_t base = ~0u, last = 0;
-        for (std::uint32_t e = begin; e < end; ++e) {
-            if (factors[e] == 0) continue;
-            base = std::min(base, fine_links[e]);
-            last = std::max(last, fine_links[e]);
+        for (std::uint32_t t = begin; t < end; ++t) {
+            if (factors[t] == 0) continue;
+            base = std::min(base, numbers[t]);
+            last = std::max(last, numbers[t]);
         }
         if (base > last) base = last = 0;
         if (last - base > far) return;
-        least[g] = base;
-        // What has no part names any that is near.
-        for (std::uint32_t e = begin; e < end; ++e)
-            from_least[e] = static_cast<std::uint16_t>(std::clamp(fine_links[e], base, last) - base);
+        least[row] = base;
+        for (std::uint32_t t = begin; t < end; ++t)
+            from_least[t] = static_cast<std::uint16_t>(std::clamp(numbers[t], base, last) - base);
     }
     bases = std::move(least);
-    near_links = std::move(from_least);
-    fine_links = {};
+    from_base = std::move(from_least);
+    numbers = {};
 }
 
-void GalerkinLists::Constants::pack() {
-    const std::size_t links = offsets.empty() ? 0 : offsets.size() - 1;
-    SharedBuffer<std::uint32_t> least(links);
-    SharedBuffer<std::uint16_t> from_least(fine_links.size());
-    for (std::size_t k = 0; k < links; ++k) {
-        const auto of_link =
-            std::as_const(fine_links).span().subspan(offsets[k], offsets[k + 1] - offsets[k]);
-        if (of_link.empty()) continue;
-        const auto [base, last] = std::ranges::minmax(of_link);
-        if (last - base > std::numeric_limits<std::uint16_t>::max()) return;
-        least[k] = base;
-        for (std::uint32_t t = offsets[k]; t < offsets[k + 1]; ++t)
-            from_least[t] = static_cast<std::uint16_t>(fine_links[t] - base);
-    }
-    bases = std::move(least);
-    near_links = std::move(from_least);
-    fine_links = {};
+void GalerkinLists::pack_fine_links() {
+    fine_links.pack(group_slots.span(), Stencil::lanes, factors.span());
+    constants.fine_links.pack(constants.offsets.span(), 1, constants.factors.span());
 }
 
 std::vector<Link> links_of(const SpringGraph& graph) {
@@ -336,7 +322,7 @@ SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsen
                                 lane = lists.places[k] % Stencil::lanes;
             for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
                 const std::uint32_t term = s * Stencil::lanes + lane;
-                stiffness += lists.factors[term] * fine_stiffness[lists.fine_links[term]];
+                stiffness += lists.factors[term] * fine_stiffness[lists.fine_links.of(group, term)];
             }
             graph.neighbours[e] = link.first == i ? link.second : link.first;
             graph.stiffness[e] = std::max(stiffness, 0.0f);

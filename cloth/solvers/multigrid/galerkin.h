@@ -22,47 +22,54 @@ struct Link {
     friend auto operator<=>(const Link&, const Link&) = default;
 };
 
+/// The numbers of terms' fine links, in rows.
+struct FineLinks {
+    SharedBuffer<std::uint32_t> numbers;    ///< of each term; none once packed
+    SharedBuffer<std::uint32_t> bases;      ///< packed: of each row the least number,
+    SharedBuffer<std::uint16_t> from_base;  ///< and by how much that of each term is more
+
+    [[nodiscard]] bool is_packed() const noexcept { return !bases.empty() || !from_base.empty(); }
+    [[nodiscard]] std::uint32_t of(std::uint32_t row, std::uint32_t term) const noexcept {
+        return is_packed() ? bases[row] + from_base[term] : numbers[term];
+    }
+    /// Row r is terms [width * offsets[r], width * offsets[r + 1]); those of factor 0 may name any of its
+    /// links. Does nothing where those of a row lie too far from one another.
+    void pack(std::span<const std::uint32_t> offsets, std::uint32_t width, std::span<const float> factors);
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return numbers.bytes() + bases.bytes() + from_base.bytes();
+    }
+};
+
 /// The terms of each coarse spring: a factor and a spring of the finer level. Sums are taken 16 at a time, as
 /// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
 /// group have about as many.
 struct GalerkinLists {
-    /// Terms of fine links whose blocks are a number times the identity, and never change: by coarse link,
-    /// those of link k in [offsets[k], offsets[k + 1]).
+    /// Terms of fine links whose blocks are a number times the identity, and never change.
     struct Constants {
-        SharedBuffer<std::uint32_t> offsets, fine_links;
+        SharedBuffer<std::uint32_t> offsets;  ///< terms of link k: [offsets[k], offsets[k + 1])
+        FineLinks fine_links;                 ///< of each term, in these rows
         SharedBuffer<float> factors;
-        SharedBuffer<std::uint32_t> bases;  ///< packed, as those below, of each coarse link
-        SharedBuffer<std::uint16_t> near_links;
         AlignedBuffer<float> sums;  ///< of each place: what the terms add up to, over constant_scale()
 
         [[nodiscard]] std::size_t bytes() const noexcept {
-            return offsets.bytes() + fine_links.bytes() + factors.bytes() + bases.bytes() +
-                   near_links.bytes() + sums.bytes();
+            return offsets.bytes() + fine_links.bytes() + factors.bytes() + sums.bytes();
         }
-        /// The t-th term's, of coarse link k.
-        [[nodiscard]] std::uint32_t fine_link(std::uint32_t k, std::uint32_t t) const noexcept {
-            return near_links.empty() ? fine_links[t] : bases[k] + near_links[t];
-        }
-        void pack();
     } constants;
 
     SharedBuffer<Link> links;                 ///< of the coarse level, ascending
     SharedBuffer<std::uint32_t> places;       ///< of each link: which sum is its, group * lanes + lane
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
-    SharedBuffer<std::uint32_t> fine_links;   ///< of each term, [slot * lanes + lane]; none once packed
+    FineLinks fine_links;                     ///< of each term, [slot * lanes + lane], in rows of groups
     SharedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
-    SharedBuffer<std::uint32_t> bases;        ///< packed: of each group the least of its terms' fine links,
-    SharedBuffer<std::uint16_t> near_links;   ///< and by how much that of each term is more
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return links.bytes() + places.bytes() + group_slots.bytes() + fine_links.bytes() + factors.bytes() +
-               bases.bytes() + near_links.bytes() + constants.bytes();
+               constants.bytes();
     }
-    /// Fine links by what they are from their group's least, unless one is too far.
-    void pack();
+    void pack_fine_links();
 };
 
 /// Links of a graph, ascending: each spring once.

@@ -1,11 +1,11 @@
 #include "cloth/solvers/multigrid/levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <functional>
 #include <type_traits>
 #include <utility>
+
+#include "cloth/mesh/list_checks.h"
 
 namespace weft {
 
@@ -17,15 +17,15 @@ void for_each_level_list(Level& level, const Visit& visit) {
     visit(level.lists.links);
     visit(level.lists.places);
     visit(level.lists.group_slots);
-    visit(level.lists.fine_links);
+    visit(level.lists.fine_links.numbers);
     visit(level.lists.factors);
-    visit(level.lists.bases);
-    visit(level.lists.near_links);
+    visit(level.lists.fine_links.bases);
+    visit(level.lists.fine_links.from_base);
     visit(level.lists.constants.offsets);
-    visit(level.lists.constants.fine_links);
+    visit(level.lists.constants.fine_links.numbers);
     visit(level.lists.constants.factors);
-    visit(level.lists.constants.bases);
-    visit(level.lists.constants.near_links);
+    visit(level.lists.constants.fine_links.bases);
+    visit(level.lists.constants.fine_links.from_base);
     visit(level.interpolation.nodes);
     visit(level.interpolation.weights);
     visit(level.interpolation.kept);
@@ -100,39 +100,8 @@ class LevelReader {
     bool is_short_ = false;
 };
 
-// Files are sound, mostly: loops go through all, without a branch, rather than to what is first not so.
-template <class Numbers>
-bool are_below(const Numbers& numbers, std::size_t end) {
-    const auto first_wrong = static_cast<std::uint32_t>(std::min<std::size_t>(end, ~0u));
-    std::uint32_t wrong = 0;
-    for (const std::uint32_t number : numbers) wrong |= number >= first_wrong ? 1u : 0u;
-    return wrong == 0;
-}
-
-template <class Numbers>
-bool are_finite(const Numbers& numbers) {
-    std::uint32_t wrong = 0;
-    for (const float number : numbers) wrong |= std::abs(number) <= 1e6f ? 0u : 1u;  // not-a-number is not
-    return wrong == 0;
-}
-
-/// Whether base + each is below `end`.
-bool are_near(std::span<const std::uint16_t> numbers, std::uint32_t base, std::size_t end) {
-    if (numbers.empty()) return true;
-    if (base >= end) return false;
-    const auto most = static_cast<std::uint16_t>(std::min<std::size_t>(end - base - 1, 65535));
-    std::uint16_t wrong = 0;
-    for (const std::uint16_t number : numbers)
-        wrong = static_cast<std::uint16_t>(wrong | (number > most ? 1u : 0u));
-    return wrong == 0;
-}
-
-/// Offsets of `rows` rows, up to `end`.
-bool are_row_offsets(const SharedBuffer<std::uint32_t>& offsets, std::size_t rows, std::size_t end) {
-    if (offsets.size() != rows + 1 || offsets[0] != 0 || offsets[rows] != end) return false;
-    std::uint32_t wrong = 0;
-    for (std::size_t k = 0; k < rows; ++k) wrong |= offsets[k] > offsets[k + 1] ? 1u : 0u;
-    return wrong == 0;
+bool are_weights(std::span<const float> numbers) {
+    return are_within(numbers, -1e6f, 1e6f);
 }
 
 bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
@@ -147,32 +116,29 @@ bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
     return wrong == 0;
 }
 
-/// Whether terms name springs that there are.
-bool have_springs(const GalerkinLists& lists, std::size_t springs) {
-    if (lists.near_links.empty() && lists.bases.empty())
-        return lists.fine_links.size() == lists.factors.size() && are_below(lists.fine_links, springs);
-    if (!lists.fine_links.empty() || lists.near_links.size() != lists.factors.size() ||
-        lists.bases.size() != lists.groups())
-        return false;
-    const std::span<const std::uint16_t> near = lists.near_links.span();
-    for (std::uint32_t g = 0; g < lists.groups(); ++g) {
-        const std::size_t begin = std::size_t{lists.group_slots[g]} * Stencil::lanes,
-                          end = std::size_t{lists.group_slots[g + 1]} * Stencil::lanes;
-        if (!are_near(near.subspan(begin, end - begin), lists.bases[g], springs)) return false;
-    }
-    return true;
+/// Whether base + each is below `end`.
+bool are_near(std::span<const std::uint16_t> numbers, std::uint32_t base, std::size_t end) {
+    if (numbers.empty()) return true;
+    if (base >= end) return false;
+    const auto most = static_cast<std::uint16_t>(std::min<std::size_t>(end - base - 1, 65535));
+    std::uint16_t wrong = 0;
+    for (const std::uint16_t number : numbers)
+        wrong = static_cast<std::uint16_t>(wrong | (number > most ? 1u : 0u));
+    return wrong == 0;
 }
 
-bool have_constants(const GalerkinLists::Constants& lists, std::size_t constants) {
-    if (lists.near_links.empty() && lists.bases.empty())
-        return lists.fine_links.size() == lists.factors.size() && are_below(lists.fine_links, constants);
-    if (!lists.fine_links.empty() || lists.near_links.size() != lists.factors.size() ||
-        lists.bases.size() + 1 != lists.offsets.size())
+/// Whether so many terms, in rows as FineLinks::pack() is told, name links below `end`. Precondition: offsets
+/// are within the terms.
+bool are_fine_links(const FineLinks& links, std::span<const std::uint32_t> offsets, std::uint32_t width,
+                    std::size_t terms, std::size_t end) {
+    if (!links.is_packed()) return links.numbers.size() == terms && are_below(links.numbers.span(), end);
+    if (!links.numbers.empty() || links.from_base.size() != terms || links.bases.size() + 1 != offsets.size())
         return false;
-    const std::span<const std::uint16_t> near = lists.near_links.span();
-    for (std::size_t k = 0; k < lists.bases.size(); ++k) {
-        const std::uint32_t begin = lists.offsets[k], end = lists.offsets[k + 1];
-        if (!are_near(near.subspan(begin, end - begin), lists.bases[k], constants)) return false;
+    const std::span<const std::uint16_t> from_base = links.from_base.span();
+    for (std::size_t row = 0; row < links.bases.size(); ++row) {
+        const std::size_t first = std::size_t{offsets[row]} * width;
+        const auto of_row = from_base.subspan(first, std::size_t{offsets[row + 1]} * width - first);
+        if (!are_near(of_row, links.bases[row], end)) return false;
     }
     return true;
 }
@@ -182,17 +148,21 @@ bool fits_level(const SavedLevels::Level& level, std::uint32_t fine, std::size_t
                 std::size_t constants) {
     const GalerkinLists& lists = level.lists;
     const Interpolation& p = level.interpolation;
-    const std::size_t links = lists.links.size(), groups = lists.groups(), lanes = Stencil::lanes;
+    constexpr std::uint32_t lanes = Stencil::lanes;
+    const std::size_t links = lists.links.size(), groups = lists.groups();
     const std::size_t weights = std::size_t{Interpolation::width} * Stencil::whole_groups(fine);
     return p.fine == fine && p.coarse > 0 && p.coarse <= fine / 2 && p.kept.size() == p.coarse &&
            p.nodes.size() == weights && p.weights.size() == weights && are_below(p.kept, fine) &&
-           are_below(p.nodes, p.coarse) && are_finite(p.weights) && are_links(lists.links, p.coarse) &&
-           lists.places.size() == links && are_below(lists.places, groups * lanes) &&
-           lists.factors.size() % lanes == 0 &&
-           are_row_offsets(lists.group_slots, groups, lists.factors.size() / lanes) &&
-           have_springs(lists, springs) && are_finite(lists.factors) &&
-           are_row_offsets(lists.constants.offsets, links, lists.constants.factors.size()) &&
-           have_constants(lists.constants, constants) && are_finite(lists.constants.factors);
+           are_below(p.nodes.span(), p.coarse) && are_weights(p.weights) &&
+           are_links(lists.links, p.coarse) && lists.places.size() == links &&
+           are_below(lists.places.span(), groups * lanes) && lists.factors.size() % lanes == 0 &&
+           are_offsets(lists.group_slots.span(), groups, lists.factors.size() / lanes) &&
+           are_fine_links(lists.fine_links, lists.group_slots.span(), lanes, lists.factors.size(), springs) &&
+           are_weights(lists.factors) &&
+           are_offsets(lists.constants.offsets.span(), links, lists.constants.factors.size()) &&
+           are_fine_links(lists.constants.fine_links, lists.constants.offsets.span(), 1,
+                          lists.constants.factors.size(), constants) &&
+           are_weights(lists.constants.factors);
 }
 
 }  // namespace
@@ -247,7 +217,7 @@ bool fit(const SavedLevels& levels, std::uint32_t particles, std::size_t entries
     if (levels.slots.empty() || !are_below(levels.slots, entries / Stencil::lanes) ||
         !std::ranges::is_sorted(levels.slots) || !are_links(levels.constant_links, particles) ||
         levels.constant_weights.size() != levels.constant_links.size() ||
-        !are_finite(levels.constant_weights))
+        !are_weights(levels.constant_weights))
         return false;
     std::uint32_t fine = particles;
     std::size_t springs = levels.slots.size() * Stencil::lanes, constants = levels.constant_links.size();

@@ -137,13 +137,14 @@ void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
         if (finest) {
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
             std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
-            for (std::uint32_t& link : lists.fine_links) link = springs[link];  // padding may name any
-            for (std::uint32_t& link : lists.constants.fine_links) link = numbers[link];
+            for (std::uint32_t& link : lists.fine_links.numbers)
+                link = springs[link];  // padding may name any
+            for (std::uint32_t& link : lists.constants.fine_links.numbers) link = numbers[link];
         } else {
             const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
-            for (std::uint32_t& link : lists.fine_links.span()) link = places[link];
+            for (std::uint32_t& link : lists.fine_links.numbers.span()) link = places[link];
         }
-        lists.pack();
+        lists.pack_fine_links();
         coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
     }
     coarse_.shrink_to_fit();
@@ -153,7 +154,7 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     GalerkinLists::Constants& terms = coarse_.front().constants();
     double sum = 0;
     for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        const std::uint32_t number = terms.fine_link(k, t);
+        const std::uint32_t number = terms.fine_links.of(k, t);
         const Link& link = constants_.links[number];
         if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
         sum += static_cast<double>(terms.factors[t] * constants_.weights[number]);

@@ -92,31 +92,37 @@ bool PairFinder::has_room_for(std::span<const ContactBody> bodies) {
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
                       float of_borders) {
-    choose(bodies);
-    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
-    place(parallel, search);
-    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
-        if (is_calm_[block] == 0) find_pairs(search, block, pairs);
-    });
+    find_all(parallel, bodies, positions, motions, found, of_borders, false);
 }
 
-bool PairFinder::can_look_again(std::span<const ContactBody> bodies) const noexcept {
+bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
     return !kept_.empty() && std::ranges::all_of(bodies, [](const ContactBody& body) {
         return body.mesh->flat_rest().is_empty();
     });
 }
 
-void PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+bool PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
                                     std::span<const Vec4> positions, std::span<const Vec4> motions,
                                     PairList& found, float of_borders) {
+    const bool keeps = can_keep(bodies);
+    find_all(parallel, bodies, positions, motions, found, of_borders, keeps);
+    return keeps;
+}
+
+void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodies,
+                          std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
+                          float of_borders, bool keeps) {
     choose(bodies);
-    kept_reach_.clear();
-    for (const ContactBody& body : bodies) kept_reach_.push_back(body.reach);
+    if (keeps) {
+        kept_reach_.clear();
+        for (const ContactBody& body : bodies) kept_reach_.push_back(body.reach);
+    }
     const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
     place(parallel, search);
     list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
-        if (is_first) kept_[block].clear();
-        if (is_calm_[block] == 0) find_pairs(search, block, pairs, is_first ? &kept_[block] : nullptr);
+        KeptBlock* const kept = keeps && is_first ? &kept_[block] : nullptr;
+        if (kept != nullptr) kept->clear();
+        if (is_calm_[block] == 0) find_pairs(search, block, pairs, kept);
     });
 }
 

@@ -45,12 +45,9 @@ class PairFinder {
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found, float of_borders = 1);
 
-    /// Whether find_to_look_again() keeps anything of these: of meshes without FlatRest, which many pairs of
-    /// patches are looked at of. Otherwise find() it is, and none may be looked at again.
-    [[nodiscard]] bool can_look_again(std::span<const ContactBody> bodies) const noexcept;
-
-    /// find(), and keeps what it looked at until the next such search.
-    void find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
+    /// find(), and keeps what it looked at until the next such search. Returns whether it did: of meshes
+    /// without FlatRest alone, since many pairs of patches are looked at of these.
+    bool find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
                             std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
                             float of_borders);
 
@@ -58,8 +55,8 @@ class PairFinder {
     /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order. Where
     /// features stay within the boxes they had, it looks among what was kept.
     ///
-    /// Preconditions: can_look_again(bodies); that list did not overflow, and no reach was less than it is
-    /// now.
+    /// Preconditions: that search kept what it looked at, its list did not overflow, and no reach was less
+    /// than it is now.
     void find_again(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                     std::span<const Vec4> motions, std::span<const Vec4> before, PairList& found);
 
@@ -85,6 +82,9 @@ class PairFinder {
     Groups choose(std::span<const ContactBody> bodies);
     Groups reserved_;
     std::size_t reserved_blocks_ = 0;
+    [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;
+    void find_all(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+                  std::span<const Vec4> motions, PairList& found, float of_borders, bool keeps);
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     /// find_block(block, pairs, is_first) finds those of a block; once more where it has many.

@@ -131,9 +131,7 @@ struct PairCollector {
     BoxHits hits;
 
     HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f, KeptBlock* k)
-        : search(s), found(f), kept(k) {
-        if (kept != nullptr) kept->clear();
-    }
+        : search(s), found(f), kept(k) {}
 
     HWY_INLINE void test_vertex_triangle() {
         test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle,

@@ -137,9 +137,9 @@ bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
 /// Fills the boxes of a block's wanted features.
 void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
-/// The pairs of a block with itself and with the blocks after it; `kept`, unless null, gets all that was
-/// looked at.
-void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept = nullptr);
+/// The pairs of a block with itself and with the blocks after it; `kept`, unless null, has nothing yet and
+/// gets all that was looked at.
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept);
 
 /// Likewise, of what a search before looked at, and `search.only` besides.
 void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
