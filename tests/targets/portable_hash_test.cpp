@@ -1,5 +1,5 @@
 // Steps have the bytes that other kinds of machines and other compilers gave them: one set for all that round
-// a * b + c once, and one for the rest, plain C++ among them.
+// a * b + c once, and one for the rest.
 //
 // To record them again: WEFT_RECORD_HASHES=1 build/release/bin/weft_targets_tests
 // --gtest_filter='*PortableHash*'

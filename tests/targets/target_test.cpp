@@ -1,4 +1,4 @@
-// Every vector target takes the step that plain C++ takes.
+// Every vector target takes the step that the narrowest one takes.
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
@@ -71,20 +71,20 @@ float tolerance(const MethodCase& method_case) {
     return has_halves ? 160 * 0x1p-10f : 0x1p13f * 0x1p-24f;
 }
 
-TEST_P(Targets, TakeTheStepOfPlainCode) {
-    const State plain = state_after_a_step_of(GetParam(), reference_target());
+TEST_P(Targets, TakeTheStepOfTheNarrowest) {
+    const State narrow = state_after_a_step_of(GetParam(), reference_target());
     std::uint64_t fused_hash = 0;
     for (const std::int64_t target : vector_targets()) {
         SCOPED_TRACE(hwy::TargetName(target));
         const State found = state_after_a_step_of(GetParam(), target);
         if (!is_fused(target)) {
-            EXPECT_EQ(found.hash, plain.hash) << "the same operations, in the same order";
+            EXPECT_EQ(found.hash, narrow.hash) << "the same operations, in the same order";
             continue;
         }
         if (fused_hash == 0) fused_hash = found.hash;
         EXPECT_EQ(found.hash, fused_hash) << "the same operations as of wider vectors";
-        EXPECT_LT(largest_difference(found.velocities, plain.velocities),
-                  tolerance(GetParam()) * plain.change);
+        EXPECT_LT(largest_difference(found.velocities, narrow.velocities),
+                  tolerance(GetParam()) * narrow.change);
     }
 }
 
@@ -101,7 +101,7 @@ std::vector<std::vector<std::uint32_t>> self_contacts(const Sheet& sheet, float 
     return lists;
 }
 
-TEST(SelfContactTargets, FindTheContactsThatPlainCodeFinds) {
+TEST(SelfContactTargets, FindTheContactsThatTheNarrowestFinds) {
     constexpr std::uint32_t n = 47;  // so that the last patch is not full
     const Sheet sheet = crumpled_sheet(n);
     for (const float distance : {0.75f / n, 2.5f / n}) {  // the second is crowded

@@ -5,11 +5,11 @@
 namespace weft::test {
 
 std::int64_t reference_target() {
-    return HWY_EMU128;
+    return HWY_SSSE3;
 }
 
 bool has_reference_target() {
-    return (HWY_TARGETS & HWY_EMU128) != 0;
+    return (HWY_TARGETS & reference_target()) != 0;
 }
 
 std::vector<std::int64_t> vector_targets() {

@@ -6,9 +6,9 @@
 
 namespace weft::test {
 
-/// Plain C++, one lane after the other: what all others are compared with.
+/// The narrowest of x86, which rounds after each product: what all others are compared with.
 [[nodiscard]] std::int64_t reference_target();
-/// Builds for other machines than the compiler's leave it out.
+/// Other machines do not, nor builds for processors that have more.
 [[nodiscard]] bool has_reference_target();
 /// All others that are compiled and that this machine can run, the widest first.
 [[nodiscard]] std::vector<std::int64_t> vector_targets();
