@@ -7,7 +7,7 @@
 #include "demo/character/garment/wear.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 
 namespace weft::demo {
 namespace {

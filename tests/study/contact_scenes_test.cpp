@@ -14,8 +14,8 @@
 #include "demo/study/contact/contact_result.h"
 #include "demo/study/contact/contact_run.h"
 #include "demo/study/contact/contact_table.h"
-#include "demo/study/contact/crossings.h"
-#include "demo/study/contact/triangle_distance.h"
+#include "demo/study/crossings/crossings.h"
+#include "demo/study/crossings/triangle_distance.h"
 
 namespace weft::study {
 namespace {

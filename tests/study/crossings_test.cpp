@@ -1,6 +1,6 @@
 // The count of triangles that cross, against integers and against shapes that are known.
 
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "demo/study/contact/orientation.h"
+#include "demo/study/crossings/orientation.h"
 
 namespace weft::study {
 namespace {

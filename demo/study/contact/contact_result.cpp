@@ -7,7 +7,7 @@
 
 #include "demo/study/contact/contact_measures.h"
 #include "demo/study/contact/contact_run.h"
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 
 namespace weft::study {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "demo/study/contact/contact_scenes.h"
-#include "demo/study/contact/triangle_soup.h"
+#include "demo/study/crossings/triangle_soup.h"
 
 namespace weft::study {
 

@@ -9,7 +9,7 @@
 
 #include "demo/character/character.h"
 #include "demo/character/garment/wear.h"
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 #include "tests/demo/garments.h"
 
 namespace weft::demo {

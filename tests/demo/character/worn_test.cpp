@@ -8,7 +8,7 @@
 #include "demo/character/character.h"
 #include "demo/character/garment/wear.h"
 #include "demo/export/write_back.h"
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 #include "tests/demo/character/temporary_file.h"
 #include "tests/demo/garments.h"
 

@@ -1,10 +1,10 @@
-#include "demo/study/contact/crossings.h"
+#include "demo/study/crossings/crossings.h"
 
 #include <algorithm>
 #include <array>
 
-#include "demo/study/contact/box_tree.h"
-#include "demo/study/contact/orientation.h"
+#include "demo/study/crossings/box_tree.h"
+#include "demo/study/crossings/orientation.h"
 
 namespace weft::study {
 

@@ -1,4 +1,4 @@
-#include "demo/study/contact/orientation.h"
+#include "demo/study/crossings/orientation.h"
 
 #include <array>
 #include <cmath>

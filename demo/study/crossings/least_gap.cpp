@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demo/study/contact/box_tree.h"
-#include "demo/study/contact/crossings.h"
-#include "demo/study/contact/triangle_distance.h"
+#include "demo/study/crossings/box_tree.h"
+#include "demo/study/crossings/crossings.h"
+#include "demo/study/crossings/triangle_distance.h"
 
 namespace weft::study {
 

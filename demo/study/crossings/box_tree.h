@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "demo/study/contact/triangle_soup.h"
+#include "demo/study/crossings/triangle_soup.h"
 
 namespace weft::study {
 

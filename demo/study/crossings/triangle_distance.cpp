@@ -1,4 +1,4 @@
-#include "demo/study/contact/triangle_distance.h"
+#include "demo/study/crossings/triangle_distance.h"
 
 #include <algorithm>
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-#include "demo/study/contact/triangle_soup.h"
+#include "demo/study/crossings/triangle_soup.h"
 
 #include <algorithm>
 #include <cmath>

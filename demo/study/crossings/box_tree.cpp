@@ -1,4 +1,4 @@
-#include "demo/study/contact/box_tree.h"
+#include "demo/study/crossings/box_tree.h"
 
 #include <limits>
 #include <numeric>
