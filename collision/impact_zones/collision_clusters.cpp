@@ -18,7 +18,7 @@ Vector3d unit_normal(const ContactBody& body, std::uint32_t triangle, std::span<
         return xyz(positions[body.first + corners[k]]).cast<double>();
     };
     const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0));
-    const double length = normal.norm();
+    const double length = length_of(normal);
     return length > 0 ? Vector3d(normal / length) : Vector3d::Zero();
 }
 
@@ -36,7 +36,7 @@ bool is_border_edge(const ContactBody& body, std::uint32_t i, std::uint32_t j,
     bool has_first = false, is_bent = false;
     for_each_beside(body, {i, j}, [&](std::uint32_t t, std::uint32_t) {
         const Vector3d normal = unit_normal(body, t, positions);
-        if (has_first) is_bent = is_bent || first.dot(normal) < 0;
+        if (has_first) is_bent = is_bent || dot(first, normal) < 0;
         if (!has_first) first = normal;
         has_first = true;
     });
@@ -129,7 +129,7 @@ void CollisionClusters::cut_by_sides(const CollidingPairs& collisions) {
         const ContactBody& body = collisions.bodies[clusters_[cluster].body];
         const Vector3d side = sum_of_normals(body, collisions.side_b(pair).front(), collisions.positions);
         for (const std::uint32_t i : particles_of(cluster))
-            if (side.dot(sum_of_normals(body, i, collisions.positions)) < 0) parts_[i] = Part::other_side;
+            if (dot(side, sum_of_normals(body, i, collisions.positions)) < 0) parts_[i] = Part::other_side;
     }
 }
 

@@ -2,6 +2,7 @@
 // Collision clusters: particles that are in collision, joined along a surface (S. Huh, D. Metaxas, N. Badler,
 // "Collision resolutions in cloth simulation", 2001).
 
+#include <cmath>
 #include <cstdint>
 #include <Eigen/Core>
 #include <span>
@@ -12,6 +13,14 @@
 #include "weft/types.h"
 
 namespace weft {
+
+/// In this order on every machine; Eigen's is that of the machine's vectors.
+[[nodiscard]] inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+[[nodiscard]] inline double length_of(const Eigen::Vector3d& a) {
+    return std::sqrt(dot(a, a));
+}
 
 /// Places and numbers are of all bodies' particles; positions.w is the inverse mass.
 struct CollidingPairs {

@@ -1,8 +1,8 @@
 #include "collision/impact_zones/impact_zones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <tuple>
 #include <utility>
 
@@ -20,8 +20,35 @@ std::uint32_t find_root(std::vector<std::uint32_t>& roots, std::uint32_t i) {
 }
 
 Vector3d direction_of(const Vector3d& normal) {
-    const double length = normal.norm();
+    const double length = length_of(normal);
     return length > 0 ? Vector3d(normal / length) : Vector3d::Zero();
+}
+
+/// Row by row, A becomes L where A = L L^T (Cholesky); false if A is not positive definite. By hand, since
+/// Eigen orders sums by the machine's vectors.
+bool factorise(std::span<double> a, std::size_t m) {
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            double rest = a[i * m + j];
+            for (std::size_t k = 0; k < j; ++k) rest -= a[i * m + k] * a[j * m + k];
+            if (i == j && !(rest > 1e-12 * a[i * m + i])) return false;
+            a[i * m + j] = i == j ? std::sqrt(rest) : rest / a[j * m + j];
+        }
+    }
+    return true;
+}
+
+/// x becomes A^-1 x.
+void solve_factors(std::span<const double> l, std::span<double> x) {
+    const std::size_t m = x.size();
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t k = 0; k < i; ++k) x[i] -= l[i * m + k] * x[k];
+        x[i] /= l[i * m + i];
+    }
+    for (std::size_t i = m; i-- > 0;) {
+        for (std::size_t k = i + 1; k < m; ++k) x[i] -= l[k * m + i] * x[k];
+        x[i] /= l[i * m + i];
+    }
 }
 
 }  // namespace
@@ -104,7 +131,7 @@ void ImpactZones::join_equal() {
 /// Whether what they are one of may be one: it is bent by less than a right angle, and does not collide with
 /// itself.
 bool ImpactZones::may_merge(std::uint32_t a, std::uint32_t b) {
-    if (merged_[a].normal.dot(merged_[b].normal) < 0) return false;
+    if (dot(merged_[a].normal, merged_[b].normal) < 0) return false;
     const std::uint32_t fewer = degrees_[a] <= degrees_[b] ? a : b, other = fewer == a ? b : a;
     if (degrees_[fewer] > most_compared) return false;
     std::uint32_t end = ends_[fewer];
@@ -191,10 +218,10 @@ void ImpactZones::aim(const ZoneSettings& settings) {
     for (Collision each : collisions_) {
         const CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
         const Vector3d of_a = direction_of(a.normal), of_b = direction_of(b.normal);
-        Vector3d mean = direction_of(of_a + (of_a.dot(of_b) < 0 ? -1.0 : 1.0) * of_b);
+        Vector3d mean = direction_of(of_a + (dot(of_a, of_b) < 0 ? -1.0 : 1.0) * of_b);
         if (mean.isZero(0)) mean = direction_of(each.direction);
-        each.direction = each.direction.dot(mean) < 0 ? Vector3d(-mean) : mean;
-        const double before = (a.velocity - b.velocity).dot(each.direction);
+        each.direction = dot(each.direction, mean) < 0 ? Vector3d(-mean) : mean;
+        const double before = dot(a.velocity - b.velocity, each.direction);
         if (!(before < settings.still) || inverse_mass(each.a) + inverse_mass(each.b) <= 0) continue;
         each.wanted = -restitution_of(a.body, b.body) * std::min(before, 0.0);
         collisions_[kept++] = each;
@@ -214,26 +241,25 @@ void ImpactZones::assemble(std::span<const Collision> zone) {
                 const double of_column = (column.a == cluster) - (column.b == cluster);
                 return of_row * of_column * inverse_mass(cluster);
             };
-            matrix_[e * m + f] = (share(row.a) + share(row.b)) * row.direction.dot(column.direction);
+            matrix_[e * m + f] = (share(row.a) + share(row.b)) * dot(row.direction, column.direction);
         }
-        wanted_[e] = row.wanted - (merged_[row.a].velocity - merged_[row.b].velocity).dot(row.direction);
+        wanted_[e] = row.wanted - dot(merged_[row.a].velocity - merged_[row.b].velocity, row.direction);
     }
 }
 
-/// N - 1 equations v+ = -C_e v- (eq. 1), with momentum kept (eq. 2); false if an impulse would pull.
+/// N - 1 equations v+ = -C_e v- (eq. 1), with momentum kept (eq. 2); false if an impulse would pull, or
+/// one collision leaves another no choice.
 bool ImpactZones::solve_equations(std::span<Collision> zone) {
-    using Matrix =
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, most_solved, most_solved>;
-    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_solved, 1>;
-    const auto m = static_cast<Eigen::Index>(zone.size());
-    const Matrix matrix = Eigen::Map<const Matrix>(matrix_.data(), m, m);
-    const Column wanted = Eigen::Map<const Column>(wanted_.data(), m);
-    const Eigen::LDLT<Matrix> factors(matrix);
-    const Column impulses = factors.solve(wanted);
-    if (!impulses.allFinite() || impulses.minCoeff() < 0 ||
-        (matrix * impulses - wanted).norm() > 1e-9 * wanted.norm())
+    const std::size_t m = zone.size();
+    std::array<double, most_solved * most_solved> factors;
+    std::copy_n(matrix_.begin(), m * m, factors.begin());
+    if (!factorise(factors, m)) return false;
+    const std::span<double> impulses = std::span(impulses_).first(m);
+    std::ranges::copy(std::span(wanted_).first(m), impulses.begin());
+    solve_factors(factors, impulses);
+    if (!std::ranges::all_of(impulses, [](double impulse) { return impulse >= 0 && std::isfinite(impulse); }))
         return false;
-    for (std::size_t e = 0; e < zone.size(); ++e) zone[e].impulse = impulses[static_cast<Eigen::Index>(e)];
+    for (std::size_t e = 0; e < m; ++e) zone[e].impulse = impulses[e];
     return true;
 }
 
@@ -258,7 +284,7 @@ void ImpactZones::relax(std::span<Collision> zone) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (Collision& each : zone) {
             CollisionCluster &a = merged_[each.a], &b = merged_[each.b];
-            const double now = (a.velocity - b.velocity).dot(each.direction);
+            const double now = dot(a.velocity - b.velocity, each.direction);
             const double weight = inverse_mass(each.a) + inverse_mass(each.b);
             const double more = std::max((each.wanted - now) / weight, -each.impulse);
             each.impulse += more;

@@ -19,7 +19,8 @@ struct Page {
     std::optional<weft::World> world;
     weft::ClothId flag{};
     weft::ColliderId ball{};
-    weft::FixedStep clock;
+    weft::FixedStep clock =
+        weft::FixedStep::create({.max_steps_per_frame = 2}).value();  // beyond that it slows down
     std::vector<Vertex> vertices;
     std::string error;
 

@@ -145,7 +145,16 @@ async function main() {
         flag.setTriangles(new Uint32Array(cloth.memory.buffer, cloth.triangles(), 3 * cloth.triangle_count()).slice());
     }
     make();
-    input('size').onchange = input('fabric').onchange = make;
+    input('size').onchange = input('fabric').onchange = () => {
+        delete document.body.dataset.error;
+        try { make(); } catch (error) { tell(error); }
+    };
+
+    for (const name of ['wind', 'gust', 'size']) {
+        const show = () => { input(name).nextElementSibling.textContent = input(name).value; };
+        input(name).oninput = show;
+        show();
+    }
 
     // The mouse is where the wind blows to; while a button is down it has the ball.
     const mouse = { x: 0.6, y: 0.05, isDown: false, ball: [0, -5, 0] };
@@ -162,7 +171,7 @@ async function main() {
         mouse.ball = [...spot(), 0.6];
         cloth.place_ball(...mouse.ball);
     };
-    canvas.onpointerup = () => {
+    canvas.onpointerup = canvas.onpointercancel = () => {
         mouse.isDown = false;
         mouse.ball = [0, -5, 0];
         cloth.place_ball(...mouse.ball);
@@ -172,6 +181,10 @@ async function main() {
 
     let last = performance.now(), steps = 0, mean = 0;
     function frame(now) {
+        try { step(now); } catch (error) { return tell(error); }
+        requestAnimationFrame(frame);
+    }
+    function step(now) {
         const speed = Number(input('wind').value), length = Math.hypot(mouse.x + 0.5, mouse.y, 0.5) || 1;
         cloth.set_wind(speed * (mouse.x + 0.5) / length, speed * mouse.y / length, speed * 0.5 / length, Number(input('gust').value));
         if (mouse.isDown) {
@@ -202,9 +215,11 @@ async function main() {
         const body = document.body.dataset;
         body.steps = steps, body.crossings = cloth.crossings(), body.glError = gl.getError();
         body.tip = new Float32Array(cloth.memory.buffer, cloth.vertices() + 24 * (cloth.vertex_count() - 1), 3).join(' ');
-        input('report').textContent = `${cloth.vertex_count()} particles, ${mean.toFixed(2)} ms a step`;
-        requestAnimationFrame(frame);
+        if (!body.error) input('report').textContent = `${cloth.vertex_count()} particles, ${mean.toFixed(2)} ms a step`;
     }
     requestAnimationFrame(frame);
 }
-main().catch(error => { document.getElementById('report').textContent = document.body.dataset.error = error.message; });
+function tell(error) {
+    document.getElementById('report').textContent = document.body.dataset.error = error.message;
+}
+main().catch(tell);

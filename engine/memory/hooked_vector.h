@@ -2,6 +2,7 @@
 // A vector whose memory goes through the host's hooks, as an AlignedBuffer's does.
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "engine/memory/hooks.h"
@@ -11,6 +12,7 @@ namespace weft {
 template <class T>
 struct HookedAllocator {
     using value_type = T;
+    using propagate_on_container_move_assignment = std::true_type;
 
     HookedAllocator() = default;
     template <class Other>

@@ -80,11 +80,11 @@ class LevelReader {
     void take(List& list) {
         using Item = std::remove_cvref_t<decltype(list[0])>;
         static_assert(std::is_trivially_copyable_v<Item>);
-        const auto count = number<std::uint64_t>();
-        is_short_ = is_short_ || count > left_.size() / sizeof(Item) ||
-                    padded_bytes(count * sizeof(Item)) > left_.size();
+        const auto all = number<std::uint64_t>();
+        is_short_ = is_short_ || all > left_.size() / sizeof(Item);
+        const std::size_t count = is_short_ ? 0 : static_cast<std::size_t>(all), bytes = count * sizeof(Item);
+        is_short_ = is_short_ || padded_bytes(bytes) > left_.size();
         if (is_short_) return;
-        const std::size_t bytes = count * sizeof(Item);
         if constexpr (std::is_same_v<List, std::vector<Item>>) {
             list.resize(count);
             if (bytes > 0) std::memcpy(list.data(), left_.data(), bytes);

@@ -202,7 +202,10 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
 
     std::uint64_t count = 0;
     for (std::uint32_t block = 0; block < blocks; ++block) {  // few: most blocks have none
-        const std::span<Crossing> to = part_of(found.crossings.span(), count, block_crossings_[block]);
+        const std::span<Crossing> to =
+            part_of(found.crossings.span(),
+                    static_cast<std::size_t>(std::min<std::uint64_t>(count, found.capacity())),
+                    block_crossings_[block]);
         count += block_crossings_[block];
         Found<Crossing> again{to};
         if (block_crossings_[block] > kept_crossings)
