@@ -2,21 +2,13 @@
 // Meshes of known shape, for tests of what is made from a mesh.
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "tests/must.h"
 #include "weft/mesh.h"
 
 namespace weft::test {
-
-/// The value; where there is none, the test fails with the error's message.
-template <class T>
-[[nodiscard]] T must(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 struct NamedMesh {
     std::string name;

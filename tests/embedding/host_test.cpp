@@ -6,7 +6,9 @@
 #include <limits>
 #include <string>
 
+#ifndef __wasi__
 #include "naive_pool.h"
+#endif
 
 namespace weft::test {
 namespace {
@@ -36,18 +38,6 @@ std::uint64_t hash_after(World world, int steps) {
 
 constexpr Wind gusty{.velocity = {2, 0, 3}, .gust = 0.4f};
 
-TEST(HostThreads, OfANaivePoolGiveTheBytesOfOneThread) {
-    constexpr int steps = 20;
-    const std::uint64_t expected = hash_after(busy_world({.wind = gusty, .threads = 1}), steps);
-    for (int threads = 1; threads <= 8; ++threads) {
-        NaivePool pool(threads);
-        World world = busy_world({.wind = gusty, .executor = pool.executor(threads < 2 ? 2 : threads)});
-        EXPECT_EQ(pool.calls(), 0) << "outside of steps";
-        EXPECT_EQ(hash_after(std::move(world), steps), expected) << threads;
-        EXPECT_EQ(pool.calls(), steps) << "once a step";
-    }
-}
-
 TEST(HostThreads, TakenOneAfterTheOtherGiveTheSameBytes) {
     constexpr int steps = 5;
     const std::uint64_t expected = hash_after(busy_world({.wind = gusty, .threads = 1}), steps);
@@ -63,6 +53,19 @@ TEST(HostThreads, TakenOneAfterTheOtherGiveTheSameBytes) {
                              .width = 4};
     EXPECT_EQ(hash_after(busy_world({.wind = gusty, .executor = forwards}), steps), expected);
     EXPECT_EQ(hash_after(busy_world({.wind = gusty, .executor = backwards}), steps), expected);
+}
+
+#ifndef __wasi__  // which has one thread
+TEST(HostThreads, OfANaivePoolGiveTheBytesOfOneThread) {
+    constexpr int steps = 20;
+    const std::uint64_t expected = hash_after(busy_world({.wind = gusty, .threads = 1}), steps);
+    for (int threads = 1; threads <= 8; ++threads) {
+        NaivePool pool(threads);
+        World world = busy_world({.wind = gusty, .executor = pool.executor(threads < 2 ? 2 : threads)});
+        EXPECT_EQ(pool.calls(), 0) << "outside of steps";
+        EXPECT_EQ(hash_after(std::move(world), steps), expected) << threads;
+        EXPECT_EQ(pool.calls(), steps) << "once a step";
+    }
 }
 
 TEST(HostThreads, MayBeChangedBetweenSteps) {
@@ -96,6 +99,7 @@ TEST(Threads, OfAnyNumberAreStartedAndEndedInSilence) {
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
+#endif
 
 template <class Value>
 void expect_stale(const Result<Value>& result, const std::string& type) {
@@ -146,8 +150,8 @@ TEST(Ids, StayTheWorldsOwnWhenItIsMoved) {
 
 TEST(Trace, OfMoreEventsThanItsLimitIsRefused) {
     World world = World::create().value();
-    for (const std::size_t max_events :
-         {std::size_t{0}, std::size_t{1} << 63, std::numeric_limits<std::size_t>::max()}) {
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    for (const std::size_t max_events : {std::size_t{0}, most / 2 + 1, most}) {
         const Result<void> started = world.start_trace(max_events);
         ASSERT_FALSE(started.ok()) << max_events;
         EXPECT_EQ(started.error().code, ErrorCode::invalid_argument);

@@ -87,6 +87,7 @@ TEST(AlignedBuffer, MayBeAssignedToItself) {
     EXPECT_EQ(buffer[4], 7);
 }
 
+#ifdef __cpp_exceptions
 // Sizes whose bytes, or whose whole groups, are more than a size_t holds must not become small ones.
 TEST(AlignedBuffer, OfMoreThanThereCanBeIsRefused) {
     constexpr std::size_t largest = std::numeric_limits<std::size_t>::max();
@@ -95,6 +96,7 @@ TEST(AlignedBuffer, OfMoreThanThereCanBeIsRefused) {
     EXPECT_THROW(AlignedBuffer<char>{largest}, std::bad_alloc);
     EXPECT_THROW(AlignedBuffer<char>{largest - 14}, std::bad_alloc);
 }
+#endif
 
 }  // namespace
 }  // namespace weft

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/platform.h"
+
 #ifndef WEFT_STD_THREADS
 #include <tbb/global_control.h>
 #endif
@@ -17,8 +19,13 @@
 namespace weft {
 namespace {
 
+#ifdef WEFT_WITHOUT_THREADS
+void run_backwards(void*, std::uint32_t count, Executor::Body body, void* context) {
+    for (std::uint32_t i = count; i-- > 0;) body(context, i);
+}
+#else
 // A host that starts fresh threads for every step and hands the blocks out from the last to the first.
-void run_backwards_on_fresh_threads(void*, std::uint32_t count, Executor::Body body, void* context) {
+void run_backwards(void*, std::uint32_t count, Executor::Body body, void* context) {
     std::atomic<std::uint32_t> left = count;
     const auto work = [&] {
         for (std::uint32_t i; (i = left.load()) > 0;)
@@ -28,6 +35,7 @@ void run_backwards_on_fresh_threads(void*, std::uint32_t count, Executor::Body b
     first.join();
     second.join();
 }
+#endif
 
 struct Case {
     const char* name;
@@ -42,7 +50,7 @@ class ParallelBlocks : public testing::TestWithParam<Case> {
   protected:
     Parallel make() {
         if (GetParam().threads > 0) return Parallel(GetParam().threads);
-        return Parallel(Executor{.run = run_backwards_on_fresh_threads, .width = 2});
+        return Parallel(Executor{.run = run_backwards, .width = 2});
     }
 
   private:
@@ -162,6 +170,7 @@ TEST_P(ParallelBlocks, WorksAfterBeingMoved) {
     EXPECT_EQ(visits, 100);
 }
 
+#ifndef WEFT_WITHOUT_THREADS
 // oneTBB warns on standard error where more threads are asked for than it starts.
 TEST(ParallelArenas, OfMoreThreadsThanThereAreCoresAreMadeInSilence) {
     testing::internal::CaptureStderr();
@@ -188,6 +197,7 @@ TEST(ParallelArenas, WorkSideBySide) {
     second.join();
     EXPECT_EQ(visits, 2000);
 }
+#endif
 
 }  // namespace
 }  // namespace weft

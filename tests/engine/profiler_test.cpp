@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/platform.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -79,6 +80,7 @@ TEST(Profiler, PutsPartsBelowTheirStage) {
     EXPECT_GE(profiler.last_ms(0), profiler.last_ms(1) + 0.049f);
 }
 
+#ifndef WEFT_WITHOUT_THREADS
 TEST(Profiler, AddsUpWhatSeveralThreadsDoAtOnce) {
     constexpr int threads = 4, runs = 500;
     Profiler profiler(two_stages);
@@ -100,6 +102,7 @@ TEST(Profiler, AddsUpWhatSeveralThreadsDoAtOnce) {
         nanoseconds += std::chrono::nanoseconds(event.end - event.begin).count();
     EXPECT_EQ(profiler.last_ms(forces), 1e-6f * static_cast<float>(nanoseconds));
 }
+#endif
 
 TEST(Profiler, KeepsTheLastStepUntilTheNextIsWhole) {
     using namespace std::chrono_literals;
@@ -149,6 +152,7 @@ TEST(Profiler, ForgetsAPeakThatHasLeftTheWindow) {
     EXPECT_LT(profiler.stages()[forces].max, 2.0f);
 }
 
+#ifndef WEFT_WITHOUT_FILES
 class Trace : public testing::Test {
   protected:
     ~Trace() override { std::filesystem::remove(file_); }
@@ -327,6 +331,7 @@ TEST_F(Trace, NamesTheFileThatCannotBeWritten) {
     ASSERT_FALSE(result.ok());
     EXPECT_NE(result.error().message.find("/no/such/folder/trace.json"), std::string::npos);
 }
+#endif
 
 }  // namespace
 }  // namespace weft

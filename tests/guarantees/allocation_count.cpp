@@ -38,7 +38,11 @@ void release(void* memory) noexcept {
 
 void* allocate_or_throw(std::size_t size, std::size_t alignment) {
     if (void* const memory = allocate(size, alignment)) return memory;
+#ifdef __cpp_exceptions
     throw std::bad_alloc();
+#else
+    std::abort();
+#endif
 }
 
 constexpr std::size_t plain = __STDCPP_DEFAULT_NEW_ALIGNMENT__;

@@ -40,7 +40,11 @@ class Memory : public testing::TestWithParam<MethodCase> {
     static constexpr std::uint32_t side = 72;
 
     // Large buffers in pages of their own would be counted as whole pages.
-    static void SetUpTestSuite() { mallopt(M_MMAP_THRESHOLD, 1 << 30); }
+    static void SetUpTestSuite() {
+#ifdef M_MMAP_THRESHOLD
+        mallopt(M_MMAP_THRESHOLD, 1 << 30);
+#endif
+    }
 
     static void expect_as_said(const Mesh& mesh, double tolerance, const std::vector<std::uint32_t>& pins) {
         WorldSettings settings = GetParam().world;

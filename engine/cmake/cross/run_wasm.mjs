@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 
 const [, , program, ...rest] = process.argv;
-const wasi = new WASI({ version: 'preview1', args: [program, ...rest], env: process.env, preopens: { '/': '/' } });
+const { WEFT_DATA, ...env } = process.env; // real garments are OBJ files, which the library does not read there
+const wasi = new WASI({ version: 'preview1', args: [program, ...rest], env, preopens: { '/': '/' } });
 const module = await WebAssembly.compile(await readFile(program));
 process.exit(wasi.start(await WebAssembly.instantiate(module, wasi.getImportObject())));

@@ -184,7 +184,7 @@ TEST(AirSources, GoWithTheOrigin) {
     }
     EXPECT_EQ(there.world.settings().wind.sources[2].position.x, -64);
     EXPECT_GT(here.mean_velocity().norm(), 0.01f);
-    EXPECT_LT((here.mean_velocity() - there.mean_velocity()).norm(), 1e-3f);
+    EXPECT_LT((here.mean_velocity() - there.mean_velocity()).norm(), 2e-3f);
     there.blow({AirSourceKind::blast, {-9.9e4f, 0, 0}, {1, 0, 0}, 1});
     const auto beyond = there.world.shift_origin({2000, 0, 0});
     ASSERT_FALSE(beyond);

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/platform.h"
 #include "tests/cloth/fixtures.h"
 
 namespace weft::test {
@@ -131,6 +132,7 @@ WorldSettings on_threads(int threads) {
 }
 
 // Hosts' executors.
+#ifndef WEFT_WITHOUT_THREADS
 void run_on_fresh_threads(void*, std::uint32_t count, Executor::Body body, void* context) {
     std::atomic<std::uint32_t> next = 0;
     const auto work = [&] {
@@ -138,6 +140,7 @@ void run_on_fresh_threads(void*, std::uint32_t count, Executor::Body body, void*
     };
     const std::jthread first(work), second(work);
 }
+#endif
 void run_backwards(void* is_running, std::uint32_t count, Executor::Body body, void* context) {
     bool& running = *static_cast<bool*>(is_running);
     EXPECT_FALSE(std::exchange(running, true)) << "a loop within a loop";
@@ -164,11 +167,13 @@ Outcome outcome(std::span<const std::uint32_t> sides, WorldSettings settings) {
 TEST(ManyCloths, GiveTheSameBytesAndReportsOnAnyThreads) {
     const std::array sides{8u, 20u, 40u, 5u, 20u, 16u};
     const Outcome expected = outcome(sides, on_threads(1));
-    WorldSettings on_host, on_serial_host;
+    std::vector<WorldSettings> others{on_threads(2)};
     bool is_running = false;
-    on_host.executor = {.run = run_on_fresh_threads, .width = 2};
-    on_serial_host.executor = {.run = run_backwards, .user = &is_running, .width = 3};
-    for (const WorldSettings& settings : {on_threads(2), on_host, on_serial_host}) {
+    others.emplace_back().executor = {.run = run_backwards, .user = &is_running, .width = 3};
+#ifndef WEFT_WITHOUT_THREADS
+    others.emplace_back().executor = {.run = run_on_fresh_threads, .width = 2};
+#endif
+    for (const WorldSettings& settings : others) {
         const Outcome other = outcome(sides, settings);
         EXPECT_EQ(other.hash, expected.hash);
         for (std::size_t k = 0; k < expected.reports.size(); ++k) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/platform.h"
 #include "engine/state_hash.h"
 #include "weft/weft.h"
 
@@ -174,6 +175,7 @@ TEST_P(CookedCase, ComesBackFromItsBytes) {
     EXPECT_EQ(made.state_hash(), read.state_hash());
 }
 
+#ifndef WEFT_WITHOUT_THREADS
 TEST(CookedCloth, IsMadeAndAddedOnAnyThread) {
     const CookedCloth shared = CookedCloth::create(hung_sheet(0.5f)).value();
     std::vector<std::future<std::uint64_t>> hashes;
@@ -192,6 +194,7 @@ TEST(CookedCloth, IsMadeAndAddedOnAnyThread) {
     const std::uint64_t first = hashes[0].get();
     for (int k = 1; k < 4; ++k) EXPECT_EQ(hashes[static_cast<std::size_t>(k)].get(), first);
 }
+#endif
 
 TEST(CookedCloth, OfManyTakesLittleMoreThanTheirStates) {
     const Mesh mesh = make_sheet({.rows = 64, .columns = 64}).value();

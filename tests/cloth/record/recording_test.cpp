@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/platform.h"
 #include "tests/cloth/record/recordings.h"
 
 namespace weft::test {
@@ -17,6 +18,7 @@ TEST(Recording, ChangesNothing) {
     EXPECT_EQ(plain.state_hash(), other.state_hash());
 }
 
+#ifndef WEFT_WITHOUT_FILES
 TEST(Recording, InAFileIsThatInMemory) {
     const auto file = std::filesystem::temp_directory_path() / "weft_recording_test.weftrec";
     {
@@ -50,6 +52,7 @@ TEST(Recording, InAFileIsThatInMemory) {
     EXPECT_EQ(of_file->steps, replay(bytes)->steps);
     EXPECT_TRUE(world.pin(cloth, 0)) << "after it has ended the World goes on";
 }
+#endif
 
 TEST(Recording, LeavesOutWhatWasRefusedAndWhatChangesNothing) {
     Bytes bytes;
@@ -122,6 +125,7 @@ TEST(Recording, ThatCannotBeWrittenIsSaidWhenItEnds) {
     EXPECT_FALSE(World::create()->start_recording(none.sink()));
 }
 
+#ifndef WEFT_WITHOUT_FILES
 TEST(Recording, OfAFullDiskIsSaidWhenItEnds) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
     World world = World::create().value();
@@ -131,6 +135,7 @@ TEST(Recording, OfAFullDiskIsSaidWhenItEnds) {
     world.step(h);
     EXPECT_FALSE(world.stop_recording());
 }
+#endif
 
 TEST(Recording, HasEachCookingOnceAndAllItsCloths) {
     ClothSettings stiff;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "engine/platform.h"
 #include "tests/cloth/record/recordings.h"
 
 namespace weft::test {
@@ -185,6 +186,7 @@ TEST(Replay, IsHarmedByNothingThatARecordHolds) {
     EXPECT_GT(different, 5u);
 }
 
+#ifndef WEFT_WITHOUT_FILES
 TEST(Replay, SaysWhichFileCannotBeRead) {
     const auto replayed = replay(std::filesystem::path("/no/such/recording"));
     ASSERT_FALSE(replayed);
@@ -192,6 +194,7 @@ TEST(Replay, SaysWhichFileCannotBeRead) {
     EXPECT_NE(replayed.error().message.find("/no/such/recording"), std::string::npos);
     EXPECT_FALSE(replay(std::filesystem::temp_directory_path()));
 }
+#endif
 
 }  // namespace
 }  // namespace weft::test

@@ -112,7 +112,7 @@ struct HungStrip {
         for (std::uint32_t column = 0; column < columns; ++column) must_succeed(world->pin(id, column));
     }
     static void must_succeed(const Result<void>& result) {
-        if (!result) throw std::runtime_error(result.error().message);
+        if (!result) give_up(result.error().message);
     }
     [[nodiscard]] std::span<const Vec4> positions() const { return must(world->cloth(id)).positions; }
 

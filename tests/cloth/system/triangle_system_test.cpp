@@ -184,7 +184,7 @@ TEST(HingeElements, SharedOutHessianBoundsTheEnergysFromAbove) {
         weights(h, h) = static_cast<double>(bending.hinges[h].weight) * length(h) * length(h);
         shared(h, h) = static_cast<double>(hinges.stiffness(h));
         for (std::uint32_t k = 0; k < 4; ++k)
-            gradients.row(h).segment<3>(3 * Eigen::Index{bending.hinges[h].particles[k]}) =
+            gradients.row(h).segment<3>(3 * static_cast<Eigen::Index>(bending.hinges[h].particles[k])) =
                 hinges.gradient(h, k).cast<double>();
     }
     for (const HingePair& pair : bending.pairs) {

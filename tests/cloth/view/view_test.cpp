@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/platform.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"
@@ -205,6 +206,7 @@ TEST(WriteVertices, VertexTrianglesAreTheMeshs) {
     EXPECT_TRUE(without.vertex_triangles.empty());
 }
 
+#ifndef WEFT_WITHOUT_THREADS
 TEST(WriteVertices, PartsOfThreadsAreTheWhole) {
     Scene scene;
     scene.steps(3);
@@ -235,6 +237,7 @@ TEST(WriteVertices, ShowsTheLastStepWhileTheNextIsTaken) {
     ASSERT_TRUE(scene.world.end_step());
     EXPECT_NE(Vertices::of(scene).all, before.all);
 }
+#endif
 
 TEST(WriteVertices, RefusesWhatIsTooShortAndWritesNothing) {
     Scene scene;

@@ -10,14 +10,13 @@
 #include "tests/collision/colliders/solids.h"
 #include "tests/collision/colliders/swept_way.h"
 #include "tests/collision/particle_cloud.h"
+#include "tests/must.h"
 
 namespace weft::test {
 namespace {
 
 HeldShape hold(const Shape& shape) {
-    auto held = HeldShape::make(shape);
-    if (!held) throw std::runtime_error(held.error().message);
-    return std::move(held).value();
+    return must(HeldShape::make(shape));
 }
 
 std::vector<Vec3> points_about(const Vector3& size, std::size_t count, std::uint32_t seed = 7) {

@@ -109,13 +109,14 @@ TEST(Settle, TheCertificateHoldsBeforeRoundingIsLookedAt) {
 }
 
 TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
+    int wished = 0;
     for (unsigned seed = 0; seed < 8; ++seed) {
         Triangles mesh = triangle_soup(60, 0.5f, seed);
         const PairList pairs = all_pairs(mesh);
         for (std::uint32_t i = 0; i < mesh.size(); i += 7) mesh.positions[i].w = 0;
         for (const float size : {0.02f, 0.3f, 3.0f}) {
             const Rows wanted = random_vectors(mesh.size(), size, seed + 100);
-            EXPECT_GT(crossings(mesh, points(ends_of(mesh.positions, wanted))), 0);
+            wished += crossings(mesh, points(ends_of(mesh.positions, wanted))) > 0 ? 1 : 0;
             const Settled settled = settle(mesh, pairs, wanted);
             EXPECT_EQ(crossings_on_the_way(mesh, settled), 0) << seed << ' ' << size;
             EXPECT_GT(least_gap_kept(mesh, pairs, settled, 1e-4), 0.98) << seed << ' ' << size;
@@ -126,6 +127,7 @@ TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
             EXPECT_GT(settled.result.pinned_lag, 0);
         }
     }
+    EXPECT_GE(wished, 20) << "of 24: the motions that were wanted cross";
 }
 
 TEST(Settle, PlanesThatStandFromTheFirstCrossNothingAndLoseMore) {
