@@ -55,6 +55,7 @@ class Cores {
     /// Of points of the World at the substep's start and its end.
     [[nodiscard]] Vector3 seen_at_start(const Vector3& p) const { return from_start_ * (p - start_origin_); }
     [[nodiscard]] Vector3 seen(const Vector3& p) const { return to_own_ * (p - origin_); }
+    [[nodiscard]] Vector3 place(const Vector3& own) const { return origin_ + in_world(own); }
     [[nodiscard]] Vector3 in_world(const Vector3& direction) const { return to_own_.transpose() * direction; }
     /// Of a point of a core, which the World has at the end [m/s].
     [[nodiscard]] Vector3 velocity_at(const Vector3& own) const;

@@ -9,6 +9,8 @@
 #include "collision/shapes/moving_shapes.h"
 #include "collision/thin/cores.h"
 #include "collision/thin/first_approach.h"
+#include "collision/thin/skewer.h"
+#include "engine/bounds.h"
 
 namespace weft {
 
@@ -44,13 +46,13 @@ std::optional<weft::Meeting> may_be_near(const ColliderMotion& motion, float h, 
 class ParticleSides {
   public:
     /// None of them is known of a block whose particles lie too far apart in memory.
-    ParticleSides(const Cores& cores, float gap, const CollidingParticles& particles, std::uint32_t first,
-                  std::uint32_t last)
+    ParticleSides(const TurningBox& box, std::span<const Vec4> starts, std::span<const Vec4> positions,
+                  std::uint32_t first, std::uint32_t last)
         : first_(first), known_(last - first < most) {
         const std::uint32_t count = last - first + 1;
         if (known_)
-            find_sides(cores.turning_box(gap), particles.starts.subspan(first, count),
-                       particles.positions.subspan(first, count), std::span(sides_).first(count));
+            find_sides(box, starts.subspan(first, count), positions.subspan(first, count),
+                       std::span(sides_).first(count));
     }
     [[nodiscard]] bool leave_out(const WholeTriangles::Triangle& t) const {
         return known_ && (sides_[t[0] - first_] & sides_[t[1] - first_] & sides_[t[2] - first_]) != 0;
@@ -191,6 +193,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
             met += search == 0 ? moved : 0;
             if (moved == 0) break;
         }
+        met += take_off(parallel, meeting, colliders);
     }
     return met;
 }
@@ -221,6 +224,10 @@ std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeti
     parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
                     [&](const BlockRange& range) { find_near_in_block(meeting, range); });
     if (std::ranges::none_of(is_fast_.span(), [](std::uint8_t fast) { return fast != 0; })) return 0;
+    return gather_near();
+}
+
+std::uint32_t WholeTriangles::gather_near() {
     std::uint32_t near = 0;
     for (std::uint32_t block = 0; block < counts_.size(); ++block) {
         const std::uint32_t* const begin = near_.data() + std::size_t{block} * block_size;
@@ -241,7 +248,8 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     if (!may || (meeting.only_fast && may->thin == 0)) return;
     const float least_way = meeting.only_fast ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
-    const ParticleSides sides(meeting.cores, gap, meeting.particles, span.first, span.last);
+    const ParticleSides sides(meeting.cores.turning_box(gap), meeting.particles.starts,
+                              meeting.particles.positions, span.first, span.last);
     for (std::uint32_t t = range.begin; t < range.end; ++t) {
         if (sides.leave_out(triangles_[t])) continue;
         const CornerPaths corners = meeting.paths(triangles_[t]);
@@ -298,6 +306,38 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
         }
     }
     return any;
+}
+
+/// Which triangles it goes through, in ascending order; how many.
+std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& skewer, const Meeting& meeting) {
+    const Bounds bounds = skewer.bounds();
+    const TurningBox box = skewer.box();
+    const std::span<const Vec4> positions = meeting.particles.positions;
+    parallel.ranges(static_cast<std::uint32_t>(triangles_.size()), [&](const BlockRange& range) {
+        std::uint32_t& count = counts_[range.block];
+        count = 0;
+        const ParticleSpan& span = spans_[range.block];
+        if (!overlap(joined(span.first / block_size, span.last / block_size).ends, bounds)) return;
+        const ParticleSides sides(box, positions, positions, span.first, span.last);
+        for (std::uint32_t t = range.begin; t < range.end; ++t)
+            if (!sides.leave_out(triangles_[t]) && skewer.goes_through(triangles_[t], positions))
+                near_[range.begin + count++] = t;
+    });
+    return gather_near();
+}
+
+/// What has got there all the same, as where contact has the last word.
+std::uint32_t WholeTriangles::take_off(Parallel& parallel, const Meeting& meeting,
+                                       std::span<const ColliderMotion> colliders) {
+    std::optional<Skewer> skewer = Skewer::of(meeting.cores);
+    if (!skewer) return 0;
+    const std::uint32_t pierced = find_pierced(parallel, *skewer, meeting);
+    if (pierced == 0) return 0;
+    skewer->find_ways(meeting.motion, colliders, meeting.cloth, meeting.h);
+    std::uint32_t moved = 0;
+    for (const std::uint32_t triangle : near_.span().first(pierced))
+        moved += skewer->take_off(triangles_[triangle], meeting.h, meeting.particles.positions) ? 1 : 0;
+    return moved;
 }
 
 }  // namespace weft

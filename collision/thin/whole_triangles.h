@@ -14,6 +14,7 @@
 namespace weft {
 
 class Cores;
+class Skewer;
 
 class WholeTriangles {
   public:
@@ -25,7 +26,8 @@ class WholeTriangles {
     /// After collide() has moved particles: what their triangles' sides and insides have passed of colliders
     /// that are thin beside the cloth's edges, or sharp, is put back to the side on which it came, as far as
     /// half the thickness, with velocities as in collide(). Momentum goes to corners by their masses.
-    /// Returns how many sides and insides were moved. The rest as there; `starts` may not be empty.
+    /// What the axis of a limb goes through when that is done comes off over its end.
+    /// Returns how many sides, insides and triangles were moved. The rest as there; `starts` may not be empty.
     std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
@@ -47,6 +49,10 @@ class WholeTriangles {
     void find_near_in_block(const Meeting& meeting, const BlockRange& range);
     std::uint32_t push_out(const Meeting& meeting, std::uint32_t near);
     bool push_out_triangle(const Meeting& meeting, std::uint32_t triangle);
+    std::uint32_t find_pierced(Parallel& parallel, const Skewer& skewer, const Meeting& meeting);
+    std::uint32_t take_off(Parallel& parallel, const Meeting& meeting,
+                           std::span<const ColliderMotion> colliders);
+    std::uint32_t gather_near();
 
     std::span<const Triangle> triangles_;
     float mean_edge_;

@@ -179,5 +179,51 @@ TEST(ThinColliders, WhatHasPiercedClothCanBeDrawnOut) {
     for (const Vec4& x : sheet.view().positions) EXPECT_LT(std::abs(x.y), 0.1f);
 }
 
+/// An arm that points down, the tip of its hand at this height.
+struct Arm {
+    std::vector<ColliderId> parts;
+
+    explicit Arm(World& world, float tip) {
+        for (const TaperedCapsule& part : at(tip))
+            parts.push_back(world.add_collider({.shape = part}).value());
+    }
+    void place(World& world, float tip) const {
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            EXPECT_TRUE(world.place_collider(parts[k], {.shape = at(tip)[k]}));
+    }
+    static std::vector<TaperedCapsule> at(float tip) {
+        const auto place = [&](float above) { return Vec3{0.013f, tip + above, 0.021f}; };
+        return {{place(0.65f), place(0.39f), 0.045f, 0.038f},
+                {place(0.39f), place(0.15f), 0.038f, 0.025f},
+                {place(0.15f), place(0.025f), 0.026f, 0.026f}};
+    }
+    static std::vector<Segment> axes(float tip) {
+        std::vector<Segment> axes;
+        for (const TaperedCapsule& part : at(tip)) axes.emplace_back(to_vector(part.a), to_vector(part.b));
+        return axes;
+    }
+};
+
+// As where cloth between a hand and a thigh has nowhere to go. In cells of 3 cm no particle need be inside.
+TEST(ThinColliders, ClothThatALimbHasPiercedComesOffOverItsTip) {
+    // As far as the hand, and the forearm.
+    for (const auto& [depth, steps] : {std::pair(0.05f, 5), {0.1f, 5}, {0.2f, 30}}) {
+        LevelSheet sheet(33);
+        sheet.pin_border();
+        const Arm arm(sheet.world, 0.1f);
+        for (int k = 0; k < 60; ++k) sheet.world.step(step_length);
+        float tip = 0;
+        for (const Vec4& x : sheet.view().positions) tip = std::min(tip, x.y - depth);
+        arm.place(sheet.world, tip);
+        ASSERT_GT(pierced(sheet.view(), Arm::axes(tip)), 0) << depth;
+        for (int k = 0; k < steps; ++k) sheet.world.step(step_length);
+        for (int k = 0; k < 60; ++k) {
+            EXPECT_EQ(pierced(sheet.view(), Arm::axes(tip)), 0) << depth << ", " << k;
+            sheet.world.step(step_length);
+        }
+        EXPECT_LT(sheet.mean_speed(), 0.5) << depth << ": it is not thrown";
+    }
+}
+
 }  // namespace
 }  // namespace weft::test
