@@ -30,7 +30,7 @@ const evaluate = async expression => (await ask('Runtime.evaluate', { expression
 
 const state = async () => JSON.parse(await evaluate('JSON.stringify({ ...document.body?.dataset })') ?? '{}');
 async function steps(count) {
-    const until = Number((await state()).steps ?? 0) + count, limit = Date.now() + 120000;
+    const until = Number((await state()).steps ?? 0) + count, limit = Date.now() + 400000;
     for (;;) {
         const now = await state();
         if (now.error) throw new Error('the page says: ' + now.error);
@@ -60,7 +60,7 @@ async function slideAll() {
     for (const name of ['wind', 'gust', 'size']) {
         for (const toRight of [false, true]) {
             await slide(name, toRight);
-            const now = await steps(60), place = await tip();
+            const now = await steps(40), place = await tip();
             const where = `${name} at its ${toRight ? 'right' : 'left'} end`;
             console.log(where + ':', await evaluate("document.getElementById('report').textContent"), '; its free corner:', place);
             if (!place.every(x => Math.abs(x) < 3)) failures.push(where + ': the flag is at ' + place);
