@@ -371,6 +371,7 @@ void Cloth::prepare_restore(std::span<const Pin> pins) {
 }
 
 void Cloth::commit_restore() {
+    set_inverse_masses();
     for (const std::unique_ptr<Limit>& limit : limits) limit->commit();
     solver->inverse_masses_changed(state.positions.span());
     surface.forget();

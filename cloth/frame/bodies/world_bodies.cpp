@@ -20,7 +20,9 @@ Result<void> validate_within(const char* name, float value, float least, float m
     return {};
 }
 
-Result<void> validate_body(const BodySettings& settings) {
+}  // namespace
+
+Result<void> validate(const BodySettings& settings) {
     if (!(settings.mass == 0 || (settings.mass >= 1e-6f && settings.mass <= 1e9f)))
         return out_of_range("BodySettings::mass", static_cast<double>(settings.mass),
                             "0, or from 1e-6 to 1e9 kg");
@@ -39,7 +41,7 @@ Result<void> validate_body(const BodySettings& settings) {
                            "from 0 to 1e6 1/s");
 }
 
-Result<void> validate_body(const BodyState& state) {
+Result<void> validate(const BodyState& state) {
     if (auto valid = validate_point("BodyState::position", state.position); !valid) return valid;
     const Rotation& r = state.rotation;
     const float length = Eigen::Vector4f(r.x, r.y, r.z, r.w).stableNorm();
@@ -57,6 +59,8 @@ Result<void> validate_body(const BodyState& state) {
     return {};
 }
 
+namespace {
+
 /// Calls `use` with the slot of a body.
 template <class Simulation, class Use>
 auto with_body(Simulation& simulation, BodyId id, const Use& use)
@@ -72,8 +76,8 @@ auto with_body(Simulation& simulation, BodyId id, const Use& use)
 
 Result<BodyId> World::add_body(const BodySettings& settings, const BodyState& state) {
     return impl_->change(Call::add_body, settings, state)([&]() -> Result<BodyId> {
-        if (const auto valid = validate_body(settings); !valid) return valid.error();
-        if (const auto valid = validate_body(state); !valid) return valid.error();
+        if (const auto valid = validate(settings); !valid) return valid.error();
+        if (const auto valid = validate(state); !valid) return valid.error();
         return impl_->simulation.add_body({settings, state});
     });
 }
@@ -95,7 +99,7 @@ Result<BodySettings> World::body_settings(BodyId id) const {
 Result<void> World::set_body_settings(BodyId id, const BodySettings& settings) {
     return impl_->change(Call::set_body_settings, id, settings)([&] {
         return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
-            if (auto valid = validate_body(settings); !valid) return valid;
+            if (auto valid = validate(settings); !valid) return valid;
             slot.settings = settings;
             return {};
         });
@@ -112,7 +116,7 @@ Result<BodyState> World::body_state(BodyId id) const {
 Result<void> World::set_body_state(BodyId id, const BodyState& state) {
     return impl_->change(Call::set_body_state, id, state)([&] {
         return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
-            if (auto valid = validate_body(state); !valid) return valid;
+            if (auto valid = validate(state); !valid) return valid;
             slot.state = state;
             impl_->simulation.place_carried_colliders();
             return {};

@@ -152,6 +152,14 @@ bool are_sound(const ClothModel& model) {
            are_within(numbers_of<float>(model.panel_sides), -most, most);
 }
 
+/// What it says of the mesh is so, as far as it can be seen here; edges are no longer than the mesh can be.
+bool is_of(const ClothInfo& info, const ClothModel& model) {
+    return info.particles == model.particle_count && info.vertices == model.vertex_to_particle.size() &&
+           info.triangles == model.triangles.size() &&
+           info.components + std::size_t{1} == model.component_offsets.size() &&
+           are_within(std::span(&info.mean_edge, 1), 0, 4 * runaway_distance);
+}
+
 /// That triangles at a particle have it at a corner. Precondition: offsets and numbers are within their
 /// lists.
 bool have_their_corners(const ClothModel& model) {
@@ -249,7 +257,8 @@ Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const Cl
         const std::size_t lists = saved.size() - sizeof(CookedHead) - head->level_bytes;
         const ListReader reader(*head, saved.subspan(sizeof(CookedHead), lists));
         for_each_list(model, info, report, reader);
-        if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model))
+        if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model) ||
+            !is_of(info[0], model))
             return refused("is not whole, though its checksum is right: cook the mesh again");
         model.info = info[0];
         model.fingerprint = fingerprint_of(model);

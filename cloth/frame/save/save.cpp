@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/frame/save/check_saved.h"
 #include "cloth/frame/save/parts.h"
 #include "cloth/frame/save/save_format.h"
 #include "cloth/frame/simulation.h"
@@ -127,7 +128,17 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
     if (saved.detail != here.detail)
         return differs("particles with a budget", saved.detail, here.detail,
                        "; set WorldSettings::budget to 0 where it was, and above where it was above");
+    if (saved.frame > 1)
+        return refused("has " + std::to_string(saved.frame) + " frames of its cloth " +
+                       std::to_string(number) + "; it must be 0 or 1");
     return {};
+}
+
+/// A checksum can be made for any bytes.
+Result<void> check_left(const SaveReader& reader, std::size_t bytes) {
+    if (reader.left() >= bytes) return {};
+    return refused("is not whole, though its checksum is right: " + std::to_string(bytes) +
+                   " bytes are to follow, of which there are " + std::to_string(reader.left()));
 }
 
 /// How many bytes a cloth's part has once it has other pins and a frame, or none.
@@ -151,6 +162,18 @@ struct Saved {
     bool in_frame;
 };
 
+/// A cloth's head, if what follows it is all there, fits the cloth here, and can be gone on from.
+Result<ClothHead> check_next_cloth(std::size_t number, const ClothState& here, std::uint32_t fingerprint,
+                                   const SaveReader& reader) {
+    ClothHead head;
+    if (auto there = check_left(reader, sizeof head); !there) return there.error();
+    reader(std::span(&head, 1));
+    if (auto fits = check_cloth(number, head, ClothHead(here, fingerprint)); !fits) return fits.error();
+    if (auto there = check_left(reader, part_bytes(here, head)); !there) return there.error();
+    if (auto sound = check_cloth_part(number, head, here, reader.after(0)); !sound) return sound.error();
+    return head;
+}
+
 struct SavedDeformation {
     std::vector<Vec3> vertices, displacements;
     std::uint64_t step = 0;
@@ -163,12 +186,18 @@ Result<std::vector<SavedDeformation>> prepare_shapes(Simulation& simulation, con
     simulation.shapes.for_each([&](ShapeId, std::unique_ptr<HeldShape>& shape) {
         if (!checked) return;
         ShapeHead head;
+        if (checked = check_left(reader, sizeof head); !checked) return;
         reader(std::span(&head, 1));
         if (head.vertices != 0 && head.vertices != shape->deformable()) {
             checked = other_world("its shape " + std::to_string(read.size()) + " has " +
                                   std::to_string(head.vertices) + " vertices, the one here " +
                                   std::to_string(shape->deformable()));
             return;
+        }
+        if (head.vertices != 0) {
+            const std::size_t follow = 2 * sizeof(Vec3) * head.vertices + sizeof SavedDeformation::step;
+            if (checked = check_left(reader, follow); !checked) return;
+            if (checked = check_shape_part(read.size(), head, reader.after(0)); !checked) return;
         }
         SavedDeformation& made = read.emplace_back();
         if (head.vertices == 0) return;
@@ -189,16 +218,19 @@ Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveRead
     Result<void> checked;
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (!checked) return;
-        ClothHead head;
-        reader(std::span(&head, 1));
-        checked = check_cloth(cloths.size(), head, ClothHead(cloth->state, cloth->model.fingerprint));
-        if (!checked) return;
-        cloths.push_back({read_pins(reader.after(head.bytes_before_pins()), head.pins), head.frame != 0});
+        const auto head = check_next_cloth(cloths.size(), cloth->state, cloth->model.fingerprint, reader);
+        if (!head) {
+            checked = head.error();
+            return;
+        }
+        cloths.push_back({read_pins(reader.after(head->bytes_before_pins()), head->pins), head->frame != 0});
         cloth->prepare_restore(cloths.back().pins);
         if (cloths.back().in_frame) cloth->seen_colliders.reserve(simulation.state.colliders.size());
-        reader.skip(part_bytes(cloth->state, head));
+        reader.skip(part_bytes(cloth->state, *head));
     });
     if (!checked) return checked.error();
+    if (reader.left() > 0)
+        return refused("goes on for " + std::to_string(reader.left()) + " bytes behind its last cloth");
     return cloths;
 }
 
@@ -231,7 +263,10 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
     if (auto checked = check_world(head, simulation); !checked) return checked;
     SaveSize of_world;
     for_each_part(std::as_const(simulation.state), of_world);
-    const SaveReader reader(saved.data() + sizeof head), ahead = reader.after(of_world.bytes());
+    const SaveReader reader(saved.subspan(sizeof head));
+    if (auto there = check_left(reader, of_world.bytes()); !there) return there;
+    if (auto sound = check_world_part(simulation.state, reader.after(0)); !sound) return sound;
+    const SaveReader ahead = reader.after(of_world.bytes());
     const auto deformations = prepare_shapes(simulation, ahead);
     if (!deformations) return deformations.error();
     const SaveReader of_cloths = ahead;

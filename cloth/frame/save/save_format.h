@@ -117,22 +117,25 @@ class SaveWriter {
     mutable std::byte* to_;
 };
 
-/// Visits spans: fills them from where the last one ended. Precondition: as many bytes are there.
+/// Visits spans: fills them from where the last one ended. Precondition: as many bytes are left.
 class SaveReader {
   public:
-    explicit SaveReader(const std::byte* from) : from_(from) {}
+    explicit SaveReader(std::span<const std::byte> from)
+        : from_(from.data()), end_(from.data() + from.size()) {}
     template <class T, std::size_t extent>
     void operator()(std::span<T, extent> part) const {
         if (part.empty()) return;
         std::memcpy(part.data(), from_, part.size_bytes());
         from_ += part.size_bytes();
     }
+    [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - from_); }
     /// The same, from so many bytes farther on.
-    [[nodiscard]] SaveReader after(std::size_t bytes) const { return SaveReader(from_ + bytes); }
+    [[nodiscard]] SaveReader after(std::size_t bytes) const { return SaveReader({from_ + bytes, end_}); }
     void skip(std::size_t bytes) const { from_ += bytes; }
 
   private:
     mutable const std::byte* from_;
+    const std::byte* end_;
 };
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Geometry>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -244,13 +245,29 @@ Result<void> validate_for_maps(const ClothSettings& settings) {
     return checks.result();
 }
 
+bool is_within_reach(const Vec3& point) noexcept {
+    const auto is_near = [](float x) { return std::abs(x) <= runaway_distance; };  // not-a-number is not
+    return is_near(point.x) && is_near(point.y) && is_near(point.z);
+}
+
 Result<void> validate_point(const char* name, const Vec3& point) {
-    const bool near = std::abs(point.x) <= runaway_distance && std::abs(point.y) <= runaway_distance &&
-                      std::abs(point.z) <= runaway_distance;
-    if (!near)
+    if (!is_within_reach(point))
         return out_of_range(
             name, point,
             "finite and within " + number_text(static_cast<double>(runaway_distance)) + " m of the origin");
+    return {};
+}
+
+Result<void> validate_transform(const char* name, const Transform& pose) {
+    const Rotation& r = pose.rotation;
+    const double length = Eigen::Quaterniond(static_cast<double>(r.w), static_cast<double>(r.x),
+                                             static_cast<double>(r.y), static_cast<double>(r.z))
+                              .norm();
+    if (!(length >= 0.999 && length <= 1.001))  // not-a-number, too
+        return out_of_range("the length of " + std::string(name) + ".rotation", length,
+                            "from 0.999 to 1.001");
+    if (!is_finite(pose.translation))
+        return out_of_range(std::string(name) + ".translation", pose.translation, "finite");
     return {};
 }
 

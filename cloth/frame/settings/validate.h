@@ -1,18 +1,26 @@
 #pragma once
 // Checks of what a host passes in. Nothing reaches the simulation that has not been through here.
 
+#include "weft/body.h"
 #include "weft/error.h"
 #include "weft/settings.h"
+#include "weft/transform.h"
 
 namespace weft {
 
 /// Error: the first setting that is out of its documented range.
 [[nodiscard]] Result<void> validate(const WorldSettings& settings);
 [[nodiscard]] Result<void> validate(const ClothSettings& settings);
+[[nodiscard]] Result<void> validate(const BodySettings& settings);
+[[nodiscard]] Result<void> validate(const BodyState& state);
 [[nodiscard]] Result<void> validate_importance(float priority, float view_distance);
 /// Error: they leave no room for maps of mass or stiffness.
 [[nodiscard]] Result<void> validate_for_maps(const ClothSettings& settings);
-/// Error: a point that is not finite or beyond runaway_distance. `name` is what the message calls it.
+/// Finite, and within runaway_distance of the origin.
+[[nodiscard]] bool is_within_reach(const Vec3& point) noexcept;
+/// Error: a point that is not. `name` is what the message calls it.
 [[nodiscard]] Result<void> validate_point(const char* name, const Vec3& point);
+/// Error: no rotation, or a place that is not finite.
+[[nodiscard]] Result<void> validate_transform(const char* name, const Transform& pose);
 
 }  // namespace weft

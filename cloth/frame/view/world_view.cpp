@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "cloth/frame/settings/validate.h"
 #include "cloth/frame/view/write_vertices.h"
 #include "cloth/frame/world/world_calls.h"
 
@@ -60,6 +61,9 @@ Result<void> World::sample_air(std::span<const Vec3> points, std::span<Vec3> vel
                                                           std::to_string(velocities.size()) +
                                                           " velocities, of " + std::to_string(points.size()) +
                                                           " points; there must be one of each"};
+        const auto lost = std::ranges::find_if_not(points, is_within_reach);
+        if (lost != points.end())
+            return validate_point(("points[" + std::to_string(lost - points.begin()) + "]").c_str(), *lost);
         Parallel serial(1);
         alignas(64) std::array<Vec4, block_size> at{}, air{};
         for (std::size_t begin = 0; begin < points.size(); begin += block_size) {

@@ -109,8 +109,6 @@ inline Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t verte
 [[nodiscard]] Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth,
                                                               std::span<const std::uint32_t> vertices);
 
-/// Error: no rotation, or a place that is not finite.
-[[nodiscard]] Result<void> validate_transform(const char* name, const Transform& pose);
 /// Error: something of the cloth would be out of reach once it is moved so.
 [[nodiscard]] Result<void> validate_move(const Cloth& cloth, const RigidMotion& by);
 

@@ -18,25 +18,7 @@ namespace {
 
 constexpr float unlimited = std::numeric_limits<float>::infinity();
 
-bool is_within_reach(const Vec3& p) {
-    const auto near = [](float x) { return std::abs(x) <= runaway_distance; };  // not-a-number is not
-    return near(p.x) && near(p.y) && near(p.z);
-}
-
 }  // namespace
-
-Result<void> validate_transform(const char* name, const Transform& pose) {
-    const Rotation& r = pose.rotation;
-    const double length = Eigen::Quaterniond(static_cast<double>(r.w), static_cast<double>(r.x),
-                                             static_cast<double>(r.y), static_cast<double>(r.z))
-                              .norm();
-    if (!(length >= 0.999 && length <= 1.001))  // not-a-number, too
-        return out_of_range("the length of " + std::string(name) + ".rotation", length,
-                            "from 0.999 to 1.001");
-    if (!is_finite(pose.translation))
-        return out_of_range(std::string(name) + ".translation", pose.translation, "finite");
-    return {};
-}
 
 Result<void> validate_move(const Cloth& cloth, const RigidMotion& by) {
     const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;

@@ -67,7 +67,7 @@ class WEFT_API World {
     Result<void> set_settings(const WorldSettings& settings);
     /// Writes the air's velocity at points [m/s], as the next step will have it: wind, gusts and sources. For
     /// what drifts in it besides cloth, such as leaves and smoke; takes some 30 ns a point where there are
-    /// gusts. Error: not as many velocities as points.
+    /// gusts. Errors: not as many velocities as points; a point that is not finite or beyond 100 km.
     Result<void> sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const;
 
     /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
@@ -318,7 +318,9 @@ class WEFT_API World {
     Result<void> save(std::span<std::byte> to) const;
     /// Takes exactly the bytes that were written. report() stays the last step's; contacts() are none.
     /// Errors, by which nothing changes: a save that is damaged, of another version, or of a World with other
-    /// cloths, shapes or colliders, or settings by which they have another state.
+    /// cloths, shapes or colliders, or settings by which they have another state; one that somebody has
+    /// changed, checksum and all, if what it names is not there or its numbers are none. Masses stay those of
+    /// the cloths here.
     Result<void> restore(std::span<const std::byte> saved);
 
     /// From here on writes down every call that changes the World, with all that it is given, and after each

@@ -213,6 +213,27 @@ TEST(AirSources, CanBeSampledWithWindAndGusts) {
     EXPECT_FALSE(hung.world.sample_air(points, std::span(air).first(299)));
 }
 
+TEST(AirSources, AreNotSampledWhereThereIsNoPlace) {
+    for (const float gust : {0.0f, 0.4f}) {
+        Hung hung(1, gust);
+        hung.blow({AirSourceKind::blast, {0, 1, 0}, {3, 0, 0}, 0.2f});
+        std::vector<Vec3> points(300, Vec3{0, 1, 0}), air(300, Vec3{7, 7, 7});
+        ASSERT_TRUE(hung.world.sample_air(points, air));
+        for (const Vec3& v : air) ASSERT_TRUE(std::isfinite(v.x + v.y + v.z));
+        const std::vector<Vec3> before = air;
+        for (const float lost : {NAN, INFINITY, -1.01e5f}) {
+            points[287] = {0, 1, lost};
+            const auto sampled = hung.world.sample_air(points, air);
+            ASSERT_FALSE(sampled) << lost;
+            EXPECT_NE(sampled.error().message.find("points[287]"), std::string::npos)
+                << sampled.error().message;
+            EXPECT_EQ(std::memcmp(air.data(), before.data(), air.size() * sizeof(Vec3)), 0);
+        }
+        points[287] = {0, 1, -1e5f};
+        EXPECT_TRUE(hung.world.sample_air(points, air));
+    }
+}
+
 TEST(AirSources, OutOfTheirRangesAreRefused) {
     const auto refused = [](const AirSource& source) {
         WorldSettings settings;

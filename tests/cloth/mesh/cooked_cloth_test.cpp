@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -391,6 +392,25 @@ TEST(CookedCloth, NamesNothingThatIsNotThere) {
         }
     }
     EXPECT_GT(refused, tried / 5);  // most of it are numbers, which may be any
+}
+
+TEST(CookedCloth, WhatItSaysOfTheMeshHasToBeSo) {
+    const std::vector<std::byte> whole = saved_mesh();
+    constexpr std::size_t info = 224;
+    const auto loads_with = [&](std::size_t offset, auto value) {
+        std::vector<std::byte> other = whole;
+        std::memcpy(other.data() + info + offset, &value, sizeof value);
+        seal(other);
+        return CookedCloth::load(other).ok();
+    };
+    const ClothInfo said = CookedCloth::load(whole)->info();
+    ASSERT_TRUE(loads_with(offsetof(ClothInfo, mean_edge), said.mean_edge));
+    for (const float edge : {NAN, INFINITY, -1.0f, 1e30f})
+        EXPECT_FALSE(loads_with(offsetof(ClothInfo, mean_edge), edge)) << edge;
+    ASSERT_TRUE(loads_with(offsetof(ClothInfo, particles), said.particles));
+    for (const std::size_t count : {offsetof(ClothInfo, vertices), offsetof(ClothInfo, particles),
+                                    offsetof(ClothInfo, triangles), offsetof(ClothInfo, components)})
+        EXPECT_FALSE(loads_with(count, 7u)) << count;
 }
 
 TEST(CookedCloth, SaysWhyItRefuses) {
