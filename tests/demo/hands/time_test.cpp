@@ -63,9 +63,30 @@ TEST(Timeline, KeepsWithinItsRoomTheLatest) {
     EXPECT_EQ(timeline.size(), 5u);
     EXPECT_EQ(timeline.here(), 4u);
     EXPECT_NEAR(timeline.time_of(0), 8.0 / 60, 1e-6);
-    Timeline none(each - 1);
+    Timeline none(each - 1), one(each);
     ASSERT_TRUE(none.keep(simulation));
     EXPECT_EQ(none.size(), 0u);
+    ASSERT_TRUE(one.keep(simulation));
+    EXPECT_EQ(one.size(), 1u);
+}
+
+TEST(Timeline, TheOtherFutureTakesNoRoomOnceItIsForgotten) {
+    Simulation simulation = small_scene("flag");
+    const std::size_t each = simulation.world().save_size();
+    Timeline timeline(8 * each);
+    const auto run = [&](int steps) {
+        for (int k = 0; k < steps; ++k) {
+            simulation.step(step_time);
+            ASSERT_TRUE(timeline.keep(simulation));
+            EXPECT_EQ(timeline.bytes(), timeline.size() * each);
+        }
+    };
+    run(6);
+    ASSERT_TRUE(timeline.go_to(1, simulation));
+    run(1);
+    EXPECT_EQ(timeline.size(), 3u);
+    run(5);
+    EXPECT_EQ(timeline.size(), 8u);
 }
 
 TEST(Timeline, KnowsBallsThatWereNotThereYet) {
