@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cloth/frame/cooked/saved_cloth.h"
 #include "cloth/frame/make_solver.h"
 #include "cloth/frame/recut/copies.h"
 #include "engine/memory/without_exceptions.h"
@@ -83,9 +84,6 @@ Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& s
 }
 
 Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress)
-    : Cloth(std::move(cooked), initial, progress, nullptr) {}
-
-Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress, SavedLevels* saved)
     : model(std::move(cooked)),
       settings(initial),
       state(model.particle_count),
@@ -93,14 +91,37 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& pr
       surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
-    std::ranges::copy(model.positions.span(), state.positions.data());
-    std::ranges::copy(model.positions.span(), state.previous_positions.data());
-    set_inverse_masses();
-    solver = make_solver(model, initial, state.positions.span(), saved);
+    start_at_rest();
+    solver = make_solver(model, initial, state.positions.span());
     progress.reach(Progress::solvable);
     limits = make_limits(model, initial, {});
     progress.reach(Progress::limited);
     apply(initial);
+}
+
+Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved)
+    : model(std::move(cooked)),
+      settings(initial),
+      state(model.particle_count, unmade),
+      next_velocities(model.particle_count, unmade),
+      surface(std::move(saved.surface)),
+      partial_counts(block_count(model.particle_count), unmade),
+      partial_surveys(block_count(model.particle_count), unmade) {
+    start_at_rest();
+    SavedLevels* const levels = saved.levels ? &*saved.levels : nullptr;
+    solver = make_solver(model, initial, state.positions.span(), levels);
+    limits = make_limits(model, initial, {});
+    if (is_second_order(initial, *solver)) {
+        history.emplace(model.particle_count, unmade);
+        state.record = StepRecord(model.particle_count, unmade);
+    }
+    apply(initial);
+}
+
+void Cloth::start_at_rest() {
+    std::ranges::copy(model.positions.span(), state.positions.data());
+    std::ranges::copy(model.positions.span(), state.previous_positions.data());
+    set_inverse_masses();
 }
 
 bool Cloth::is_second_order(const ClothSettings& of, const Solver& with) const {

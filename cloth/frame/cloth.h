@@ -32,7 +32,7 @@
 
 namespace weft {
 
-struct SavedLevels;
+struct SavedCloth;
 
 /// Memory for the air at the particles.
 struct AirBuffers {
@@ -119,8 +119,8 @@ struct ShownCloth {
 /// and cannot fail. apply(), pin() and unpin() are both: where they throw, nothing has changed.
 struct Cloth {
     Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress = {});
-    /// `saved`: levels of this model, or null. They are used up.
-    Cloth(ClothModel cooked, const ClothSettings& settings, const Progress& progress, SavedLevels* saved);
+    /// From what was read. Of use to be copied alone: most of what changes has no memory.
+    Cloth(ClothModel cooked, const ClothSettings& settings, SavedCloth&& saved);
     /// Another one, in the state that the first is in: what is constant is shared. Precondition: that is in
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
@@ -297,6 +297,7 @@ struct Cloth {
     [[nodiscard]] std::unique_ptr<Solver> solver_for(const ClothSettings& changed) const;
     void reserve_pairs(Solver& with) const;
     void change_pins(std::vector<Pin>&& pins);
+    void start_at_rest();
     void set_inverse_masses();
     [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
     void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;

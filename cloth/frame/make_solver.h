@@ -13,7 +13,8 @@ struct SavedLevels;
 /// particles. The model must outlive it.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions);
-/// `saved`: levels of the model, or null. They are used up.
+/// `saved`: levels of the model and of the settings' system, or null. They are used up; the solver then is of
+/// use to be cloned alone.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions, SavedLevels* saved);
 

@@ -39,6 +39,8 @@ struct StepRecord {
     StepRecord() = default;
     explicit StepRecord(std::uint32_t particles)
         : displacements(particles), velocity_changes(particles), arrivals(particles) {}
+    StepRecord(std::uint32_t particles, Unmade later)
+        : displacements(particles, later), velocity_changes(particles, later), arrivals(particles, later) {}
     [[nodiscard]] std::size_t bytes() const noexcept {
         return displacements.bytes() + velocity_changes.bytes() + arrivals.bytes();
     }
@@ -101,6 +103,12 @@ struct ClothState {
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)
         : positions(particles), previous_positions(particles), velocities(particles), normals(particles) {}
+    /// Of use to be copied alone: only places have memory.
+    ClothState(std::uint32_t particles, Unmade later)
+        : positions(particles),
+          previous_positions(particles),
+          velocities(particles, later),
+          normals(particles, later) {}
 
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
     [[nodiscard]] std::size_t bytes() const noexcept {

@@ -384,14 +384,16 @@ std::uint32_t fingerprint_of(const ClothModel& model) {
 std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {
     constexpr std::uint32_t few = 32;
     const std::uint32_t begin = model.spring_offsets[i], end = model.spring_offsets[i + 1];
+    // It is there, but perhaps in a file that was made to mislead.
+    const auto last = static_cast<std::uint32_t>(model.neighbours.size()) - 1;
     const std::uint32_t* const neighbours = model.neighbours.data();
     if (end - begin > few)
-        return static_cast<std::uint32_t>(std::lower_bound(neighbours + begin, neighbours + end, j) -
-                                          neighbours);
+        return std::min(last, static_cast<std::uint32_t>(
+                                  std::lower_bound(neighbours + begin, neighbours + end, j) - neighbours));
     // Faster than a search that nobody can predict.
     std::uint32_t before = 0;
     for (std::uint32_t e = begin; e < end; ++e) before += neighbours[e] < j ? 1 : 0;
-    return begin + before;
+    return std::min(last, begin + before);
 }
 
 }  // namespace weft

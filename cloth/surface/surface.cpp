@@ -1,5 +1,7 @@
 #include "cloth/surface/surface.h"
 
+#include <utility>
+
 #include "cloth/surface/normals.h"
 #include "cloth/surface/wind.h"
 
@@ -9,6 +11,12 @@ Surface::Surface(const ClothModel& model) : cells_(model) {
     if (!cells_.empty()) return;
     groups_ = TriangleGroups(model);
     rows_ = AlignedBuffer<Vec4>(groups_.rows);
+}
+
+Surface::Surface(const ClothModel& model, TriangleGroups&& saved) : cells_(model) {
+    if (!cells_.empty()) return;
+    groups_ = std::move(saved);
+    rows_ = AlignedBuffer<Vec4>(groups_.rows, unmade);
 }
 
 void Surface::compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals) {

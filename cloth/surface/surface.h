@@ -16,6 +16,14 @@ namespace weft {
 class Surface {
   public:
     explicit Surface(const ClothModel& model);
+    /// With groups that were read. Of use to be copied alone: what changes has no memory.
+    Surface(const ClothModel& model, TriangleGroups&& saved);
+    /// None of a grid.
+    [[nodiscard]] const TriangleGroups& groups() const noexcept { return groups_; }
+    /// Whether groups that were read name only what there is.
+    [[nodiscard]] bool is_sound(std::uint32_t particles) const {
+        return !cells_.empty() || groups_.is_sound(particles);
+    }
 
     /// Of particles: means of the triangles' normals, weighted by area; +Y where they cancel out.
     void compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals);

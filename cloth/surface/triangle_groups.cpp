@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "cloth/mesh/list_checks.h"
+
 namespace weft {
 
 namespace {
@@ -113,6 +115,13 @@ std::uint32_t offset_of(std::uint32_t row) {
     return row * static_cast<std::uint32_t>(sizeof(Vec4));
 }
 
+/// Whether they are what offset_of() says of rows below `end`.
+bool are_row_offsets(std::span<const std::uint32_t> offsets, std::uint32_t end) {
+    std::uint32_t bits = 0;
+    for (const std::uint32_t offset : offsets) bits |= offset;
+    return bits % sizeof(Vec4) == 0 && are_below(offsets, end * sizeof(Vec4));
+}
+
 }  // namespace
 
 TriangleGroups::TriangleGroups(const ClothModel& model) : particles(model.particle_count) {
@@ -160,6 +169,23 @@ void TriangleGroups::list_sums(std::vector<std::vector<std::uint32_t>> rows_of_p
     }
     sum_runs = buffer_of(all_runs);
     sum_lists = buffer_of(all_lists);
+}
+
+bool TriangleGroups::is_sound(std::uint32_t particle_count) const {
+    const std::uint32_t groups = (particle_count + lanes - 1) / lanes;
+    if (particles != particle_count || rows % lanes != 0 || rows < own_rows(groups * lanes) ||
+        corner_sources.size() != std::size_t{3} * (rows / lanes) || sum_lists.size() % lanes != 0)
+        return false;
+    const std::size_t listed_corners = corner_lists.size();
+    const std::uint32_t last_run = (groups - 1) * lanes;
+    const std::size_t last_list = listed_corners < lanes ? 0 : listed + listed_corners - lanes;
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t source : corner_sources)
+        wrong |= (source > last_run ? 1u : 0u) & (source < listed || source > last_list ? 1u : 0u);
+    return wrong == 0 && are_offsets(first_runs.span(), groups, sum_runs.size()) &&
+           are_offsets(first_lists.span(), groups, sum_lists.size() / lanes) &&
+           are_below(sum_runs.span(), rows - lanes + 1) &&
+           are_row_offsets(corner_lists.span(), particle_count) && are_row_offsets(sum_lists.span(), rows);
 }
 
 }  // namespace weft

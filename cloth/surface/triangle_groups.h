@@ -46,6 +46,20 @@ struct TriangleGroups {
     /// k in [first_runs[g], first_runs[g + 1]), then those of the lists [first_lists[g], first_lists[g + 1]).
     SharedBuffer<std::uint32_t> first_runs, sum_runs, first_lists, sum_lists;
 
+    /// visit(list) and visit.value(number) for all of it.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.particles);
+        visit.value(self.rows);
+        visit(self.corner_sources);
+        visit(self.corner_lists);
+        visit(self.first_runs);
+        visit(self.sum_runs);
+        visit(self.first_lists);
+        visit(self.sum_lists);
+    }
+    /// Whether lists that were read name only what there is, for so many particles.
+    [[nodiscard]] bool is_sound(std::uint32_t particle_count) const;
     [[nodiscard]] std::size_t bytes() const noexcept {
         return corner_sources.bytes() + corner_lists.bytes() + first_runs.bytes() + sum_runs.bytes() +
                first_lists.bytes() + sum_lists.bytes();

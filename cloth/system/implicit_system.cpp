@@ -4,7 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/system/springs/spring_system.h"
+
 namespace weft {
+
+std::optional<SavedSprings> ImplicitSystem::springs() const {
+    return std::nullopt;
+}
 
 Products ImplicitSystem::multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
                                   std::span<Vec4> product) {
@@ -60,7 +66,9 @@ ImplicitSystem::Neighbours ImplicitSystem::neighbours_of(std::uint32_t i) const 
 std::uint32_t ImplicitSystem::entry_between(std::uint32_t i, std::uint32_t j) const {
     const Stencil& graph = stencil();
     std::uint32_t entry = graph.group_slots[i / Stencil::lanes] * Stencil::lanes + i % Stencil::lanes;
-    while (graph.neighbours[entry] != j) entry += Stencil::lanes;
+    // It is there, but perhaps in a file that was made to mislead.
+    const std::uint32_t last = graph.group_slots[i / Stencil::lanes + 1] * Stencil::lanes;
+    while (entry + Stencil::lanes < last && graph.neighbours[entry] != j) entry += Stencil::lanes;
     return entry;
 }
 

@@ -3,6 +3,7 @@
 // their own.
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "cloth/mesh/cook.h"
@@ -15,6 +16,8 @@
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
+
+struct SavedSprings;
 
 /// Which point of the equation a system is linearised about.
 enum class LinearisedAbout {
@@ -46,12 +49,16 @@ class ImplicitSystem {
   public:
     explicit ImplicitSystem(std::uint32_t particles)
         : right_side_(particles), partial_sums_(block_count(particles)) {}
+    ImplicitSystem(std::uint32_t particles, Unmade later)
+        : right_side_(particles, later), partial_sums_(block_count(particles), later) {}
     virtual ~ImplicitSystem() = default;
     ImplicitSystem& operator=(const ImplicitSystem&) = delete;
 
     /// The same for another cloth of this model, with its copy of the model, before its first step: what is
     /// constant is shared.
     [[nodiscard]] virtual std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const = 0;
+    /// What of it is constant, if it is of springs.
+    [[nodiscard]] virtual std::optional<SavedSprings> springs() const;
     /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
     virtual void make_own(const Fabric& /*fabric*/) {}
     /// Makes what depends on the fabric alone. A step in another fabric does that first.

@@ -3,6 +3,9 @@
 //
 // Invariant: the buffer is padded with T{} to a whole group of 16 elements. Kernels that work on groups read
 // and write the padding; nobody else does.
+//
+// Memory may come later: a buffer that is made as `unmade` has a size and none yet, and nobody may read or
+// write it; each copy of it has its memory, all of value T{}. So what is only there to be copied takes none.
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +23,9 @@
 
 namespace weft {
 
+struct Unmade {};
+inline constexpr Unmade unmade;
+
 template <class T>
 class AlignedBuffer {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);
@@ -33,6 +39,7 @@ class AlignedBuffer {
     explicit AlignedBuffer(std::size_t size) : data_(allocate(padded(size))), size_(size) {
         std::uninitialized_fill_n(data_, padded(size), T{});
     }
+    AlignedBuffer(std::size_t size, Unmade /*later*/) : size_(padded(size) > 0 ? size : 0) {}
 
     /// Of the elements that lie in these bytes, at any address.
     [[nodiscard]] static AlignedBuffer from_bytes(std::span<const std::byte> bytes) {
@@ -55,12 +62,16 @@ class AlignedBuffer {
     }
 
     AlignedBuffer(const AlignedBuffer& other) : data_(allocate(padded(other.size_))), size_(other.size_) {
-        std::uninitialized_copy_n(other.data(), padded(size_), data());
+        if (other.data_ != nullptr)
+            std::uninitialized_copy_n(other.data(), padded(size_), data());
+        else
+            std::uninitialized_fill_n(data(), padded(size_), T{});
     }
     /// Between buffers of one size nothing is allocated and data() stays. A copy that throws changes nothing.
     AlignedBuffer& operator=(const AlignedBuffer& other) {
         if (this == &other) return *this;
-        if (size_ != other.size_) return *this = AlignedBuffer(other);
+        if (size_ != other.size_ || data_ == nullptr || other.data_ == nullptr)
+            return *this = AlignedBuffer(other);
         std::copy_n(other.data(), padded(size_), data());
         return *this;
     }
@@ -71,20 +82,23 @@ class AlignedBuffer {
     [[nodiscard]] T* data() noexcept { return data_; }
     [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Those of an unmade one's copy.
     [[nodiscard]] std::size_t bytes() const noexcept { return padded(size_) * sizeof(T); }
     T& operator[](std::size_t i) noexcept { return data_[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data(), size_}; }
     [[nodiscard]] std::span<const T> span() const noexcept { return {data(), size_}; }
 
-  private:
-    static constexpr std::size_t most =
-        std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // elements that can be named
-
+    /// So many elements, and what fills them up to whole groups.
     static constexpr std::size_t padded(std::size_t size) {
         if (size > most) refuse_memory();
         return (size + group - 1) / group * group;
     }
+
+  private:
+    static constexpr std::size_t most =
+        std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // elements that can be named
+
     static T* allocate(std::size_t count) {
         if (count == 0) return nullptr;
         return static_cast<T*>(take_memory(count * sizeof(T)));

@@ -13,6 +13,7 @@ namespace weft {
 
 /// An AlignedBuffer, padded as that is. What copies are made of must not change any more, nor the copies
 /// unless they have been made their own. So threads may copy one buffer at a time, and read all copies.
+/// Or it is lent: of memory that somebody else keeps, a file's, where it is read alone.
 template <class T>
 class SharedBuffer {
   public:
@@ -21,11 +22,22 @@ class SharedBuffer {
     explicit SharedBuffer(std::size_t size) : SharedBuffer(AlignedBuffer<T>(size)) {}
     SharedBuffer(AlignedBuffer<T>&& made) : size_(made.size()) {  // NOLINT(google-explicit-constructor)
         if (size_ == 0) return;
-        memory_ = std::make_shared<AlignedBuffer<T>>(std::move(made));
-        data_ = memory_->data();
+        const auto memory = std::make_shared<AlignedBuffer<T>>(std::move(made));
+        data_ = memory->data();
+        memory_ = memory;
     }
     explicit SharedBuffer(std::span<const T> values)
         : SharedBuffer(AlignedBuffer<T>::from_bytes(std::as_bytes(values))) {}
+    /// Values that `owner` keeps as they are, aligned and padded as an AlignedBuffer's.
+    [[nodiscard]] static SharedBuffer lent(std::shared_ptr<const void> owner, std::span<const T> values) {
+        SharedBuffer made;
+        if (values.empty()) return made;
+        made.memory_ = std::move(owner);
+        made.data_ = const_cast<T*>(values.data());
+        made.size_ = values.size();
+        made.is_lent_ = true;
+        return made;
+    }
 
     SharedBuffer(SharedBuffer&& other) noexcept { *this = std::move(other); }
     SharedBuffer& operator=(SharedBuffer&& other) noexcept {
@@ -33,6 +45,7 @@ class SharedBuffer {
         data_ = std::exchange(other.data_, nullptr);
         size_ = std::exchange(other.size_, 0);
         is_copy_ = std::exchange(other.is_copy_, false);
+        is_lent_ = std::exchange(other.is_lent_, false);
         return *this;
     }
     SharedBuffer(const SharedBuffer& other) noexcept
@@ -43,17 +56,19 @@ class SharedBuffer {
     }
     ~SharedBuffer() = default;
 
-    /// Gives a copy memory of its own, with the same values.
+    /// Gives a copy, or what is lent, memory of its own, with the same values.
     void make_own() {
-        if (is_copy_) *this = SharedBuffer(std::as_const(*this).span());
+        if (is_copy_ || is_lent_) *this = SharedBuffer(std::as_const(*this).span());
     }
 
     [[nodiscard]] T* data() noexcept { return data_; }
     [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    /// 0 for a copy: they are those of what it is a copy of.
-    [[nodiscard]] std::size_t bytes() const noexcept { return is_copy_ || !memory_ ? 0 : memory_->bytes(); }
+    /// 0 for a copy: they are those of what it is a copy of. What is lent counts.
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return is_copy_ ? 0 : AlignedBuffer<T>::padded(size_) * sizeof(T);
+    }
     T& operator[](std::size_t i) noexcept { return data_[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data_, size_}; }
@@ -64,10 +79,10 @@ class SharedBuffer {
     [[nodiscard]] const T* end() const noexcept { return data_ + size_; }
 
   private:
-    std::shared_ptr<AlignedBuffer<T>> memory_;
+    std::shared_ptr<const void> memory_;
     T* data_ = nullptr;
     std::size_t size_ = 0;
-    bool is_copy_ = false;
+    bool is_copy_ = false, is_lent_ = false;
 };
 
 }  // namespace weft

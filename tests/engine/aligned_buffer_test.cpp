@@ -87,6 +87,26 @@ TEST(AlignedBuffer, MayBeAssignedToItself) {
     EXPECT_EQ(buffer[4], 7);
 }
 
+TEST(AlignedBuffer, ThatIsUnmadeHasCopiesOfZeros) {
+    const AlignedBuffer<int> later(21, unmade);
+    EXPECT_EQ(later.size(), 21u);
+    EXPECT_EQ(later.data(), nullptr);
+    EXPECT_EQ(later.bytes(), 32 * sizeof(int));
+    AlignedBuffer<int> full(21);
+    full[20] = 5;
+    const AlignedBuffer<int> copy = later;
+    AlignedBuffer<int> assigned = full;
+    assigned = later;
+    for (const auto* made : {&copy, &std::as_const(assigned)}) {
+        ASSERT_EQ(made->size(), 21u);
+        for (std::size_t i = 0; i < 32; ++i) EXPECT_EQ(made->data()[i], 0);
+    }
+    AlignedBuffer<int> becomes(21, unmade);
+    becomes = full;
+    EXPECT_EQ(becomes[20], 5);
+    EXPECT_EQ(AlignedBuffer<int>(AlignedBuffer<int>(0, unmade)).size(), 0u);
+}
+
 #ifdef __cpp_exceptions
 // Sizes whose bytes, or whose whole groups, are more than a size_t holds must not become small ones.
 TEST(AlignedBuffer, OfMoreThanThereCanBeIsRefused) {

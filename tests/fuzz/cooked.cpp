@@ -22,7 +22,7 @@ void must(bool holds, const std::string& what) {
     if (!holds) throw Failure{0, "its cooked cloth: " + what};
 }
 
-constexpr std::size_t cooked_head = 224, cooked_sum = cooked_head - 8;
+constexpr std::size_t cooked_head = 64, cooked_sum = cooked_head - 8, piece = 65536;
 
 std::uint64_t sum_of(CookedBytes bytes) {
     std::fill_n(bytes.begin() + cooked_sum, 8, std::byte{});
@@ -30,7 +30,8 @@ std::uint64_t sum_of(CookedBytes bytes) {
     std::copy_n(bytes.begin(), cooked_head, head.begin());
     StateHash hash;
     hash.add(std::span<const std::array<std::byte, cooked_head>>(&head, 1));
-    hash.add(std::span<const std::byte>(bytes).subspan(cooked_head));
+    for (std::size_t at = cooked_head; at < bytes.size(); at += piece)
+        hash.add(std::span<const std::byte>(bytes).subspan(at, std::min(piece, bytes.size() - at)));
     return hash.value();
 }
 std::uint64_t sum_in(const CookedBytes& bytes) {

@@ -20,6 +20,8 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
 class History {
   public:
     explicit History(std::uint32_t particles) : base_positions_(particles), base_velocities_(particles) {}
+    History(std::uint32_t particles, Unmade later)
+        : base_positions_(particles, later), base_velocities_(particles, later) {}
 
     /// Computes the bases of the next step, which is as long as the recorded one, from the present state. A
     /// particle that is not where the last step left it has met something: it is taken to have come in a

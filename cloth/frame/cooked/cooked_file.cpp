@@ -1,10 +1,12 @@
-// A CookedCloth as bytes: a head, then the model's lists and the report's, one behind the other, then levels.
+// A CookedCloth as bytes: a head, then the model's lists and the report's, those of its surface and of its
+// solver, packed as they are used: see engine/memory/packed_lists.h.
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -16,6 +18,7 @@
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/list_checks.h"
 #include "cloth/mesh/mesh_limits.h"
+#include "engine/memory/packed_lists.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"
 
@@ -26,25 +29,25 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 4;
+constexpr std::uint32_t cooked_version = 5;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
-constexpr std::size_t list_count = 22;
 
 struct CookedHead {
     std::array<char, 8> mark = cooked_mark;
     std::uint32_t version = cooked_version;
     std::uint32_t particles = 0, rows = 0, columns = 0;
-    std::array<std::uint64_t, list_count> items{};  ///< of each list
-    std::uint64_t level_bytes = 0;                  ///< of the levels, at the end; 0: there are none
-    std::uint64_t bytes = 0;                        ///< of all
-    std::uint64_t hash = 0;                         ///< of the head with 0 here, and of all behind it
+    std::uint32_t has_levels = 0;
+    std::array<std::uint32_t, 5> unused{};
+    std::uint64_t bytes = 0;  ///< of all
+    std::uint64_t hash = 0;   ///< of the head with 0 here, and of all behind it, in pieces
 };
 static_assert(std::has_unique_object_representations_v<CookedHead>);
+static_assert(sizeof(CookedHead) == memory_alignment, "lists begin behind it");
 static_assert(sizeof(ClothInfo) == 80, "without padding");
 
-/// visit(list) for each list of numbers; `Info` is of one item.
+/// visit(list) for each list of the model and the report; `Info` is of one item.
 template <class Model, class Info, class Report, class Visit>
-void for_each_list(Model& model, Info& info, Report& report, const Visit& visit) {
+void for_each_list(Model& model, Info& info, Report& report, Visit& visit) {
     visit(info);
     visit(model.positions);
     visit(model.rest_area);
@@ -73,11 +76,18 @@ Error refused(const std::string& why) {
     return {ErrorCode::malformed_file, "the cooked cloth " + why};
 }
 
-std::uint64_t hash_of(CookedHead head, std::span<const std::byte> behind) {
+/// Adds a head without its hash, then what is behind it piece by piece, each after prepare(piece).
+template <class Prepare>
+std::uint64_t hash_of(CookedHead head, std::span<const std::byte> behind, const Prepare& prepare) {
+    constexpr std::size_t piece = std::size_t{1} << 16;
     head.hash = 0;
     StateHash hash;
     hash.add(head);
-    hash.add(behind);
+    for (std::size_t at = 0; at < behind.size(); at += piece) {
+        const auto bytes = behind.subspan(at, std::min(piece, behind.size() - at));
+        prepare(at, bytes);
+        hash.add(bytes);
+    }
     return hash.value();
 }
 
@@ -92,45 +102,33 @@ Result<CookedHead> read_head(std::span<const std::byte> saved) {
     if (head.bytes != saved.size())
         return refused("is of " + std::to_string(head.bytes) + " bytes, of which there are " +
                        std::to_string(saved.size()));
-    if (head.level_bytes > saved.size() - sizeof head)
-        return refused("says that more of it are levels than there are bytes");
-    if (head.hash != hash_of(head, saved.subspan(sizeof head)))
-        return refused("is damaged: its checksum is another");
     return head;
 }
 
-/// Takes lists from the bytes, and notes if these are too few.
-class ListReader {
-  public:
-    ListReader(const CookedHead& head, std::span<const std::byte> bytes) : head_(head), left_(bytes) {}
-
-    template <class List>
-    void operator()(List& list) const {
-        using Item = std::remove_cvref_t<decltype(list[0])>;
-        static_assert(std::is_trivially_copyable_v<Item>);
-        const std::uint64_t count = head_.items[next_++];
-        if (count > left_.size() / sizeof(Item)) {
-            is_short_ = true;
-            return;
-        }
-        const std::span<const std::byte> bytes = left_.first(count * sizeof(Item));
-        if constexpr (std::is_same_v<List, SharedBuffer<Item>>) {
-            list = List(AlignedBuffer<Item>::from_bytes(bytes));
-        } else {
-            list = List(count);
-            if (count > 0) std::memcpy(list.data(), bytes.data(), bytes.size());
-        }
-        left_ = left_.subspan(bytes.size());
-    }
-    /// Whether all bytes were needed, and no more.
-    [[nodiscard]] bool fits() const { return !is_short_ && left_.empty(); }
-
-  private:
-    const CookedHead& head_;
-    mutable std::span<const std::byte> left_;
-    mutable std::size_t next_ = 0;
-    mutable bool is_short_ = false;
+/// Bytes that somebody keeps, behind the head.
+struct KeptBytes {
+    std::span<const std::byte> bytes;
+    std::shared_ptr<const void> owner;
 };
+
+/// What is behind the head, with its checksum looked at: where it lies, or without an owner in a copy.
+Result<KeptBytes> keep(const CookedHead& head, KeptBytes saved) {
+    const bool is_aligned = reinterpret_cast<std::uintptr_t>(saved.bytes.data()) % memory_alignment == 0;
+    std::uint64_t hash = 0;
+    if (saved.owner && is_aligned) {
+        hash = hash_of(head, saved.bytes, [](std::size_t /*at*/, auto /*piece*/) {});
+    } else {
+        const std::size_t size = saved.bytes.size();
+        const std::shared_ptr<std::byte> copy(static_cast<std::byte*>(take_memory(size)),
+                                              [size](std::byte* memory) { give_memory_back(memory, size); });
+        hash = hash_of(head, saved.bytes, [&](std::size_t at, std::span<const std::byte> piece) {
+            std::memcpy(copy.get() + at, piece.data(), piece.size());
+        });
+        saved = {{copy.get(), size}, copy};
+    }
+    if (hash != head.hash) return refused("is damaged: its checksum is another");
+    return saved;
+}
 
 /// All numbers of a list, whose items are made of them.
 template <class Number, class Item>
@@ -141,15 +139,13 @@ std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
 
 /// Numbers that a mesh could have led to.
 bool are_sound(const ClothModel& model) {
-    constexpr float most = std::numeric_limits<float>::max();
-    std::uint32_t wrong = 0;
-    for (const Vec4& p : model.positions) wrong |= p.w == 0 ? 0u : 1u;
-    return wrong == 0 && are_within(model.rest_area.span(), 0, most) &&
-           are_within(model.rest_lengths.span(), 0, most) && are_within(model.bending.span(), -most, most) &&
-           are_within(model.bending_excess.span(), -most, most) &&
-           are_within(numbers_of<float>(model.texcoords), -most, most) &&
-           are_within(numbers_of<float>(model.positions), -runaway_distance, runaway_distance) &&
-           are_within(numbers_of<float>(model.panel_sides), -most, most);
+    std::uint32_t bits = 0;
+    for (const Vec4& p : model.positions) bits |= std::bit_cast<std::uint32_t>(p.w);
+    return bits == 0 && are_from_zero(model.rest_area.span()) && are_from_zero(model.rest_lengths.span()) &&
+           are_within(model.bending.span()) && are_within(model.bending_excess.span()) &&
+           are_within(numbers_of<float>(model.texcoords)) &&
+           are_within(numbers_of<float>(model.positions), runaway_distance) &&
+           are_within(numbers_of<float>(model.panel_sides));
 }
 
 /// What it says of the mesh is so, as far as it can be seen here; edges are no longer than the mesh can be.
@@ -157,19 +153,30 @@ bool is_of(const ClothInfo& info, const ClothModel& model) {
     return info.particles == model.particle_count && info.vertices == model.vertex_to_particle.size() &&
            info.triangles == model.triangles.size() &&
            info.components + std::size_t{1} == model.component_offsets.size() &&
-           are_within(std::span(&info.mean_edge, 1), 0, 4 * runaway_distance);
+           are_from_zero(std::span(&info.mean_edge, 1)) && info.mean_edge <= 4 * runaway_distance;
 }
 
-/// That triangles at a particle have it at a corner. Precondition: offsets and numbers are within their
-/// lists.
+/// That the triangles of a particle have it at a corner, each once. Precondition: offsets and numbers are
+/// within their lists.
 bool have_their_corners(const ClothModel& model) {
     std::uint32_t wrong = 0;
-    for (std::uint32_t i = 0; i < model.particle_count; ++i)
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        std::uint32_t next = 0;
         for (std::uint32_t k = model.corner_offsets[i]; k < model.corner_offsets[i + 1]; ++k) {
-            const Triangle& triangle = model.triangles[model.corner_triangles[k]];
+            const std::uint32_t t = model.corner_triangles[k];
+            const Triangle& triangle = model.triangles[t];
             wrong |= (triangle[0] != i) & (triangle[1] != i) & (triangle[2] != i) ? 1u : 0u;
+            wrong |= t < next ? 1u : 0u;
+            next = t + 1;
         }
+    }
     return wrong == 0;
+}
+
+bool are_kinds(std::span<const SpringKind> kinds) {
+    std::uint8_t most = 0;
+    for (const SpringKind kind : kinds) most = std::max(most, static_cast<std::uint8_t>(kind));
+    return most <= static_cast<std::uint8_t>(SpringKind::bending);
 }
 
 /// Whether each particle is in one component. Precondition: the numbers are within the lists.
@@ -185,9 +192,10 @@ bool is_whole(const ClothModel& model) {
     const std::size_t n = model.particle_count, springs = model.neighbours.size(),
                       triangles = model.triangles.size(), vertices = model.vertex_to_particle.size();
     const bool has_sizes =
-        n > 0 && n <= most_vertices && model.positions.size() == n && model.rest_area.size() == n &&
-        model.bending_excess.size() == n && model.rest_lengths.size() == springs &&
-        model.kinds.size() == springs && model.bending.size() == springs && triangles > 0 &&
+        n > 0 && n <= most_vertices && springs > 0 && model.positions.size() == n &&
+        model.rest_area.size() == n && model.bending_excess.size() == n &&
+        model.rest_lengths.size() == springs && model.kinds.size() == springs &&
+        model.bending.size() == springs && triangles > 0 &&
         (model.panel_sides.empty() || model.panel_sides.size() == triangles) &&
         model.component_particles.size() == n && !model.component_offsets.empty() && vertices >= n &&
         model.corner_triangles.size() == 3 * triangles &&
@@ -203,18 +211,62 @@ bool is_whole(const ClothModel& model) {
            are_below(numbers_of<std::uint32_t>(model.triangles), n) &&
            are_below(numbers_of<std::uint32_t>(model.vertex_triangles), vertices) &&
            (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
-           std::ranges::all_of(model.kinds, [](SpringKind kind) { return kind <= SpringKind::bending; }) &&
-           are_components(model) && have_their_corners(model);
+           are_kinds(model.kinds.span()) && are_components(model) && have_their_corners(model);
+}
+
+/// All that is behind the head.
+template <class Visit>
+void visit_saved(const Cloth& cloth, const CookReport& report, const std::optional<SavedLevels>& levels,
+                 Visit& visit) {
+    const std::span<const ClothInfo> info(&cloth.model.info, 1);
+    for_each_list(cloth.model, info, report, visit);
+    TriangleGroups::for_each_list(cloth.surface.groups(), visit);
+    if (levels) visit_lists(*levels, visit);
+}
+
+/// What a CookedCloth is made of.
+struct ReadCloth {
+    ClothModel model;
+    CookReport report;
+    SavedCloth constants;
+};
+
+Result<ReadCloth> read(const CookedHead& head, const KeptBytes& bytes, const ClothSettings& settings) {
+    PackedReader reader(bytes.bytes, bytes.owner);
+    ClothModel model;
+    model.particle_count = head.particles;
+    model.rows = head.rows;
+    model.columns = head.columns;
+    std::vector<ClothInfo> info;
+    CookReport report;
+    for_each_list(model, info, report, reader);
+    TriangleGroups groups;
+    TriangleGroups::for_each_list(groups, reader);
+    const Error not_whole = refused("is not whole, though its checksum is right: cook the mesh again");
+    if (!reader.is_sound() || info.size() != 1 || !is_whole(model) || !are_sound(model) ||
+        !is_of(info[0], model))
+        return not_whole;
+    model.info = info[0];
+    model.fingerprint = fingerprint_of(model);
+    if (auto valid = validate_neighbours(model, settings); !valid) return valid.error();
+    Surface surface(model, std::move(groups));
+    if (!surface.is_sound(model.particle_count)) return not_whole;
+    std::optional<SavedLevels> levels;
+    if (head.has_levels != 0) {
+        levels = read_levels(reader, model);
+        if (!levels) return refused("has levels that are not whole: cook the mesh again");
+    }
+    if (!reader.fits()) return not_whole;
+    if (levels && levels->kind != SystemKind(settings)) levels.reset();
+    return ReadCloth{std::move(model), std::move(report), {std::move(surface), std::move(levels)}};
 }
 
 }  // namespace
 
 std::size_t CookedCloth::save_size() const noexcept {
-    std::size_t bytes = sizeof(CookedHead);
-    const std::span<const ClothInfo> info(&impl_->cloth.model.info, 1);
-    for_each_list(impl_->cloth.model, info, impl_->report,
-                  [&](const auto& list) { bytes += list.size() * sizeof(list[0]); });
-    return bytes + (impl_->levels ? written_size(*impl_->levels) : 0);
+    PackedSize size;
+    visit_saved(impl_->cloth, impl_->report, impl_->levels, size);
+    return sizeof(CookedHead) + size.bytes();
 }
 
 Result<void> CookedCloth::save(std::span<std::byte> to) const {
@@ -226,50 +278,34 @@ Result<void> CookedCloth::save(std::span<std::byte> to) const {
                                                           std::to_string(bytes)};
         const ClothModel& model = impl_->cloth.model;
         CookedHead head{.particles = model.particle_count, .rows = model.rows, .columns = model.columns};
+        head.has_levels = impl_->levels ? 1 : 0;
         head.bytes = bytes;
-        std::size_t at = sizeof head, list_number = 0;
-        const std::span<const ClothInfo> info(&model.info, 1);
-        for_each_list(model, info, impl_->report, [&](const auto& list) {
-            const std::size_t size = list.size() * sizeof(list[0]);
-            if (size > 0) std::memcpy(to.data() + at, list.data(), size);
-            head.items[list_number++] = list.size();
-            at += size;
-        });
-        head.level_bytes = bytes - at;
-        if (impl_->levels) write(*impl_->levels, to.subspan(at));
-        head.hash = hash_of(head, to.subspan(sizeof head));
+        const std::span<std::byte> behind = to.subspan(sizeof head);
+        PackedWriter writer(behind);
+        visit_saved(impl_->cloth, impl_->report, impl_->levels, writer);
+        head.hash = hash_of(head, behind, [](std::size_t /*at*/, auto /*piece*/) {});
         std::memcpy(to.data(), &head, sizeof head);
         return {};
     });
 }
 
 Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const ClothSettings& settings) {
+    return load(saved, nullptr, settings);
+}
+
+Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, std::shared_ptr<const void> owner,
+                                      const ClothSettings& settings) {
     return without_exceptions([&]() -> Result<CookedCloth> {
         if (const auto valid = validate(settings); !valid) return valid.error();
         const Result<CookedHead> head = read_head(saved);
         if (!head) return head.error();
-        ClothModel model;
-        model.particle_count = head->particles;
-        model.rows = head->rows;
-        model.columns = head->columns;
-        std::vector<ClothInfo> info;
-        CookReport report;
-        const std::size_t lists = saved.size() - sizeof(CookedHead) - head->level_bytes;
-        const ListReader reader(*head, saved.subspan(sizeof(CookedHead), lists));
-        for_each_list(model, info, report, reader);
-        if (!reader.fits() || info.size() != 1 || !is_whole(model) || !are_sound(model) ||
-            !is_of(info[0], model))
-            return refused("is not whole, though its checksum is right: cook the mesh again");
-        model.info = info[0];
-        model.fingerprint = fingerprint_of(model);
-        if (auto valid = validate_neighbours(model, settings); !valid) return valid.error();
-        std::optional<SavedLevels> levels;
-        if (head->level_bytes > 0) {
-            levels = read_levels(saved.last(head->level_bytes));
-            if (!levels) return refused("has levels that are not whole: cook the mesh again");
-        }
-        return CookedCloth(std::make_shared<const Impl>(std::move(model), std::move(report), settings,
-                                                        Progress(), levels ? &*levels : nullptr));
+        const auto kept = keep(*head, {saved.subspan(sizeof(CookedHead)), std::move(owner)});
+        if (!kept) return kept.error();
+        auto made = read(*head, *kept, settings);
+        if (!made) return made.error();
+        ReadCloth cloth = std::move(made).value();
+        return CookedCloth(std::make_shared<const Impl>(std::move(cloth.model), std::move(cloth.report),
+                                                        settings, std::move(cloth.constants)));
     });
 }
 

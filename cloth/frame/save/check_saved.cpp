@@ -78,7 +78,7 @@ class SavedNumbers {
 };
 
 bool is_within(const Vec3& v, float limit) {
-    return are_within(std::array{v.x, v.y, v.z}, -limit, limit);
+    return are_within(std::array{v.x, v.y, v.z}, limit);
 }
 
 /// One that a body carried may be farther out than the host may put it.

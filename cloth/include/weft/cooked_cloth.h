@@ -98,19 +98,30 @@ class WEFT_API CookedCloth {
     [[nodiscard]] static Result<CookedCloth> create(const Mesh& mesh, const ClothSettings& settings = {},
                                                     const CookProgress& progress = {});
 
-    /// Of the cloth that it holds, which takes as much memory as one that is added by its mesh.
+    /// As of a cloth that is added by its mesh. What create() made holds one besides; what was read holds
+    /// little more than what all cloths share.
     [[nodiscard]] const ClothInfo& info() const noexcept;
     [[nodiscard]] const CookReport& report() const noexcept;
 
-    /// What the mesh was made into, its coarse levels if its method has any, and the report, without the
-    /// settings: little-endian, with its version and a checksum. As many bytes as save() writes.
+    /// What the mesh was made into, what its method has that is constant, coarse levels and all, and the
+    /// report, without the settings: little-endian, with its version and a checksum. As many bytes as save()
+    /// writes.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Error: another size than save_size().
     Result<void> save(std::span<std::byte> to) const;
-    /// The bytes may be a mapped file's, at any address; they are not kept. Makes the rest by these settings,
-    /// at a tenth of the cost of cooking; other levels than those that were saved cost most of that. Errors:
-    /// a setting out of range; what is no such save, of another version, cut short or damaged.
+    /// The bytes may be at any address; they are copied, once. With settings that have the cooking's method
+    /// and force model, and its Fabric's warp, weft, shear and stiffening, nothing is made of them but
+    /// checks; the latter four cost up to a third of cooking where they differ, another method or force model
+    /// most of it. Errors: a setting out of range; what is no such save, of another version, cut short or
+    /// damaged.
     [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
+                                                  const ClothSettings& settings = {});
+
+    /// The same from bytes at a multiple of 64, as a mapped file's are: they are used where they lie, and
+    /// only read. `owner` keeps them, as they are, until the last cloth is gone. At another address, or
+    /// without an owner, they are copied.
+    [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
+                                                  std::shared_ptr<const void> owner,
                                                   const ClothSettings& settings = {});
 
   private:

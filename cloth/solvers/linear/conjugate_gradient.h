@@ -19,6 +19,12 @@ struct CgVectors {
           direction(particles),
           product(particles),
           partials(block_count(particles)) {}
+    CgVectors(std::uint32_t particles, Unmade later)
+        : residual(particles, later),
+          preconditioned(particles, later),
+          direction(particles, later),
+          product(particles, later),
+          partials(block_count(particles), later) {}
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     AlignedBuffer<Vec4> residual, preconditioned, direction, product;  ///< r, z, p and W p

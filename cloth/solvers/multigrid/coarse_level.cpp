@@ -12,10 +12,26 @@ CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const
     : lists_(std::move(lists)),
       interpolation_(std::move(interpolation)),
       matrix_(graph, lists_),
-      small_components_(components, lists_),
+      small_components_(SmallComponents(components, lists_)),
       b_(graph.nodes()),
       x_(graph.nodes()),
       before_(graph.nodes()) {}
+
+CoarseLevel::CoarseLevel(Constants constants, Unmade later)
+    : lists_(std::move(constants.lists)),
+      interpolation_(std::move(constants.interpolation)),
+      matrix_(std::move(constants.stencil), std::move(constants.link_rows), lists_, later),
+      small_components_(std::move(constants.small_components), later),
+      b_(matrix_.stencil.nodes, later),
+      x_(matrix_.stencil.nodes, later),
+      before_(matrix_.stencil.nodes, later) {}
+
+CoarseLevel::Constants CoarseLevel::constant_part() const {
+    Constants part{lists_, interpolation_, matrix_.stencil, matrix_.link_rows,
+                   small_components_.components()};
+    part.lists.constants.sums = {};
+    return part;
+}
 
 void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale) {
     parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {

@@ -20,6 +20,16 @@ class CoarseLevel {
     /// here to the finer level.
     CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
                 const Components& components);
+    /// What of it is constant.
+    struct Constants {
+        GalerkinLists lists;  ///< sums are saved nowhere
+        Interpolation interpolation;
+        Stencil stencil;
+        SharedBuffer<std::uint32_t> link_rows;
+        SmallComponents small_components;
+    };
+    CoarseLevel(Constants constants, Unmade later);
+    [[nodiscard]] Constants constant_part() const;
 
     /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
     /// their index. Constants are scaled.

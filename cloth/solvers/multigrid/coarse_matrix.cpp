@@ -1,6 +1,7 @@
 #include "cloth/solvers/multigrid/coarse_matrix.h"
 
 #include <algorithm>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/solvers/multigrid/coarse_matrix.cpp"
@@ -195,7 +196,18 @@ CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists)
         for (const std::uint32_t node : {lists.links[k].first, lists.links[k].second})
             link_rows[stencil.entries[next[node]++]] = lists.places[k];
     }
+    stencil.entries = {};
 }
+
+CoarseMatrix::CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows, const GalerkinLists& lists,
+                           Unmade later)
+    : stencil(std::move(of_level)),
+      coefficients(arrays * stencil.neighbours.size(), later),
+      ground(std::size_t{arrays} * stencil.groups() * Stencil::lanes, later),
+      inverse_diagonal(ground.size(), later),
+      ground_rows(stencil.nodes, later),
+      links(lists.groups() * Stencil::lanes + 1, later),
+      link_rows(std::move(rows)) {}
 
 std::size_t CoarseMatrix::bytes() const noexcept {
     return stencil.bytes() + coefficients.bytes() + ground.bytes() + inverse_diagonal.bytes() +

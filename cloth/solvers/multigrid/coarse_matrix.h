@@ -20,6 +20,7 @@ struct SymmetricRows {
     AlignedBuffer<Vec4> off_diagonal;  ///< xy xz yz, w 0
 
     explicit SymmetricRows(std::size_t blocks = 0) : diagonal(blocks), off_diagonal(blocks) {}
+    SymmetricRows(std::size_t blocks, Unmade later) : diagonal(blocks, later), off_diagonal(blocks, later) {}
     [[nodiscard]] Symmetric3 operator[](std::size_t i) const {
         const Vec4 &d = diagonal[i], &o = off_diagonal[i];
         return {.xx = d.x, .yy = d.y, .zz = d.z, .xy = o.x, .xz = o.y, .yz = o.z};
@@ -37,8 +38,11 @@ struct CoarseMatrix {
 
     CoarseMatrix() = default;
     CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
+    /// From lists that were read.
+    CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows, const GalerkinLists& lists,
+                 Unmade later);
 
-    Stencil stencil;
+    Stencil stencil;                        ///< without entries
     AlignedBuffer<float> coefficients;      ///< A_IJ per slot: 16 of each entry
     AlignedBuffer<float> ground;            ///< G_I per group: 16 of each entry
     AlignedBuffer<float> inverse_diagonal;  ///< likewise; 0 for nodes without inertia

@@ -1,9 +1,12 @@
 #include "cloth/solvers/multigrid/component_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <vector>
 
+#include "cloth/mesh/list_checks.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -18,43 +21,63 @@ constexpr std::uint32_t components_at_a_time = 16;
 
 }  // namespace
 
-ComponentSolver::ComponentSolver(const Components& components, const GalerkinLists& lists) {
-    std::vector<std::uint32_t> number(components.count(), none), local(components.of_node.size());
-    std::uint32_t count = 0, node_count = 0;
-    for (std::uint32_t c = 0; c < components.count(); ++c) {
-        if (components.size(c) > most_nodes) continue;
-        number[c] = count++;
-        node_count += components.size(c);
-    }
-    components_.resize(count + std::size_t{1});
-    number_.assign(components.of_node.size(), none);
-    nodes_.reserve(node_count);
-    for (std::uint32_t c = 0; c < components.count(); ++c) {
-        if (number[c] == none) continue;
-        const std::size_t rows = std::size_t{3} * components.size(c);
-        components_[number[c] + std::size_t{1}].factor = components_[number[c]].factor + rows * rows;
-        for (std::uint32_t k = 0; k < components.size(c); ++k) {
-            const std::uint32_t node = components.nodes[components.offsets[c] + k];
+SmallComponents::SmallComponents(const Components& of_level, const GalerkinLists& lists) {
+    std::vector<std::uint32_t> count_of(of_level.count(), none), local(of_level.of_node.size()), node_list;
+    number = SharedBuffer<std::uint32_t>(of_level.of_node.size());
+    std::ranges::fill(number.span(), none);
+    std::vector<Component> starts(1);
+    for (std::uint32_t c = 0; c < of_level.count(); ++c) {
+        if (of_level.size(c) > most_nodes) continue;
+        count_of[c] = static_cast<std::uint32_t>(starts.size()) - 1;
+        for (std::uint32_t k = 0; k < of_level.size(c); ++k) {
+            const std::uint32_t node = of_level.nodes[of_level.offsets[c] + k];
             local[node] = k;
-            number_[node] = static_cast<std::uint32_t>(nodes_.size());
-            nodes_.push_back(node);
+            number[node] = static_cast<std::uint32_t>(node_list.size());
+            node_list.push_back(node);
         }
-        components_[number[c] + std::size_t{1}].node = static_cast<std::uint32_t>(nodes_.size());
+        const std::uint64_t rows = std::uint64_t{3} * of_level.size(c);
+        starts.push_back(
+            {static_cast<std::uint32_t>(node_list.size()), 0, starts.back().factor + rows * rows});
     }
-    factors_ = AlignedBuffer<double>(components_.back().factor);
 
-    const auto number_of = [&](const Link& link) { return number[components.of_node[link.first]]; };
+    const auto component_of = [&](const Link& link) { return count_of[of_level.of_node[link.first]]; };
     for (const Link& link : lists.links)
-        if (number_of(link) != none) ++components_[number_of(link) + std::size_t{1}].link;
-    for (std::uint32_t c = 0; c < count; ++c) components_[c + std::size_t{1}].link += components_[c].link;
-    links_.resize(components_.back().link);
-    std::vector<std::uint32_t> next(count);
-    for (std::uint32_t c = 0; c < count; ++c) next[c] = components_[c].link;
+        if (component_of(link) != none) ++starts[component_of(link) + std::size_t{1}].link;
+    for (std::size_t c = 1; c < starts.size(); ++c) starts[c].link += starts[c - 1].link;
+    std::vector<LocalLink> local_links(starts.back().link);
+    std::vector<std::uint32_t> next;
+    for (const Component& start : starts) next.push_back(start.link);
     for (std::size_t k = 0; k < lists.links.size(); ++k) {
         const Link& link = lists.links[k];
-        if (number_of(link) != none)
-            links_[next[number_of(link)]++] = {lists.places[k], local[link.first], local[link.second]};
+        if (component_of(link) != none)
+            local_links[next[component_of(link)]++] = {lists.places[k], local[link.first],
+                                                       local[link.second]};
     }
+    components = SharedBuffer<Component>(starts);
+    nodes = SharedBuffer<std::uint32_t>(node_list);
+    links = SharedBuffer<LocalLink>(local_links);
+}
+
+bool SmallComponents::is_sound(std::uint32_t level_nodes, std::size_t places) const {
+    if (components.empty() || number.size() != level_nodes || !are_below(nodes.span(), level_nodes))
+        return false;
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t place : number)
+        wrong |= (place >= nodes.size() ? 1u : 0u) & (place != none ? 1u : 0u);
+    const Component &first = components[0], &last = components[components.size() - 1];
+    wrong |= (first.node | first.link) != 0 || first.factor != 0 || last.node != nodes.size() ||
+             last.link != links.size();
+    for (std::size_t c = 1; c < components.size() && wrong == 0; ++c) {
+        const Component &begin = components[c - 1], &end = components[c];
+        const std::uint32_t count = end.node - begin.node;
+        if (count == 0 || count > most_nodes ||
+            end.factor - begin.factor != std::uint64_t{9} * count * count || begin.link > end.link ||
+            end.link > links.size())
+            return false;
+        for (std::uint32_t k = begin.link; k < end.link; ++k)
+            wrong |= links[k].first >= count || links[k].second >= count || links[k].place >= places;
+    }
+    return wrong == 0;
 }
 
 void ComponentSolver::factorise(Parallel& parallel, const CoarseMatrix& matrix, const CoarsePairs& pairs) {
@@ -66,25 +89,26 @@ void ComponentSolver::factorise(Parallel& parallel, const CoarseMatrix& matrix, 
 
 void ComponentSolver::factorise(std::uint32_t component, const CoarseMatrix& matrix,
                                 const CoarsePairs& pairs) {
-    const Component &begin = components_[component], &end = components_[component + std::size_t{1}];
+    const Component &begin = lists_.components[component],
+                    &end = lists_.components[component + std::size_t{1}];
     const Eigen::Index rows = 3 * static_cast<Eigen::Index>(end.node - begin.node);
     Factor block(&factors_[begin.factor], rows, rows);
     block.setZero();
     for (std::uint32_t k = begin.node; k < end.node; ++k) {
         const Eigen::Index i = 3 * static_cast<Eigen::Index>(k - begin.node);
-        block.block<3, 3>(i, i) = matrix.ground_rows[nodes_[k]].full();
+        block.block<3, 3>(i, i) = matrix.ground_rows[lists_.nodes[k]].full();
     }
     for (std::uint32_t k = begin.link; k < end.link; ++k) {
-        const Eigen::Matrix3d stiffness = matrix.links[links_[k].place].full();
-        const Eigen::Index i = 3 * static_cast<Eigen::Index>(links_[k].first),
-                           j = 3 * static_cast<Eigen::Index>(links_[k].second);
+        const Eigen::Matrix3d stiffness = matrix.links[lists_.links[k].place].full();
+        const Eigen::Index i = 3 * static_cast<Eigen::Index>(lists_.links[k].first),
+                           j = 3 * static_cast<Eigen::Index>(lists_.links[k].second);
         block.block<3, 3>(i, i) += stiffness;
         block.block<3, 3>(j, j) += stiffness;
         block.block<3, 3>(i, j) -= stiffness;
         block.block<3, 3>(j, i) -= stiffness;
     }
     for (const CoarsePairs::Row& row : pairs.rows()) {
-        const auto place = [&](std::uint32_t k) { return number_[row.nodes[k]] - begin.node; };
+        const auto place = [&](std::uint32_t k) { return lists_.number[row.nodes[k]] - begin.node; };
         bool is_within = true;
         for (std::uint32_t k = 0; k < row.count; ++k) is_within &= place(k) < end.node - begin.node;
         if (!is_within) continue;
@@ -113,23 +137,20 @@ void ComponentSolver::solve(Parallel& parallel, std::span<const Vec4> b, std::sp
 }
 
 void ComponentSolver::solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const {
-    const Component &begin = components_[component], &end = components_[component + std::size_t{1}];
+    const Component &begin = lists_.components[component],
+                    &end = lists_.components[component + std::size_t{1}];
     const Eigen::Index rows = 3 * static_cast<Eigen::Index>(end.node - begin.node);
     const ConstFactor lower(&factors_[begin.factor], rows, rows);
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3 * most_nodes, 1> values(rows);
     for (std::uint32_t k = begin.node; k < end.node; ++k)
-        values.segment<3>(3 * static_cast<Eigen::Index>(k - begin.node)) = xyz(b[nodes_[k]]).cast<double>();
+        values.segment<3>(3 * static_cast<Eigen::Index>(k - begin.node)) =
+            xyz(b[lists_.nodes[k]]).cast<double>();
     lower.triangularView<Eigen::Lower>().solveInPlace(values);
     lower.transpose().triangularView<Eigen::Upper>().solveInPlace(values);
     for (std::uint32_t k = begin.node; k < end.node; ++k) {
         const Eigen::Vector3d value = values.segment<3>(3 * static_cast<Eigen::Index>(k - begin.node));
-        x[nodes_[k]] = to_vec4(value.cast<float>(), 0);
+        x[lists_.nodes[k]] = to_vec4(value.cast<float>(), 0);
     }
-}
-
-std::size_t ComponentSolver::bytes() const noexcept {
-    return components_.size() * sizeof(Component) + (nodes_.size() + number_.size()) * sizeof(std::uint32_t) +
-           links_.size() * sizeof(LocalLink) + factors_.bytes();
 }
 
 }  // namespace weft

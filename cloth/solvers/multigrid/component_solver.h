@@ -4,24 +4,66 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "cloth/solvers/multigrid/coarse_matrix.h"
 #include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "engine/memory/aligned_buffer.h"
-#include "engine/memory/hooked_vector.h"
+#include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
 
-class ComponentSolver {
-  public:
+/// The nodes and links of a level's small components.
+struct SmallComponents {
     /// Larger components have a coarser level instead.
     static constexpr std::uint32_t most_nodes = 16;
+    static constexpr std::uint32_t none = ~0u;
+    /// Its nodes, links and factor begin here, and end where those of the next one begin.
+    struct Component {
+        std::uint32_t node, link;
+        std::uint64_t factor;
+    };
+    /// A link by its place in the lists, its ends counted from the component's first node.
+    struct LocalLink {
+        std::uint32_t place, first, second;
+    };
 
-    /// Takes all memory that it needs. `lists` name the level's links.
-    ComponentSolver(const Components& components, const GalerkinLists& lists);
+    SmallComponents() = default;
+    /// `lists` name the level's links.
+    SmallComponents(const Components& of_level, const GalerkinLists& lists);
+
+    SharedBuffer<Component> components;  ///< and behind the last of them their ends
+    SharedBuffer<std::uint32_t> nodes;
+    SharedBuffer<std::uint32_t> number;  ///< of each of the level's nodes: its place in `nodes`, or none
+    SharedBuffer<LocalLink> links;
+
+    /// visit(list) for each of its lists.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit(self.components);
+        visit(self.nodes);
+        visit(self.number);
+        visit(self.links);
+    }
+    /// Whether lists that were read name only what there is, on a level of so many nodes and places.
+    [[nodiscard]] bool is_sound(std::uint32_t level_nodes, std::size_t places) const;
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return components.bytes() + nodes.bytes() + number.bytes() + links.bytes();
+    }
+};
+
+class ComponentSolver {
+  public:
+    static constexpr std::uint32_t most_nodes = SmallComponents::most_nodes;
+
+    /// Takes all memory that it needs.
+    explicit ComponentSolver(SmallComponents components)
+        : lists_(std::move(components)), factors_(lists_.components[count()].factor) {}
+    ComponentSolver(SmallComponents components, Unmade later)
+        : lists_(std::move(components)), factors_(lists_.components[count()].factor, later) {}
 
     /// Cholesky factors of the matrix's blocks, in double precision. Rows of pairs within a component take
     /// the place of their bound, which the matrix has.
@@ -29,30 +71,20 @@ class ComponentSolver {
     /// Sets x to the solution at the small components' nodes, and leaves the others alone.
     void solve(Parallel& parallel, std::span<const Vec4> b, std::span<Vec4> x) const;
 
-    [[nodiscard]] std::size_t nodes() const noexcept { return nodes_.size(); }
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] std::size_t nodes() const noexcept { return lists_.nodes.size(); }
+    [[nodiscard]] const SmallComponents& components() const noexcept { return lists_; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return lists_.bytes() + factors_.bytes(); }
 
   private:
-    static constexpr std::uint32_t none = ~0u;
-    /// Its nodes, links and factor begin here, and end where those of the next one begin.
-    struct Component {
-        std::uint32_t node, link;
-        std::size_t factor;
-    };
-    /// A link by its place in the lists, its ends counted from the component's first node.
-    struct LocalLink {
-        std::uint32_t place, first, second;
-    };
+    using Component = SmallComponents::Component;
+
     [[nodiscard]] std::uint32_t count() const noexcept {
-        return static_cast<std::uint32_t>(components_.size()) - 1;
+        return static_cast<std::uint32_t>(lists_.components.size()) - 1;
     }
     void factorise(std::uint32_t component, const CoarseMatrix& matrix, const CoarsePairs& pairs);
     void solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const;
 
-    HookedVector<Component> components_;  // and behind the last of them their ends
-    HookedVector<std::uint32_t> nodes_;
-    HookedVector<std::uint32_t> number_;  // of each of the level's nodes: its place in nodes_, or none
-    HookedVector<LocalLink> links_;
+    SmallComponents lists_;
     AlignedBuffer<double> factors_;  // by columns
 };
 

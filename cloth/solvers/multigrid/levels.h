@@ -13,7 +13,7 @@
 namespace weft {
 
 /// Levels with no pins, from the cloth where it starts and the default fabric. `system` is left linearised
-/// about that, unless `saved` levels fit it: then those are taken.
+/// about that. `saved` levels are taken in their place, unless they do not fit the elements' system.
 [[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system,
                                                      SavedLevels* saved = nullptr);
 

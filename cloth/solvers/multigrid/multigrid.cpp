@@ -84,20 +84,19 @@ Multigrid::Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uin
       slots_(std::move(saved.slots)),
       constants_{std::move(saved.constant_links), std::move(saved.constant_weights)},
       pinned_(particles),
-      smooth_(particles),
-      remainder_(particles) {
+      smooth_(particles, unmade),
+      remainder_(particles, unmade) {
     coarse_.reserve(saved.levels.size());
-    for (SavedLevels::Level& level : saved.levels) {
-        const std::uint32_t nodes = level.interpolation.coarse;
+    for (CoarseLevel::Constants& level : saved.levels) {
         level.lists.constants.sums = AlignedBuffer<float>(level.lists.groups() * Stencil::lanes);
-        store_transpose(level.interpolation);
-        const SpringGraph graph = graph_between(level.lists.links.span(), nodes);
-        coarse_.emplace_back(std::move(level.lists), std::move(level.interpolation), graph,
-                             components_of(graph));
+        coarse_.emplace_back(std::move(level), unmade);
     }
     if (coarse_.empty()) return;
-    weights_ = AlignedBuffer<float>(coarse_.front().interpolation().weights.size());
-    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
+    const SharedBuffer<float>& weights = coarse_.front().interpolation().weights;
+    weights_ = AlignedBuffer<float>::from_bytes(std::as_bytes(weights.span()));
+    has_pins_set_ = !saved.constant_sums.empty();
+    std::ranges::copy(saved.constant_sums, coarse_.front().constants().sums.data());
+    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes, unmade);
 }
 
 SavedLevels Multigrid::constant_part() const {
@@ -105,11 +104,11 @@ SavedLevels Multigrid::constant_part() const {
     part.slots = slots_;
     part.constant_links = constants_.links;
     part.constant_weights = constants_.weights;
+    if (!coarse_.empty() && held_.empty())
+        part.constant_sums = SharedBuffer<float>(coarse_.front().lists().constants.sums.span());
     part.levels.reserve(coarse_.size());
-    for (const CoarseLevel& level : coarse_) {
-        part.levels.push_back({level.lists(), level.interpolation()});
-        part.levels.back().lists.constants.sums = {};
-    }
+    for (const CoarseLevel& level : coarse_) part.levels.push_back(level.constant_part());
+    part.springs = system_->springs();
     return part;
 }
 
@@ -154,7 +153,9 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     GalerkinLists::Constants& terms = coarse_.front().constants();
     double sum = 0;
     for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        const std::uint32_t number = terms.fine_links.of(k, t);
+        // Below their number, but perhaps in levels from a file that was made to mislead.
+        const std::size_t number =
+            std::min<std::size_t>(terms.fine_links.of(k, t), constants_.links.size() - 1);
         const Link& link = constants_.links[number];
         if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
         sum += static_cast<double>(terms.factors[t] * constants_.weights[number]);

@@ -19,7 +19,8 @@ class Multigrid {
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
-    /// From levels that fit the system; no particle is pinned.
+    /// From levels that fit the system; no particle is pinned. Of use to be copied alone: what changes has no
+    /// memory.
     Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
     /// What is constant of these levels, shared with them.
     [[nodiscard]] SavedLevels constant_part() const;

@@ -24,9 +24,11 @@ MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings&
                                    std::span<const Vec4> positions, SavedLevels* saved)
     : model_(&model),
       kind_(settings),
-      system_(make_system(model, settings)),
-      multigrid_(make_levels(model, *system_, saved != nullptr && saved->kind == kind_ ? saved : nullptr)),
-      vectors_(model.particle_count),
+      system_(saved != nullptr && saved->springs
+                  ? std::make_unique<SpringSystem>(model, std::move(*saved->springs))
+                  : make_system(model, settings)),
+      multigrid_(make_levels(model, *system_, saved)),
+      vectors_(saved != nullptr ? CgVectors(model.particle_count, unmade) : CgVectors(model.particle_count)),
       sums_(block_count(model.particle_count)),
       rest_area_(rest_area(model)),
       residual_(model, settings) {

@@ -18,7 +18,8 @@ namespace weft {
 
 class MultilevelSolver final : public Solver {
   public:
-    /// `saved`: levels of this model, if there are any: taken where they are of the settings' system.
+    /// `saved`: levels of this model and of the settings' system, or null. Then it is of use to be cloned
+    /// alone.
     MultilevelSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions,
                      SavedLevels* saved = nullptr);
     MultilevelSolver(const MultilevelSolver& other, const ClothModel& model);

@@ -9,10 +9,15 @@ Diagonals::Diagonals(std::span<const std::uint32_t> offsets, std::span<const std
     : nodes(static_cast<std::uint32_t>(offsets.size()) - 1) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < nodes && found.size() <= most; ++i) {
+        std::size_t at = 0;
         for (std::uint32_t e = offsets[i]; e < offsets[i + 1]; ++e) {
             if (neighbours[e] < i) continue;
-            const auto at = std::ranges::lower_bound(found, neighbours[e] - i);
-            if (at == found.end() || *at != neighbours[e] - i) found.insert(at, neighbours[e] - i);
+            const std::uint32_t difference = neighbours[e] - i;
+            if (at > 0 && found[at - 1] >= difference) at = 0;  // rows ascend, mostly
+            while (at < found.size() && found[at] < difference) ++at;
+            if (at == found.size() || found[at] != difference)
+                found.insert(found.begin() + static_cast<std::ptrdiff_t>(at), difference);
+            ++at;
         }
     }
     const std::size_t pairs = neighbours.size() / 2;
@@ -25,7 +30,8 @@ Diagonals::Diagonals(std::span<const std::uint32_t> offsets, std::span<const std
 
 std::uint32_t Diagonals::entry_between(std::uint32_t first, std::uint32_t second) const noexcept {
     const auto at = std::ranges::find(differences, second - first);
-    return entry(first, static_cast<std::uint32_t>(at - differences.begin()));
+    // It is there, but perhaps in a file that was made to mislead.
+    return entry(first, std::min(static_cast<std::uint32_t>(at - differences.begin()), count - 1));
 }
 
 }  // namespace weft

@@ -1,8 +1,9 @@
 #include "cloth/system/sparse/stencil.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
+
+#include "cloth/mesh/list_checks.h"
 
 namespace weft {
 
@@ -64,9 +65,6 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
       group_slots(groups() + 1),
       entries(row_neighbours.size()) {
     const Rows rows{offsets, row_neighbours};
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        for (std::uint32_t e = offsets[node]; e < offsets[node + 1]; ++e)
-            reach = std::max(reach, static_cast<std::uint32_t>(std::abs(rows.difference(node, e))));
     for (std::uint32_t g = 0; g < groups(); ++g)
         group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
     neighbours = SharedBuffer<std::uint32_t>(std::size_t{slots()} * lanes);
@@ -90,6 +88,16 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
             }
         }
     }
+}
+
+bool Stencil::is_sound(std::uint32_t node_count, std::size_t half_edges) const {
+    if (nodes != node_count || !are_offsets(group_slots.span(), groups(), runs.size()) ||
+        neighbours.size() != runs.size() * lanes || entries.size() != half_edges)
+        return false;
+    const std::uint32_t last = (groups() - 1) * lanes;
+    std::uint32_t wrong = 0;
+    for (const std::uint32_t run : runs) wrong |= (run > last ? 1u : 0u) & (run != no_run ? 1u : 0u);
+    return wrong == 0 && are_below(neighbours.span(), nodes) && are_below(entries.span(), neighbours.size());
 }
 
 std::uint32_t Stencil::node_of(std::uint32_t slot, std::uint32_t lane) const noexcept {

@@ -31,7 +31,6 @@ struct Stencil {
     Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
 
     std::uint32_t nodes = 0;
-    std::uint32_t reach = 0;                  ///< the largest difference between neighbours' numbers
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     SharedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
     SharedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run
@@ -43,7 +42,17 @@ struct Stencil {
     }
     /// Whose neighbour a slot has in a lane: found by bisection.
     [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
-    /// Leaves the number of nodes and the reach alone.
+    /// visit(list) for each of its lists.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit(self.group_slots);
+        visit(self.neighbours);
+        visit(self.runs);
+        visit(self.entries);
+    }
+    /// Whether lists that were read name only what there is, for so many nodes and half-edges.
+    [[nodiscard]] bool is_sound(std::uint32_t node_count, std::size_t half_edges) const;
+    /// Leaves the number of nodes alone.
     void drop_lists() noexcept {
         group_slots = {};
         neighbours = {};

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "cloth/mesh/list_checks.h"
 #include "cloth/system/springs/membrane.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -200,7 +202,7 @@ HWY_EXPORT(shift);
 HWY_EXPORT(stiffen);
 
 MembraneCoupling::MembraneCoupling(const ClothModel& model, const SpringMatrix& matrix, bool stiffens)
-    : groups_((static_cast<std::uint32_t>(model.triangles.size()) + lanes - 1) / lanes),
+    : groups_(groups_of(model)),
       corners_(std::size_t{3} * groups_ * lanes),
       rest_lengths_(corners_.size()),
       factors_(3 * corners_.size()),
@@ -235,6 +237,26 @@ MembraneCoupling::MembraneCoupling(const ClothModel& model, const SpringMatrix& 
             shifted_by(j, i, place(t, k));
         }
     }
+}
+
+bool MembraneCoupling::is_sound(const ClothModel& model, std::size_t entries, bool stiffens) const {
+    const std::size_t sides = std::size_t{3} * groups_of(model) * lanes;
+    return stiffest_extra_ >= 0 && stiffest_extra_ <= std::numeric_limits<float>::max() &&
+           corners_.size() == sides && rest_lengths_.size() == sides && factors_.size() == 3 * sides &&
+           sources_.size() == 2 * entries && stiffness_.size() == sides &&
+           stiffening_.size() == (stiffens ? std::size_t{8} * groups_of(model) * lanes : 0) &&
+           ahead_.size() == 3 * model.triangles.size() && are_below(corners_.span(), model.particle_count) &&
+           are_below(sources_.span(), sides + 1) && are_below(ahead_.span(), sides);
+}
+
+void MembraneCoupling::complete(const ClothModel& model, Unmade later) {
+    groups_ = groups_of(model);
+    shifts_ = AlignedBuffer<float>(corners_.size() + 1, later);
+    extra_tensions_ = AlignedBuffer<float>(stiffening_.size() > 0 ? shifts_.size() : 0, later);
+    extra_stiffness_ = AlignedBuffer<float>(extra_tensions_.size(), later);
+    forces_ = AlignedBuffer<Vec4>(corners_.size(), later);
+    partials_ = AlignedBuffer<double>(block_count(groups_ * lanes), later);
+    corner_offsets_ = model.corner_offsets.span();
 }
 
 void MembraneCoupling::make_own() {

@@ -22,12 +22,28 @@ class MembraneCoupling {
     /// None, as on sheets.
     MembraneCoupling() = default;
     MembraneCoupling(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
+    /// visit(list) and visit.value(number) for all that is constant.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.stiffest_extra_);
+        visit(self.corners_);
+        visit(self.rest_lengths_);
+        visit(self.factors_);
+        visit(self.sources_);
+        visit(self.stiffness_);
+        visit(self.stiffening_);
+        visit(self.ahead_);
+    }
+    /// Whether lists that were read name only what there is.
+    [[nodiscard]] bool is_sound(const ClothModel& model, std::size_t entries, bool stiffens) const;
+    /// After lists were read: what follows from them, and what changes, without memory.
+    void complete(const ClothModel& model, Unmade later);
     /// Gives one that is a copy memory of its own for other fabrics. May run out of memory.
     void make_own();
     /// For the fabric that the table has. Precondition: make_own().
     void set(const ClothModel& model, const SpringMatrix& matrix, const SpringTable& table) noexcept;
 
-    [[nodiscard]] bool empty() const noexcept { return shifts_.size() == 0; }
+    [[nodiscard]] bool empty() const noexcept { return groups_ == 0; }
     /// Works out what force each side has more where particles at `positions` move by x: n_k sum_m S_km n_m .
     /// (difference of x over side m), S being TriangleMembrane::shared. Returns x . (S x) [N m].
     double stiffen(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> x);
@@ -68,6 +84,9 @@ class MembraneCoupling {
         return (triangle / lanes * 3 + side) * lanes + triangle % lanes;
     }
 
+    [[nodiscard]] static std::uint32_t groups_of(const ClothModel& model) {
+        return (static_cast<std::uint32_t>(model.triangles.size()) + lanes - 1) / lanes;
+    }
     void set_stiffening(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
 
     std::uint32_t groups_ = 0;

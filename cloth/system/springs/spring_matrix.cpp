@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/system/springs/spring_matrix.cpp"
@@ -217,6 +218,13 @@ SpringMatrix::SpringMatrix(std::span<const std::uint32_t> offsets, std::span<con
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {
     if (!diagonals.empty()) stencil.drop_lists();
 }
+
+SpringMatrix::SpringMatrix(Stencil of_any, const Diagonals& of_grid, Unmade later)
+    : stencil(std::move(of_any)),
+      diagonals(of_grid),
+      coefficients(4 * entries(), later),
+      row_sums(stencil.nodes, later),
+      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes, later) {}
 
 std::uint32_t SpringMatrix::entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const {
     if (diagonals.empty()) return stencil.entries[e];

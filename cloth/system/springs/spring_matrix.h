@@ -25,6 +25,8 @@ namespace weft {
 struct SpringMatrix {
     /// From compressed rows, as a Stencil.
     SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
+    /// Of lists that were read; a grid's are none.
+    SpringMatrix(Stencil of_any, const Diagonals& of_grid, Unmade later);
     /// Chooses the unit so that blocks A of up to `largest_block` [kg] fit half precision.
     void set_unit(float largest_block);
 

@@ -1,6 +1,7 @@
 #include "cloth/system/springs/spring_system.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cloth/system/sparse/vectors.h"
 #include "cloth/system/springs/spring_forces.h"
@@ -24,6 +25,39 @@ SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
         });
     }
     prepare(Fabric());
+}
+
+SpringSystem::SpringSystem(const ClothModel& model, SavedSprings&& saved)
+    : ImplicitSystem(model.particle_count, unmade),
+      model_(&model),
+      matrix_(std::move(saved.stencil), saved.diagonals, unmade),
+      table_(std::move(saved.table)),
+      coupling_(model.rows == 0 ? std::move(saved.coupling) : MembraneCoupling()) {
+    windows_ = GridWindows(matrix_.diagonals, 7);
+    if (model.rows == 0) coupling_.complete(model, unmade);
+    if (windows_.empty() || !coupling_.empty())
+        positions_ = AlignedBuffer<Vec4>(model.particle_count, unmade);
+    for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
+        matrix_.isotropic[d] = (saved.isotropic >> d & 1) != 0;
+}
+
+std::optional<SavedSprings> SpringSystem::springs() const {
+    SavedSprings saved;
+    saved.stencil = matrix_.stencil;
+    saved.table = table_;
+    saved.coupling = coupling_;
+    saved.diagonals = matrix_.diagonals;
+    for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
+        saved.isotropic |= (matrix_.isotropic[d] ? 1u : 0u) << d;
+    return saved;
+}
+
+bool SavedSprings::is_sound(const ClothModel& model, bool stiffens) const {
+    const bool has_lists = diagonals.empty()
+                               ? stencil.is_sound(model.particle_count, model.neighbours.size())
+                               : stencil.nodes == model.particle_count && stencil.neighbours.empty();
+    return has_lists && table.is_sound(entries(), stiffens && model.rows > 0) &&
+           (model.rows == 0 ? coupling.is_sound(model, entries(), stiffens) : true);
 }
 
 std::unique_ptr<ImplicitSystem> SpringSystem::clone(const ClothModel& model) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/springs/spring_forces.h"
@@ -10,12 +11,40 @@
 
 namespace weft {
 
+/// What of a SpringSystem is constant, as long as its fabric's membrane is.
+struct SavedSprings {
+    Stencil stencil;
+    /// As SpringMatrix::isotropic, a bit each.
+    std::uint32_t isotropic = 0;
+    SpringTable table;
+    MembraneCoupling coupling;
+    Diagonals diagonals;  ///< saved nowhere: they are the model's
+
+    /// visit(list) and visit.value(number) for all that is saved.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.stencil.nodes);
+        visit.value(self.isotropic);
+        Stencil::for_each_list(self.stencil, visit);
+        SpringTable::for_each_list(self.table, visit);
+        MembraneCoupling::for_each_list(self.coupling, visit);
+    }
+    /// Whether lists that were read are of this model, as far as memory goes.
+    [[nodiscard]] bool is_sound(const ClothModel& model, bool stiffens) const;
+    [[nodiscard]] std::size_t entries() const noexcept {
+        return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
+    }
+};
+
 /// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + G_i + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c
 /// n n^T = a I + d d^T.
 class SpringSystem final : public ImplicitSystem {
   public:
     /// `stiffens`: for fabrics that do, and others.
     explicit SpringSystem(const ClothModel& model, bool stiffens = false);
+    /// Of use to be cloned alone: what changes has no memory.
+    SpringSystem(const ClothModel& model, SavedSprings&& saved);
+    [[nodiscard]] std::optional<SavedSprings> springs() const override;
     [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
     void make_own(const Fabric& fabric) override;
     void prepare(const Fabric& fabric) noexcept override;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "cloth/mesh/list_checks.h"
 #include "cloth/system/springs/membrane.h"
 
 namespace weft {
@@ -20,6 +21,16 @@ SpringTable::SpringTable(const ClothModel& model, const SpringMatrix& matrix, bo
         bending_[entry] = model.bending[e];
         stiffest_bending_ = std::max(stiffest_bending_, std::abs(model.bending[e]));
     });
+}
+
+bool SpringTable::is_sound(std::size_t entries, bool stiffens) const {
+    std::uint32_t wrong = 0;
+    for (const Slot& slot : slots_) wrong |= slot.kind > SlotKind::bending ? 1u : 0u;
+    const float numbers[] = {fabric_.warp,       fabric_.weft, fabric_.shear,
+                             fabric_.stiffening, stiffest_,    stiffest_bending_};
+    return wrong == 0 && are_from_zero(numbers) && rest_lengths_.size() == entries &&
+           stiffness_.size() == entries && bending_.size() == entries &&
+           stiffening_.size() == (stiffens ? entries : 0) && slots_.size() == entries / Stencil::lanes;
 }
 
 bool SpringTable::has_membrane_of(const Fabric& fabric) const noexcept {

@@ -31,6 +31,7 @@ struct SpringEntry {
 /// Entry by entry; and by slots of 16 where all lanes have the same, as most of a sheet's do.
 class SpringTable {
   public:
+    SpringTable() = default;
     /// `stiffens`: for fabrics that do.
     SpringTable(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
     /// Whether set() has nothing to do.
@@ -40,7 +41,7 @@ class SpringTable {
     /// Takes O(springs). False: nothing to do, it has that fabric's membrane. Precondition: make_own().
     bool set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
-    enum class SlotKind : std::uint8_t {
+    enum class SlotKind : std::uint32_t {
         mixed,         ///< look at each lane
         same,          ///< all lanes are as SlotEntry says
         same_bending,  ///< likewise, and there is no spring
@@ -60,6 +61,25 @@ class SpringTable {
 
     [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< however stretched [N/m]
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< of B = 1 [1/m^2]
+    /// visit(list) and visit.value(number) for all that it has.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.fabric_.warp);
+        visit.value(self.fabric_.weft);
+        visit.value(self.fabric_.shear);
+        visit.value(self.fabric_.stiffening);
+        visit.value(self.fabric_.areal_density);
+        visit.value(self.stiffest_);
+        visit.value(self.stiffest_bending_);
+        visit(self.rest_lengths_);
+        visit(self.stiffness_);
+        visit(self.bending_);
+        visit(self.stiffening_);
+        visit(self.slots_);
+    }
+    /// Whether lists that were read are of so many entries.
+    [[nodiscard]] bool is_sound(std::size_t entries, bool stiffens) const;
+
     [[nodiscard]] std::size_t bytes() const noexcept {
         return slots_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes() +
                stiffening_.bytes();

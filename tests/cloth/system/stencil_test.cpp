@@ -39,19 +39,6 @@ TEST(Stencil, HoldsEveryHalfEdgeOnceInItsNodesLaneInOrder) {
     }
 }
 
-TEST(Stencil, KnowsHowFarApartNeighboursAre) {
-    for (const NamedMesh& named : sound_meshes()) {
-        const ClothModel model = must(cook(named.mesh));
-        std::uint32_t farthest = 0;
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
-                farthest =
-                    std::max(farthest, std::max(i, model.neighbours[e]) - std::min(i, model.neighbours[e]));
-        }
-        EXPECT_EQ(springs_of(model).reach, farthest) << named.name;
-    }
-}
-
 TEST(Stencil, HasAsManySlotsAsTheBestConnectedNodeNeeds) {
     for (const NamedMesh& named : sound_meshes()) {
         const ClothModel model = must(cook(named.mesh));
