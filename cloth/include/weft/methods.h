@@ -40,11 +40,10 @@ struct ConjugateGradient {
 struct Multilevel {
     int passes = 3;      ///< linearisations, >= 1: Newton's method as far as they go
     int iterations = 2;  ///< of the conjugate gradients in the last pass, >= 1, after one in each other
-    /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where some of the
-    /// equation is left, the last pass takes up to three iterations more, by which small pieces of stiff
-    /// fabric do not tremble; where it is hard, steps that went too far are taken back in part, and passes
-    /// are added; from about 3 on, unless features or bodies touch, it is solved anew by one linearisation
-    /// with some ten iterations. An easy one costs nothing more; 1 switches it off.
+    /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where the equation
+    /// is hard, steps that went too far are taken back in part, and passes are added; from about 3 on, unless
+    /// features or bodies touch, it is solved anew by one linearisation with some ten iterations, by which
+    /// stiff cloth on a coarse mesh does not buzz. An easy one costs nothing more; 1 switches it off.
     float effort = 1.5f;
     /// What may be left after the passes above, as the error of acceleration that would do the same work
     /// [m/s^2], rms over the cloth's mass, 0 to 1e9: with more, the equation is hard, and if the effort does

@@ -40,12 +40,9 @@ int Effort::most_iterations() const {
 
 // Each pass sets out from springs that are stretched by what the one before left, so that passes of which
 // none is solved far put energy into stiff cloth, and it buzzes for ever. One linearisation that is solved
-// far takes energy from it, however stiff it is, but wants some ten iterations. Where no more is left than a
-// few times what is tolerated, some more iterations of the last pass do, before the buzz has begun; where far
-// more is, as in threads that are a thousand times stiffer than their shear, more passes are worth more.
+// far takes energy from it, however stiff it is, but wants some ten iterations.
 int Effort::iterations_for(double decrement) {
-    constexpr double easy = 0.1, near = 4;  // of what is tolerated
-    constexpr int more = 3, least = 10;
+    constexpr int least = 10;
     constexpr float least_effort = 2;  // with less the passes are as many as were asked for, and end nearer
     const bool is_last = passes_ + 1 >= method_.passes;
     if (goes_back()) {
@@ -53,10 +50,7 @@ int Effort::iterations_for(double decrement) {
         return std::max(afforded_iterations(work_), 1);
     }
     if (!is_last) return 1;
-    if (!adapts_ || !(decrement > easy * tolerated_)) return method_.iterations;
-    const int afforded = afforded_iterations(is_at_start() ? coarse_operators_work : work_);
-    const int some_more = std::max(method_.iterations, std::min(method_.iterations + more, afforded));
-    if (!(decrement > tolerated_)) return some_more;
+    if (!adapts_ || !(decrement > tolerated_)) return method_.iterations;
     is_hard_ = true;
     if (one_pass_will_do_ && passes_ == 0) {
         course_ = Course::whole;
@@ -67,7 +61,7 @@ int Effort::iterations_for(double decrement) {
         course_ = Course::back;
         return 0;
     }
-    return decrement < near * tolerated_ ? some_more : 1;
+    return 1;
 }
 
 void Effort::look_at_whole_way(double slope) {

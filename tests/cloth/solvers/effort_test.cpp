@@ -151,7 +151,7 @@ TEST(Effort, ManyPassesDoNotTearIt) {
 
 TEST(Effort, ChangesNothingWhereTheEquationIsEasy) {
     const auto settings = [](float effort) {
-        return ClothSettings{.method = Multilevel{.passes = 3, .effort = effort, .tolerance = 20},
+        return ClothSettings{.method = Multilevel{.passes = 3, .effort = effort},
                              .time_scheme = TimeScheme::backward_euler};
     };
     Hung usual(24, settings(1.5f)), none(24, settings(1));
@@ -227,45 +227,9 @@ TEST(Effort, SolvesAnewOnlyWhatIsFarAfterThePasses) {
         }
         return effort.iterations_for(decrement);
     };
-    EXPECT_EQ(third(0.09 * tolerated), 2);
-    EXPECT_EQ(third(0.11 * tolerated), 5) << "some more iterations";
-    EXPECT_EQ(third(0.9 * tolerated), 5);
+    EXPECT_EQ(third(0.9 * tolerated), 2);
     EXPECT_EQ(third(1.1 * tolerated), 0);
-    EXPECT_EQ(third(1.1 * tolerated, false), 5);
-    EXPECT_EQ(third(4.1 * tolerated, false), 1) << "and more passes";
-}
-
-TEST(Effort, MoreIterationsAreNoMoreThanItAffords) {
-    for (const float bound : {1.01f, 1.2f, 1.3f, 1.5f}) {
-        const Multilevel method{.effort = bound};
-        Effort effort(method, 1, 1.0 / 60);
-        for (int pass = 0; pass < 2; ++pass)
-            effort.add({.decrement = 1e6, .slope = 1e6, .length = 1, .iterations = 1});
-        const int taken = effort.iterations_for(0.5 * 100 / 3600.0), usual = method.iterations;
-        EXPECT_EQ(taken, std::min(usual + static_cast<int>((bound - 1) * 13.7f / 2), usual + 3)) << bound;
-        EXPECT_LE(taken, effort.most_iterations());
-    }
-}
-
-// A napkin of the stiffest fabric by name trembled at .3 to .9 m/s for ever.
-TEST(Effort, SmallPiecesOfStiffFabricComeToRest) {
-    for (const char* fabric : {"tablecloth", "cotton"}) {
-        for (const auto& [size, side] : {std::pair(0.2f, 9u), {0.2f, 17u}, {0.4f, 17u}}) {
-            SCOPED_TRACE(fabric + std::to_string(side));
-            World world = World::create({.threads = 1}).value();
-            const auto mesh =
-                make_sheet({.rows = side, .columns = side, .u = {size, 0, 0}, .v = {0, 0, size}});
-            const ClothId id = world.add_cloth(*mesh, {.fabric = Fabric::named(fabric).value()}).value();
-            ASSERT_TRUE(world.pin(id, std::vector<std::uint32_t>{0, side - 1}));
-            int unsolved = 0;
-            for (int k = 0; k < 720; ++k) unsolved += has(world.step(h).flags, StepFlags::unsolved) ? 1 : 0;
-            double squared = 0;
-            for (const Vec4& v : world.cloth(id)->velocities)
-                squared += static_cast<double>(xyz(v).squaredNorm());
-            EXPECT_LT(std::sqrt(squared / (side * side)), 0.02);  // [m/s]
-            EXPECT_LE(unsolved, 6);
-        }
-    }
+    EXPECT_EQ(third(1.1 * tolerated, false), 1);
 }
 
 TEST(Effort, StepsBackToWhereASecantHasTheEnergyLeast) {
