@@ -27,7 +27,8 @@ class WholeTriangles {
     /// that are thin beside the cloth's edges, or sharp, is put back to the side on which it came, as far as
     /// half the thickness, with velocities as in collide(). Momentum goes to corners by their masses.
     /// What the axis of a limb goes through when that is done comes off over its end.
-    /// Returns how many sides, insides and triangles were moved. The rest as there; `starts` may not be empty.
+    /// Returns how many sides, insides and triangles were moved. The rest as there; `starts` may not be
+    /// empty.
     std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 

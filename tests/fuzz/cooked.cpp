@@ -1,14 +1,11 @@
 #include "tests/fuzz/cooked.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/state_hash.h"
+#include "tests/cooked_seal.h"
 #include "tests/fuzz/play.h"
 #include "tests/fuzz/random/random.h"
 
@@ -20,24 +17,6 @@ using CookedBytes = std::vector<std::byte>;
 
 void must(bool holds, const std::string& what) {
     if (!holds) throw Failure{0, "its cooked cloth: " + what};
-}
-
-constexpr std::size_t cooked_head = 64, cooked_sum = cooked_head - 8, piece = 65536;
-
-std::uint64_t sum_of(CookedBytes bytes) {
-    std::fill_n(bytes.begin() + cooked_sum, 8, std::byte{});
-    std::array<std::byte, cooked_head> head;
-    std::copy_n(bytes.begin(), cooked_head, head.begin());
-    StateHash hash;
-    hash.add(std::span<const std::array<std::byte, cooked_head>>(&head, 1));
-    for (std::size_t at = cooked_head; at < bytes.size(); at += piece)
-        hash.add(std::span<const std::byte>(bytes).subspan(at, std::min(piece, bytes.size() - at)));
-    return hash.value();
-}
-std::uint64_t sum_in(const CookedBytes& bytes) {
-    std::uint64_t sum = 0;
-    std::memcpy(&sum, bytes.data() + cooked_sum, sizeof sum);
-    return sum;
 }
 
 CookedBytes flipped(const CookedBytes& bytes, std::size_t from, Random& random) {
@@ -62,16 +41,17 @@ Result<CookedCloth> saved_and_read(const CookedCloth& cooked, const ClothSetting
     Random random(seed);
     CookedBytes bytes(cooked.save_size());
     must(cooked.save(bytes).ok(), "it was not saved");
-    must(sum_of(bytes) == sum_in(bytes), "its checksum is made otherwise than here");
+    CookedBytes sealed = bytes;
+    test::seal_cooked(sealed);
+    must(sealed == bytes, "its checksum is made otherwise than here");
     for (int k = 0; k < 2; ++k) {
         must(!CookedCloth::load(flipped(bytes, 0, random), settings), "a flipped bit was read");
         must(!CookedCloth::load(std::span(bytes).first(random.below(bytes.size())), settings),
              "what was cut off was read");
     }
     for (int k = 0; k < 4; ++k) {
-        CookedBytes other = flipped(bytes, k % 2 == 0 ? cooked_head : 12, random);
-        const std::uint64_t sum = sum_of(other);
-        std::memcpy(other.data() + cooked_sum, &sum, sizeof sum);
+        CookedBytes other = flipped(bytes, k % 2 == 0 ? test::cooked_head : 12, random);
+        test::seal_cooked(other);
         if (const auto read = CookedCloth::load(other, settings)) step(*read);
     }
     return CookedCloth::load(bytes, settings);

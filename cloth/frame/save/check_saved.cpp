@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -39,12 +39,12 @@ class SavedNumbers {
     explicit SavedNumbers(const SaveReader& reader) : reader_(reader) {}
 
     [[nodiscard]] bool within(std::size_t count, float limit) const {
-        return check_all(count, limit, [](std::span<std::uint32_t>) {});
+        return check_all(count, limit, [](std::span<float>) {});
     }
     [[nodiscard]] bool rows_within(std::size_t rows, float limit) const { return within(4 * rows, limit); }
     /// Whatever their last components are.
     [[nodiscard]] bool places_within(std::size_t rows, float limit) const {
-        return check_all(4 * rows, limit, [](std::span<std::uint32_t> chunk) {
+        return check_all(4 * rows, limit, [](std::span<float> chunk) {
             for (std::size_t k = 3; k < chunk.size(); k += 4) chunk[k] = 0;
         });
     }
@@ -57,22 +57,18 @@ class SavedNumbers {
     void skip(std::size_t bytes) const { reader_.skip(bytes); }
 
   private:
-    /// Without their signs floats have the order of their bits, in which not-a-number comes last. So the
-    /// limit's less theirs has its highest bit where a number is beyond -limit or limit, or is none.
     template <class Prepare>
     [[nodiscard]] bool check_all(std::size_t count, float limit, const Prepare& prepare) const {
-        constexpr std::uint32_t without_sign = 0x7fffffff;
-        const auto most_bits = std::bit_cast<std::uint32_t>(limit);
-        std::array<std::uint32_t, 1024> room;
-        std::uint32_t wrong = 0;
+        std::array<float, 1024> room;
+        bool sound = true;
         for (std::size_t left = count; left > 0;) {
-            const std::span<std::uint32_t> chunk(room.data(), std::min(left, room.size()));
+            const std::span<float> chunk(room.data(), std::min(left, room.size()));
             reader_(chunk);
             prepare(chunk);
-            for (const std::uint32_t bits : chunk) wrong |= most_bits - (bits & without_sign);
+            sound = are_within(chunk, limit) && sound;
             left -= chunk.size();
         }
-        return wrong >> 31 == 0;
+        return sound;
     }
     const SaveReader& reader_;
 };

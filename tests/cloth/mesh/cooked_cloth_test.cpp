@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "engine/platform.h"
-#include "engine/state_hash.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -400,112 +399,6 @@ TEST(CookedCloth, RefusesWhatAddClothRefuses) {
     ClothSettings bad;
     bad.substeps = 0;
     EXPECT_FALSE(CookedCloth::create(hung_sheet(1), bad));
-}
-
-std::vector<std::byte> saved_mesh() {
-    Mesh mesh = make_sheet({.rows = 4, .columns = 5}).value();
-    mesh.rows = mesh.columns = 0;
-    const CookedCloth cooked = CookedCloth::create(mesh).value();
-    std::vector<std::byte> bytes(cooked.save_size());
-    EXPECT_TRUE(cooked.save(bytes));
-    return bytes;
-}
-
-TEST(CookedCloth, IsRefusedIfAnyByteIsCutOffOrAnother) {
-    const std::vector<std::byte> whole = saved_mesh();
-    ASSERT_TRUE(CookedCloth::load(whole));
-    for (std::size_t size = 0; size < whole.size(); ++size)
-        ASSERT_FALSE(CookedCloth::load(std::span(whole).first(size))) << size << " bytes";
-    std::vector<std::byte> longer = whole;
-    longer.push_back({});
-    EXPECT_FALSE(CookedCloth::load(longer));
-    for (std::size_t at = 0; at < whole.size(); ++at) {
-        for (const unsigned flip : {1u, 128u, 255u}) {
-            std::vector<std::byte> other = whole;
-            other[at] ^= static_cast<std::byte>(flip);
-            const auto loaded = CookedCloth::load(other);
-            ASSERT_FALSE(loaded) << "byte " << at;
-            ASSERT_EQ(loaded.error().code, ErrorCode::malformed_file);
-        }
-    }
-}
-
-/// The checksum made right again.
-void seal(std::vector<std::byte>& bytes) {
-    constexpr std::size_t head = 64, sum_at = head - 8, piece = 65536;
-    std::fill_n(bytes.begin() + sum_at, 8, std::byte{});
-    StateHash hash;
-    struct Head {
-        std::array<std::byte, head> bytes;
-    } of_file;
-    std::memcpy(&of_file, bytes.data(), head);
-    hash.add(of_file);
-    for (std::size_t at = head; at < bytes.size(); at += piece)
-        hash.add(std::span<const std::byte>(bytes).subspan(at, std::min(piece, bytes.size() - at)));
-    const std::uint64_t value = hash.value();
-    std::memcpy(bytes.data() + sum_at, &value, 8);
-}
-
-// What names what is not there, though nothing says that it is damaged.
-TEST(CookedCloth, NamesNothingThatIsNotThere) {
-    const std::vector<std::byte> whole = saved_mesh();
-    std::vector<std::byte> sealed = whole;
-    seal(sealed);
-    ASSERT_EQ(sealed, whole) << "the test seals as saving does";
-    World world = World::create({.threads = 1}).value();
-    int refused = 0, tried = 0;
-    for (const std::uint32_t value : {0xfffffff0u, 20u, 1u << 31}) {
-        for (std::size_t at = 12; at + 4 <= whole.size(); at += 4) {
-            if (at >= 48 && at < 64) continue;  // the size and the sum
-            std::vector<std::byte> other = whole;
-            std::memcpy(other.data() + at, &value, 4);
-            seal(other);
-            ++tried;
-            const auto loaded = CookedCloth::load(other);
-            if (!loaded) ++refused;
-            if (!loaded || tried % 5 != 0) continue;
-            // What is taken may move as it likes, but reads and writes its own memory alone.
-            const auto cloth = world.add_cloth(*loaded);
-            if (!cloth) continue;
-            if (world.pin(*cloth, 7)) world.step(1.0f / 60);
-            ASSERT_TRUE(world.remove_cloth(*cloth));
-        }
-    }
-    EXPECT_GT(refused, tried / 5);  // most of it are numbers, which may be any
-}
-
-TEST(CookedCloth, WhatItSaysOfTheMeshHasToBeSo) {
-    const std::vector<std::byte> whole = saved_mesh();
-    constexpr std::size_t info = 64 + 64;  // behind the head and how many there are
-    const auto loads_with = [&](std::size_t offset, auto value) {
-        std::vector<std::byte> other = whole;
-        std::memcpy(other.data() + info + offset, &value, sizeof value);
-        seal(other);
-        return CookedCloth::load(other).ok();
-    };
-    const ClothInfo said = CookedCloth::load(whole)->info();
-    ASSERT_TRUE(loads_with(offsetof(ClothInfo, mean_edge), said.mean_edge));
-    for (const float edge : {NAN, INFINITY, -1.0f, 1e30f})
-        EXPECT_FALSE(loads_with(offsetof(ClothInfo, mean_edge), edge)) << edge;
-    ASSERT_TRUE(loads_with(offsetof(ClothInfo, particles), said.particles));
-    for (const std::size_t count : {offsetof(ClothInfo, vertices), offsetof(ClothInfo, particles),
-                                    offsetof(ClothInfo, triangles), offsetof(ClothInfo, components)})
-        EXPECT_FALSE(loads_with(count, 7u)) << count;
-}
-
-TEST(CookedCloth, SaysWhyItRefuses) {
-    std::vector<std::byte> bytes = saved_mesh();
-    const auto message = [&] { return CookedCloth::load(bytes).error().message; };
-    bytes[8] = std::byte{99};
-    EXPECT_NE(message().find("version 99"), std::string::npos) << message();
-    bytes[0] = std::byte{'X'};
-    EXPECT_NE(message().find("WEFTCOOK"), std::string::npos) << message();
-    bytes.resize(4);
-    EXPECT_NE(message().find("cut short"), std::string::npos) << message();
-
-    const CookedCloth cooked = CookedCloth::create(hung_sheet(1)).value();
-    std::vector<std::byte> small(cooked.save_size() - 1);
-    EXPECT_FALSE(cooked.save(small));
 }
 
 }  // namespace
