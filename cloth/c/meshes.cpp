@@ -124,6 +124,39 @@ WeftResult weft_cooked_cloth_load(const void* saved, size_t bytes, const WeftClo
     });
 }
 
+namespace {
+
+/// Gives a lender's bytes back as it goes, if the loading took them.
+struct Loan {
+    WeftLender lender{};
+    bool taken = false;
+    Loan() = default;
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+    ~Loan() {
+        if (taken && lender.give_back != nullptr) lender.give_back(lender.user);
+    }
+};
+
+}  // namespace
+
+WeftResult weft_cooked_cloth_load_in_place(const void* saved, size_t bytes, const WeftLender* lender,
+                                           const WeftClothSettings* settings, WeftCookedCloth** cooked) {
+    return guarded([&]() -> weft::Result<void> {
+        if (auto there = are_there({{saved, "saved"}, {lender, "lender"}, {cooked, "cooked"}}); !there)
+            return there;
+        const auto of = take<weft::ClothSettings>("settings", settings);
+        if (!of) return of.error();
+        const auto loan = std::make_shared<Loan>();
+        loan->lender = *lender;
+        auto put = put_handle(
+            weft::CookedCloth::load_in_place({static_cast<const std::byte*>(saved), bytes}, loan, *of),
+            cooked);
+        loan->taken = put.ok();
+        return put;
+    });
+}
+
 WeftResult weft_cooked_cloth_info(const WeftCookedCloth* cooked, WeftClothInfo* info) {
     return guarded([&]() -> weft::Result<void> {
         if (auto there = are_there({{cooked, "cooked"}}); !there) return there;

@@ -290,11 +290,12 @@ Result<void> CookedCloth::save(std::span<std::byte> to) const {
 }
 
 Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, const ClothSettings& settings) {
-    return load(saved, nullptr, settings);
+    return load_in_place(saved, nullptr, settings);
 }
 
-Result<CookedCloth> CookedCloth::load(std::span<const std::byte> saved, std::shared_ptr<const void> owner,
-                                      const ClothSettings& settings) {
+Result<CookedCloth> CookedCloth::load_in_place(std::span<const std::byte> saved,
+                                               std::shared_ptr<const void> owner,
+                                               const ClothSettings& settings) {
     return without_exceptions([&]() -> Result<CookedCloth> {
         if (const auto valid = validate(settings); !valid) return valid.error();
         const Result<CookedHead> head = read_head(saved);

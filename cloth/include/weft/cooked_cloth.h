@@ -120,9 +120,9 @@ class WEFT_API CookedCloth {
     /// The same from bytes at a multiple of 64, as a mapped file's are: they are used where they lie, and
     /// only read. `owner` keeps them, as they are, until the last cloth is gone. At another address, or
     /// without an owner, they are copied.
-    [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
-                                                  std::shared_ptr<const void> owner,
-                                                  const ClothSettings& settings = {});
+    [[nodiscard]] static Result<CookedCloth> load_in_place(std::span<const std::byte> saved,
+                                                           std::shared_ptr<const void> owner,
+                                                           const ClothSettings& settings = {});
 
   private:
     friend class World;

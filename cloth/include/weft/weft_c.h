@@ -89,6 +89,10 @@ WEFT_API WeftResult weft_cooked_cloth_create(const WeftMesh* mesh, const WeftClo
                                              const WeftCookProgress* progress, WeftCookedCloth** cooked);
 WEFT_API WeftResult weft_cooked_cloth_load(const void* saved, size_t bytes, const WeftClothSettings* settings,
                                            WeftCookedCloth** cooked);
+// From an address that is a multiple of 64 nothing is copied.
+WEFT_API WeftResult weft_cooked_cloth_load_in_place(const void* saved, size_t bytes, const WeftLender* lender,
+                                                    const WeftClothSettings* settings,
+                                                    WeftCookedCloth** cooked);
 WEFT_API WeftResult weft_cooked_cloth_info(const WeftCookedCloth* cooked, WeftClothInfo* info);
 WEFT_API WeftResult weft_cooked_cloth_report(const WeftCookedCloth* cooked, WeftCookReport* report);
 WEFT_API size_t weft_cooked_cloth_save_size(const WeftCookedCloth* cooked);

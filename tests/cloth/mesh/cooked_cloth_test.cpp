@@ -193,7 +193,7 @@ TEST_P(CookedCase, IsUsedWhereItLies) {
     const ClothId a = made.add_cloth(cooked).value();
     ClothId b;
     {
-        const auto loaded = CookedCloth::load(bytes, lines, settings);
+        const auto loaded = CookedCloth::load_in_place(bytes, lines, settings);
         ASSERT_TRUE(loaded) << loaded.error().message;
         EXPECT_EQ(loaded->info(), cooked.info());
         b = read.add_cloth(*loaded).value();
@@ -318,8 +318,8 @@ TEST(CookedCloth, Table) {
                 (64 - reinterpret_cast<std::uintptr_t>(with_room.data()) % 64) % 64, bytes.size());
             std::memcpy(lines.data(), bytes.data(), bytes.size());
             const double lending = now();
-            ASSERT_TRUE(
-                CookedCloth::load(lines, std::shared_ptr<const void>(lines.data(), [](const void*) {})));
+            ASSERT_TRUE(CookedCloth::load_in_place(
+                lines, std::shared_ptr<const void>(lines.data(), [](const void*) {})));
             std::printf("%6u %s x %3d | %.1f, %.1f | %.1f | %.3f, %.1f | %.2f | %.1f, %.1f\n", side * side,
                         grid ? "grid" : "mesh", number, (cooking - start) / number, own * 1e-6,
                         adding - cooking, (added - adding) / number, of_cooked * 1e-6,
