@@ -118,8 +118,16 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     Island all = island();
     all.is_pinned = holder_ == Holder::pin;
     all.is_free = holder_ == Holder::none && !is_pushed;
-    const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
-                                                {.floor = least_floor}, displacements_.span());
+    const auto settle = [&] {
+        return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},
+                               displacements_.span());
+    };
+    SettleResult result = settle();
+    if (result.draws_pins) {
+        settler_.split_nothing(parallel, all, displacements_.span());
+        find(parallel, settler_.relative(), {&ContactCloth::floor});
+        result = settle();
+    }
     is_uncertain_ = result.uncertain > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,

@@ -51,6 +51,11 @@ void Settler::split(Parallel& parallel, const Island& island, std::span<const Ve
     take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
 }
 
+void Settler::split_nothing(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
+    common_ = {};
+    take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
+}
+
 SettleResult Settler::settle(Parallel& parallel, const Island& island, const PairList& pairs,
                              std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
                              std::span<Vec4> displacements) {
@@ -72,6 +77,8 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
         given_back_ = mean_loss(parallel, island, displacements);
         result.sweeps = truncation_.sweeps();
     }
+    result.draws_pins = draws_pins(parallel, island, displacements);
+    if (result.draws_pins) return result;
     const Totals totals = apply(parallel, island, displacements);
     result.common = common_.kind;
     result.truncated = totals.truncated;
@@ -106,6 +113,26 @@ Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<c
     const Vector3 mean =
         (Eigen::Map<const Eigen::Vector3d>(lost.way) / std::max(lost.mass, 1e-300)).cast<float>();
     return mean.allFinite() ? mean : Vector3::Zero();
+}
+
+bool Settler::draws_pins(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
+    if (!island.is_pinned || common_.kind == CommonMotionKind::none) return false;
+    const auto find_block = [&](const BlockRange& block) {
+        Totals farther;
+        for (std::uint32_t i = block.begin; i < block.end; ++i) {
+            const float tau = truncation_.fractions()[i];
+            if (island.positions[i].w > 0 || tau >= 1) continue;
+            const Vector3 wanted = xyz(displacements[i]);
+            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau);
+            farther.truncated += (wanted - had).norm() > wanted.norm() ? 1 : 0;
+        }
+        return farther;
+    };
+    const auto add = [](const Totals& a, const Totals& b) {
+        return Totals{.truncated = a.truncated + b.truncated};
+    };
+    return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, find_block, add).truncated >
+           0;
 }
 
 void Settler::place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {

@@ -21,14 +21,17 @@ struct Island {
     /// Nothing else holds any of its particles. Then what settling takes of its momentum all get back alike,
     /// which brings nothing nearer.
     bool is_free = false;
-    /// Some are at a place that is given: a common motion would draw them off it. So where the list is
+    /// Some are at a place that is given, off which a common motion may draw them. So where the list is
     /// incomplete, none moves.
     bool is_pinned = false;
 };
 
 struct SettleResult {
     CommonMotionKind common = CommonMotionKind::none;
-    bool list_was_incomplete = false;   ///< all particles have the common motion, or none
+    bool list_was_incomplete = false;  ///< all particles have the common motion, or none
+    /// The common motion would draw a pinned particle farther off than where it stands still; displacements
+    /// are as they were. To be settled without one: see split_nothing().
+    bool draws_pins = false;
     std::uint32_t truncated = 0;        ///< particles with tau < 1
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
@@ -60,6 +63,8 @@ class Settler {
 
     void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
                CommonMotionKind most = CommonMotionKind::affine);
+    /// As if there were no common motion.
+    void split_nothing(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
     [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
@@ -90,6 +95,8 @@ class Settler {
 
     [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const Island& island,
                                     std::span<const Vec4> displacements);
+    [[nodiscard]] bool draws_pins(Parallel& parallel, const Island& island,
+                                  std::span<const Vec4> displacements);
     void place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
     std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, std::uint32_t& uncertain);
     Totals apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements);
