@@ -39,7 +39,9 @@ struct ConjugateGradient {
 /// In each pass the step is linearised, and solved by conjugate gradients that a cycle preconditions.
 struct Multilevel {
     int passes = 3;      ///< linearisations, >= 1: Newton's method as far as they go
-    int iterations = 2;  ///< of the conjugate gradients in the last pass, >= 1, after one in each other
+    /// Of the conjugate gradients in the last pass, >= 1, after one in each other. Of more than one, where
+    /// features touch, one is a pass instead: those that touch are others in each.
+    int iterations = 3;
     /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where the equation
     /// is hard, steps that went too far are taken back in part, and passes are added; from about 3 on, unless
     /// features or bodies touch, it is solved anew by one linearisation with some ten iterations, by which

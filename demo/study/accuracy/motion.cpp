@@ -47,11 +47,12 @@ std::vector<MethodPoint> candidates() {
         points.push_back({name, name, "", configure, {}, is_default});
     };
     constexpr TimeScheme euler = TimeScheme::backward_euler, bdf2 = TimeScheme::bdf2;
-    add(euler, 3, 2, 1);
+    add(euler, 3, 3, 1);
     add(euler, 2, 1, 1);
-    for (const auto& [passes, iterations] : {std::pair(1, 1), {1, 2}, {2, 1}, {2, 2}, {3, 1}, {3, 2}, {4, 1}})
+    for (const auto& [passes, iterations] :
+         {std::pair(1, 1), {1, 2}, {2, 1}, {2, 2}, {2, 3}, {3, 1}, {3, 2}, {3, 3}, {4, 1}})
         add(bdf2, passes, iterations, 1);
-    for (const auto& [passes, iterations] : {std::pair(1, 1), {2, 1}, {3, 2}})
+    for (const auto& [passes, iterations] : {std::pair(1, 1), {2, 1}, {3, 3}})
         add(bdf2, passes, iterations, 2);
     for (const auto& [passes, iterations] : {std::pair(2, 1), {3, 1}}) add(bdf2, passes, iterations, 4);
     return points;

@@ -32,8 +32,8 @@ std::vector<Candidate> candidates() {
     const auto fixed = [&](const std::string& name, const Method& method) {
         all.push_back({"fixed", name, {.method = method}});
     };
-    fixed("3 passes of 2 iterations", Multilevel{});
-    fixed("2 passes of 2", Multilevel{.passes = 2});
+    fixed("3 passes of 3 iterations", Multilevel{});
+    fixed("2 passes of 3", Multilevel{.passes = 2});
     fixed("2 passes of 1", Multilevel{.passes = 2, .iterations = 1, .effort = 1});
     fixed("1 pass of 2", Multilevel{.passes = 1, .iterations = 2, .effort = 1});
     fixed("1 pass of 1", Multilevel{.passes = 1, .iterations = 1, .effort = 1});

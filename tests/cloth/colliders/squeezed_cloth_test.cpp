@@ -166,7 +166,7 @@ TEST(SqueezedCloth, WithContactNothingCrosses) {
     ClothSettings settings;
     settings.air_damping = 5;
     settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-    const Held held = between_limbs(settings, 0.04f);
+    const Held held = between_limbs(settings, 0.03f);
     EXPECT_GT(held.most, 50u);
     EXPECT_EQ(held.crossings, 0);
     EXPECT_LT(held.deepest_after, 1e-3f);

@@ -385,7 +385,8 @@ TEST(Enabled, WhatLayAsleepOnItWakes) {
     World world = make_world();
     const ClothId lower = add_sheet(world, 0.5f, that_meets());
     ASSERT_TRUE(world.pin(lower, corners));
-    const ClothId upper = add_sheet(world, 0.52f, that_meets());
+    ASSERT_TRUE(sleeps_within(world, lower, 3000));
+    const ClothId upper = add_sheet(world, 0.7f, that_meets());
     ASSERT_TRUE(sleeps_within(world, upper, 3000));
     ASSERT_TRUE(world.set_enabled(lower, false));
     world.step(h);
