@@ -1,20 +1,20 @@
 $fixed << EOD
-4.59739 5.043 0 "3 passes of 2 iterations"
-4.43637 4.888 5.4095 "2 passes of 2"
-3.16692 3.957 10.002 "2 passes of 1"
-2.15207 2.451 10.7794 "1 pass of 2"
-1.81314 2.076 15.2896 "1 pass of 1"
-1.62203 1.848 30.0331 "Jacobi of 15"
-1.10461 1.312 36.3765 "Jacobi of 5"
-1.17731 1.64 28.5757 "1 pass in 2 steps"
-0.680213 0.886 38.4311 "1 pass in 4 steps"
+2.9363 3.095 0 "3 passes of 3 iterations"
+2.94281 4.067 5.97776 "2 passes of 3"
+1.94771 2.092 10.5506 "2 passes of 1"
+1.76668 1.903 10.9293 "1 pass of 2"
+1.51231 1.643 15.4199 "1 pass of 1"
+1.32039 1.508 30.0401 "Jacobi of 15"
+0.962538 1.142 36.3678 "Jacobi of 5"
+0.863632 1.024 28.6996 "1 pass in 2 steps"
+0.493093 0.6 38.3961 "1 pass in 4 steps"
 EOD
 $budget << EOD
-0.815346 1.056 33.4072 "1 ms"
-1.25366 1.57 19.2965 "1.5 ms"
-1.74021 2.108 10.4436 "2 ms"
-2.23395 2.582 5.87896 "2.5 ms"
-2.66057 3.129 7.40102 "3 ms"
+0.895599 1.051 16.7272 "1 ms"
+1.39551 1.546 9.93981 "1.5 ms"
+1.88702 2.041 6.63287 "2 ms"
+2.36212 2.517 5.94795 "2.5 ms"
+2.79177 2.992 5.61737 "3 ms"
 EOD
 set title 'Fifty curtains in gusts round a camera that turns, on one thread'
 set xlabel 'a step, mean and 99th percentile [ms of the processor]'
