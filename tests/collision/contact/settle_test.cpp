@@ -19,13 +19,17 @@ struct Settled {
 };
 
 Settled settle(const Triangles& mesh, const PairList& pairs, Rows displacements, int threads = 1,
-               const TruncationSettings& how = settings, std::span<const std::uint8_t> exempt = {}) {
+               const TruncationSettings& how = settings, std::span<const std::uint8_t> exempt = {},
+               bool is_pinned = false, bool has_common_motion = true) {
     Parallel parallel(threads);
     Settler settler;
     settler.reserve(mesh.positions.size(), 1, pairs.size);
     const ParticleRange all{0, mesh.size()};
-    const Island island{{&all, 1}, mesh.positions};
-    settler.split(parallel, island, displacements);
+    const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_pinned = is_pinned};
+    if (has_common_motion)
+        settler.split(parallel, island, displacements);
+    else
+        settler.split_nothing(parallel, island, displacements);
     Settled settled;
     settled.relative.assign(settler.relative().begin(), settler.relative().end());
     settled.result = settler.settle(parallel, island, pairs, exempt, how, displacements);
@@ -313,6 +317,31 @@ TEST(Settle, PinnedParticlesAreCutAndTellHowFarTheyLag) {
     EXPECT_EQ(crossings_on_the_way(mesh, settled), 0);
     EXPECT_NEAR(settled.result.pinned_lag, 1 + settled.displacements[3].y, 1e-6f);
     EXPECT_GT(settled.result.pinned_lag, 0.3f);
+}
+
+// A triangle comes up against a vertex that stays, which most of the common motion would take along.
+TEST(Settle, NoPinIsDrawnOffByWhatOthersHaveInCommon) {
+    Triangles mesh = vertex_above_triangle(0.1f);
+    Rows wanted(mesh.size(), Vec4{0, 0.5f, 0, 0});
+    const auto settle_pinned = [&](float way, bool has_common_motion) {
+        wanted[3].y = way;
+        return settle(mesh, all_pairs(mesh), wanted, 1, settings, {}, true, has_common_motion);
+    };
+    const Settled free = settle_pinned(0, true);
+    EXPECT_FALSE(free.result.draws_pins);
+    EXPECT_GT(free.displacements[3].y, 0.1f);
+    mesh.positions[3].w = 0;
+    for (const float way : {0.0f, -0.35f}) {
+        const Settled drawn = settle_pinned(way, true);
+        EXPECT_TRUE(drawn.result.draws_pins);
+        EXPECT_EQ(std::memcmp(drawn.displacements.data(), wanted.data(), wanted.size() * sizeof(Vec4)), 0);
+        const Settled held = settle_pinned(way, false);
+        EXPECT_FALSE(held.result.draws_pins);
+        EXPECT_EQ(crossings_on_the_way(mesh, held), 0);
+        EXPECT_LE(held.displacements[3].y, 0);
+        EXPECT_GE(held.displacements[3].y, way);
+        EXPECT_GT(held.displacements[0].y, 0.03f);
+    }
 }
 
 TEST(Settle, ExemptPairsTakeNoPlaneAndOthersWithoutAGapDoNotMove) {
