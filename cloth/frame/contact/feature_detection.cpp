@@ -124,7 +124,7 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     };
     SettleResult result = settle();
     if (result.draws_pins) {
-        settler_.split_nothing(parallel, all, displacements_.span());
+        settler_.split(parallel, all, displacements_.span(), CommonMotionKind::none);
         find(parallel, settler_.relative(), {&ContactCloth::floor});
         result = settle();
     }

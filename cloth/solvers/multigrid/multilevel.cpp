@@ -144,9 +144,9 @@ double MultilevelSolve::mass_of(std::span<const Member> members) {
     return mass;
 }
 
-// A sheet that lies on a hammock comes to rest by four passes of two iterations,
-// and by three of three goes on: which features touch is found with each linearisation. Where none do, three
-// iterations calm stiff fabric that four passes of two leave trembling.
+// A sheet that lies on a hammock comes to rest by four passes of two iterations, and by three of three goes
+// on: which features touch is found with each linearisation. Where none do, three iterations calm stiff
+// fabric that four passes of two leave trembling.
 Multilevel MultilevelSolve::method_of(const SolverStep& step, const PairRows* pairs) {
     Multilevel method = std::get<Multilevel>(step.settings.method);
     if (pairs != nullptr && !pairs->empty() && method.iterations > 1) {

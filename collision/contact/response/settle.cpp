@@ -47,12 +47,9 @@ void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pai
 
 void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
                     CommonMotionKind most) {
-    common_ = fit_.fit(parallel, island.particles, island.positions, displacements, most);
-    take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
-}
-
-void Settler::split_nothing(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    common_ = {};
+    common_ = most == CommonMotionKind::none
+                  ? CommonMotion{}
+                  : fit_.fit(parallel, island.particles, island.positions, displacements, most);
     take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
 }
 

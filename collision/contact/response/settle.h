@@ -30,7 +30,7 @@ struct SettleResult {
     CommonMotionKind common = CommonMotionKind::none;
     bool list_was_incomplete = false;  ///< all particles have the common motion, or none
     /// The common motion would draw a pinned particle farther off than where it stands still; displacements
-    /// are as they were. To be settled without one: see split_nothing().
+    /// are as they were. To be split and settled anew without one.
     bool draws_pins = false;
     std::uint32_t truncated = 0;        ///< particles with tau < 1
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
@@ -61,10 +61,9 @@ class Settler {
                                    displacements);
     }
 
+    /// `most`: the most that the common motion may be; none: there is none.
     void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
                CommonMotionKind most = CommonMotionKind::affine);
-    /// As if there were no common motion.
-    void split_nothing(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
     [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }

@@ -20,16 +20,13 @@ struct Settled {
 
 Settled settle(const Triangles& mesh, const PairList& pairs, Rows displacements, int threads = 1,
                const TruncationSettings& how = settings, std::span<const std::uint8_t> exempt = {},
-               bool is_pinned = false, bool has_common_motion = true) {
+               bool is_pinned = false, CommonMotionKind most = CommonMotionKind::affine) {
     Parallel parallel(threads);
     Settler settler;
     settler.reserve(mesh.positions.size(), 1, pairs.size);
     const ParticleRange all{0, mesh.size()};
     const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_pinned = is_pinned};
-    if (has_common_motion)
-        settler.split(parallel, island, displacements);
-    else
-        settler.split_nothing(parallel, island, displacements);
+    settler.split(parallel, island, displacements, most);
     Settled settled;
     settled.relative.assign(settler.relative().begin(), settler.relative().end());
     settled.result = settler.settle(parallel, island, pairs, exempt, how, displacements);
@@ -323,19 +320,19 @@ TEST(Settle, PinnedParticlesAreCutAndTellHowFarTheyLag) {
 TEST(Settle, NoPinIsDrawnOffByWhatOthersHaveInCommon) {
     Triangles mesh = vertex_above_triangle(0.1f);
     Rows wanted(mesh.size(), Vec4{0, 0.5f, 0, 0});
-    const auto settle_pinned = [&](float way, bool has_common_motion) {
+    const auto settle_pinned = [&](float way, CommonMotionKind most) {
         wanted[3].y = way;
-        return settle(mesh, all_pairs(mesh), wanted, 1, settings, {}, true, has_common_motion);
+        return settle(mesh, all_pairs(mesh), wanted, 1, settings, {}, true, most);
     };
-    const Settled free = settle_pinned(0, true);
+    const Settled free = settle_pinned(0, CommonMotionKind::affine);
     EXPECT_FALSE(free.result.draws_pins);
     EXPECT_GT(free.displacements[3].y, 0.1f);
     mesh.positions[3].w = 0;
     for (const float way : {0.0f, -0.35f}) {
-        const Settled drawn = settle_pinned(way, true);
+        const Settled drawn = settle_pinned(way, CommonMotionKind::affine);
         EXPECT_TRUE(drawn.result.draws_pins);
         EXPECT_EQ(std::memcmp(drawn.displacements.data(), wanted.data(), wanted.size() * sizeof(Vec4)), 0);
-        const Settled held = settle_pinned(way, false);
+        const Settled held = settle_pinned(way, CommonMotionKind::none);
         EXPECT_FALSE(held.result.draws_pins);
         EXPECT_EQ(crossings_on_the_way(mesh, held), 0);
         EXPECT_LE(held.displacements[3].y, 0);
