@@ -38,15 +38,15 @@ struct ConjugateGradient {
 /// Multigrid on any mesh, with exact Galerkin coarse operators; what it costs does not grow with stiffness.
 /// In each pass the step is linearised, and solved by conjugate gradients that a cycle preconditions.
 struct Multilevel {
-    int passes = 3;      ///< linearisations, >= 1: Newton's method as far as they go
+    int passes = 3;  ///< linearisations, >= 1: Newton's method as far as they go
     /// Of the conjugate gradients in the last pass, >= 1, after one in each other. Of more than one, where
     /// features touch, one is a pass instead: those that touch are others in each.
     int iterations = 3;
     /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where the equation
     /// is hard, steps that went too far are taken back in part, and passes are added; from about 3 on, unless
     /// features or bodies touch, it is solved anew by one linearisation with some ten iterations, by which
-    /// stiff cloth on a coarse mesh does not buzz, but small pieces of it tremble; so they do not by
-    /// {.passes = 1, .iterations = 6}. An easy one costs nothing more; 1 switches it off.
+    /// stiff cloth on a coarse mesh does not buzz, but small pieces of it tremble; by
+    /// {.passes = 1, .iterations = 6} neither does. An easy one costs nothing more; 1 switches it off.
     float effort = 1.5f;
     /// What may be left after the passes above, as the error of acceleration that would do the same work
     /// [m/s^2], rms over the cloth's mass, 0 to 1e9: with more, the equation is hard, and if the effort does

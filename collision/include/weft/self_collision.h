@@ -23,7 +23,8 @@ enum class SelfCollisionSearch : std::uint8_t {
 enum class SelfCollisionMethod : std::uint8_t {
     /// Particles of one cloth are kept apart after the step is solved (Kang, "Efficient Methods for Cloth
     /// Animation and Collision Handling", section IV). Cheap, and it fails where cloth is pressed, pulled or
-    /// fast: then layers pass through each other, and stay so. Folds of cloth that lies tremble, some of their
+    /// fast: then layers pass through each other, and stay so. Folds of cloth that lies tremble, some of
+    /// their
     /// particles at half a metre a second, since springs pull back what was pushed.
     avoidance,
     /// Triangles of one cloth, and of all cloths with this method, meet in the step's equation, and a motion

@@ -258,8 +258,9 @@ typedef struct WeftCookProgress {
     WeftBool (*report)(void* user, float done);  // 0 ends the cooking
 } WeftCookProgress;
 
-// Whose bytes a cooked cloth is read from: they stay as they are until give_back is called, once, on the thread
-// that drops the last cloth of theirs; before the call returns where they had to be copied, never where it fails.
+// Whose bytes a cooked cloth is read from: they stay as they are until give_back is called, once, on the
+// thread that drops the last cloth of theirs; before the call returns where they had to be copied, never
+// where it fails.
 typedef struct WeftLender {
     void* user;
     void (*give_back)(void* user);
