@@ -27,6 +27,7 @@ void PairRows::reserve(std::size_t particles, std::size_t pairs) {
     counts_ = AlignedBuffer<std::uint32_t>(rows);
     pushed_ = AlignedBuffer<PushedCorner>(4 * pairs);
     block_counts_ = AlignedBuffer<std::uint32_t>(block_count(static_cast<std::uint32_t>(pairs)));
+    marks_ = AlignedBuffer<std::uint64_t>((pairs + 63) / 64);
     partials_ = AlignedBuffer<double>(block_counts_.size());
 }
 
@@ -157,7 +158,7 @@ void PairRows::add_products(Parallel& parallel, std::uint32_t first, std::span<V
 std::size_t PairRows::bytes() const noexcept {
     return numbers_.bytes() + pairs_.bytes() + groups_.bytes() + shares_.bytes() + products_.bytes() +
            taken_.bytes() + incidence_.bytes() + particles_.bytes() + counts_.bytes() + pushed_.bytes() +
-           block_counts_.bytes() + partials_.bytes() + untangling_.bytes();
+           block_counts_.bytes() + marks_.bytes() + partials_.bytes() + untangling_.bytes();
 }
 
 }  // namespace weft

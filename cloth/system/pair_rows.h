@@ -3,6 +3,7 @@
 // another.
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -84,13 +85,25 @@ class PairRows {
     /// visit(ActivePair) for all that push, in their order.
     template <class Visit>
     void for_each_active(const Visit& visit) const {
-        for (std::uint32_t k = 0; k < size_; ++k) {
-            const PairGroup& group = groups_[k / PairGroup::lanes];
-            const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
-            if (group.spring[lane] > 0)
-                visit(ActivePair{list_->pairs[number], list_->shapes[number], group.spring[lane],
-                                 group.damper[lane]});
-        }
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k)) visit(active_pair(k));
+    }
+    /// Likewise, for those that push a free particle in [first, first + count).
+    template <class Visit>
+    void for_each_active_of(std::uint32_t first, std::size_t count, const Visit& visit) {
+        constexpr std::uint32_t bits = 64;
+        const RowRange rows = rows_of(first, count);
+        if (rows.end - rows.begin == incidence_.rows()) return for_each_active(visit);
+        const std::span<std::uint64_t> marks = marks_.span().first((size_ + bits - 1) / bits);
+        std::ranges::fill(marks, std::uint64_t{0});
+        for (std::uint32_t r = rows.begin; r < rows.end; ++r)
+            for (std::uint32_t c = 0; c < counts_[r]; ++c) {
+                const std::uint32_t k = pushed_[incidence_.start(r) + c].pair;
+                marks[k / bits] |= std::uint64_t{1} << k % bits;
+            }
+        for (std::uint32_t word = 0; word < marks.size(); ++word)
+            for (std::uint64_t left = marks[word]; left != 0; left &= left - 1)
+                visit(active_pair(word * bits + static_cast<std::uint32_t>(std::countr_zero(left))));
     }
     /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
     /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
@@ -121,6 +134,11 @@ class PairRows {
   private:
     [[nodiscard]] bool pushes(std::uint32_t k) const {
         return groups_[k / PairGroup::lanes].spring[k % PairGroup::lanes] > 0;
+    }
+    [[nodiscard]] ActivePair active_pair(std::uint32_t k) const {
+        const PairGroup& group = groups_[k / PairGroup::lanes];
+        const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
+        return {list_->pairs[number], list_->shapes[number], group.spring[lane], group.damper[lane]};
     }
     /// The pair's impulse along the normal is in products_[k].x.
     template <class Missing>
@@ -171,6 +189,7 @@ class PairRows {
     AlignedBuffer<std::uint32_t> counts_;
     AlignedBuffer<PushedCorner> pushed_;
     AlignedBuffer<std::uint32_t> block_counts_;
+    AlignedBuffer<std::uint64_t> marks_;  // by pair a bit
     AlignedBuffer<double> partials_;
     UntanglingRows untangling_;
 };

@@ -8,8 +8,10 @@
 namespace weft::render {
 namespace {
 
-void GLAD_API_PTR hear(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
+// Of speed drivers say how they work, not what is wrong: NVIDIA's that it compiles a shader once more.
+void GLAD_API_PTR hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
                        const GLchar* message, const void* to) {
+    if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
     if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     static_cast<Complaints*>(const_cast<void*>(to))->add(message);
 }

@@ -18,7 +18,8 @@ float tap_radius(int i, float count) { return sqrt((float(i) + 0.5) / count); }
 
 const float nothing = 0.99999;  // depth where a map saw nothing, while the ground may lie deeper than the map
 
-bool inside_map(vec2 p) { return all(greaterThan(p, vec2(0.0))) && all(lessThan(p, vec2(1.0))); }
+// Or near enough that taps may be.
+bool near_map(vec2 p, float reach) { return all(greaterThan(p, vec2(-reach))) && all(lessThan(p, vec2(1.0 + reach))); }
 
 // Average over the 2 x 2 pixels that are shaded together, whose angles differ: four times as many taps at no cost.
 float quad_average(float value) {
@@ -45,6 +46,7 @@ vec2 surface_slope(vec3 normal) {
 // sun: either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
 float sun_visibility(vec3 point, vec3 normal) {
     const float sun_size = 0.09;  // a far softer sun than the real one: width of the edge per distance
+    const float widest = 0.25;    // [m] from what casts a shadow to where it is looked for
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
     float pixel = pixel_size(point);
@@ -53,17 +55,18 @@ float sun_visibility(vec3 point, vec3 normal) {
     vec3 p = (frame.sun_from_world * vec4(lifted, 1.0)).xyz;
     float bias = texel / frame.sun_extent.y;
     vec2 slope = surface_slope(normal);
-    int count = inside_map(p.xy) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
+    int count = near_map(p.xy, widest / frame.sun_extent.x) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
 
     // What casts a shadow here lies no farther off than the map's near side.
     vec2 turned = pixel_direction();
-    vec2 search = turned * min(p.z * frame.sun_extent.y * sun_size, 0.25) / frame.sun_extent.x;
+    vec2 search = turned * min(p.z * frame.sun_extent.y * sun_size, widest) / frame.sun_extent.x;
     float gap = 0.0;
     float found = 0.0;
     float searches = frame.quality.x, taps = frame.quality.y;
     for (int i = 0; i < int(searches) * count; ++i) {
         search = golden_turn * search;
-        vec2 aside = search * tap_radius(i, searches);
+        // The first right above: what is narrower than the taps are apart hides the sun from those below it.
+        vec2 aside = search * sqrt(float(i) / searches);
         float depth = textureLod(sun_depth, p.xy + aside, 0.0).r;
         float before = p.z + dot(slope, aside) - bias - depth;
         float blocked = step(0.0, before) * step(depth, nothing);
@@ -71,20 +74,23 @@ float sun_visibility(vec3 point, vec3 normal) {
         found += blocked;
     }
     // Of all four pixels: at the edge's fringe one of them alone may find the blocker, and would stand out.
-    float blocker_distance = frame.sun_extent.y * quad_average(gap) / max(quad_average(found), 0.25);
+    // Where a driver takes differences once for all four, that is no average, and may be below zero.
+    float found_by_four = quad_average(found);
+    float blocker_distance = frame.sun_extent.y * max(quad_average(gap), 0.0) / max(found_by_four, 0.25);
+    bool lit = count == 0 || (searches > 0.0 && max(found, found_by_four) <= 0.0);
 
     // Where light grazes the cloth its triangles show in the edge, unless the edge is as wide as they are.
     float least = (3.0 + 9.0 * (1.0 - abs(facing))) * texel;
     float width = max(blocker_distance * sun_size, least);
     vec2 offset = turned * width / frame.sun_extent.x;
     float seen = 0.0;
-    for (int i = 0; i < int(taps) * count; ++i) {
+    for (int i = 0; i < int(lit ? 0.0 : taps); ++i) {
         offset = golden_turn * offset;
         vec2 aside = offset * tap_radius(i, taps);
         float reference = min(p.z + dot(slope, aside), 1.0) - bias;
         seen += textureLod(sun_compare, vec3(p.xy + aside, reference), 0.0);
     }
-    seen = count == 0 ? 1.0 : seen / taps;
+    seen = lit ? 1.0 : seen / taps;
     // An edge narrower than some pixels would have the stairs of those that are averaged.
     return mix(seen, quad_average(seen), smoothstep(1.5, 6.0, width / max(pixel, 1e-6)));
 }
@@ -97,7 +103,7 @@ float sky_visibility(vec3 point) {
     vec2 offset = pixel_direction() * reach / frame.sky_extent.x;
     float hidden = 0.0;
     float least = frame.sky_extent.z + 0.5 * pixel_size(point);
-    int count = inside_map(p.xy) ? int(taps) : 0;
+    int count = near_map(p.xy, reach / frame.sky_extent.x) ? int(taps) : 0;
     for (int i = 0; i < count; ++i) {
         offset = golden_turn * offset;
         float radius = tap_radius(i, taps);

@@ -47,6 +47,16 @@ TEST_F(Contexts, ACheckedOneTellsWhatTheDriverObjectsTo) {
     EXPECT_TRUE(unchecked->take_complaints().empty());
 }
 
+TEST_F(Contexts, WhatADriverSaysOfSpeedIsNoComplaint) {
+    if (GLAD_GL_KHR_debug == 0) GTEST_SKIP() << "the driver lacks KHR_debug";
+    const auto say = [](GLenum type, const char* text) {
+        glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, type, 1, GL_DEBUG_SEVERITY_MEDIUM, -1, text);
+    };
+    say(GL_DEBUG_TYPE_PERFORMANCE, "a shader is compiled once more");
+    say(GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, "nobody knows");
+    EXPECT_EQ(context().take_complaints(), std::vector<std::string>{"nobody knows"});
+}
+
 TEST(Window, ASizeBelowOnePixelIsNamed) {
     for (const auto& [width, height] : {std::array{0, 100}, std::array{100, -3}}) {
         const auto made = Context::window({.width = width, .height = height, .title = "", .vsync = false});

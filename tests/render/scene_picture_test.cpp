@@ -54,6 +54,46 @@ TEST_F(ScenePicture, AShadowIsSofterTheFartherItsCaster) {
     EXPECT_GT(edge_width(3.0f), edge_width(0.9f) + 2);
 }
 
+// A search that looked past what was small took some pixels for the whole shadow.
+TEST_F(ScenePicture, TheShadowOfWhatIsSmallAndHighUpHasNoSpecks) {
+    View view = from_above();
+    view.camera = {.target = {-1.2f, 0, 0}, .distance = 1.5f, .yaw = 0.6f, .pitch = 0.7f};
+    const std::array spheres{DrawnSphere{{3, 0.5f, -3}, 0.5f}, DrawnSphere{{0, 1.2f, 0}, 0.05f}};
+    view.spheres = {spheres.data(), 1};
+    const Image without = renderer().capture(view, 2 * scene_width, 2 * scene_height);
+    view.spheres = spheres;
+    const Image image = renderer().capture(view, 2 * scene_width, 2 * scene_height);
+    int darkened = 0, most = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const int by = pixel(without, x, y).light() - pixel(image, x, y).light();
+            darkened += by > 5 ? 1 : 0;
+            most = std::max(most, by);
+        }
+    EXPECT_GT(darkened, 1000);
+    EXPECT_LT(most, 60) << "most of the sun is beside the ball";
+}
+
+// The map of the sun's depth reaches no farther than what casts a shadow, but the shadow's edge does.
+TEST_F(ScenePicture, TheShadowOfWhatIsSmallAndHighUpIsAsWideAsTheSunIsSoft) {
+    View view = from_above();
+    view.sun_direction = {0, 1, 0};
+    view.camera.distance = 2;
+    const Image bare = renderer().capture(view, scene_width, scene_height);
+    const DrawnSphere ball{{0, 2, 0}, 0.05f};
+    view.spheres = {&ball, 1};
+    const Image shaded = renderer().capture(view, scene_width, scene_height);
+    const auto darkened = [&](float x, float z) {
+        const Vec3 at{x, 0, z};
+        return pixel_at(bare, view.camera, at).light() - pixel_at(shaded, view.camera, at).light();
+    };
+    const int inside = darkened(0.05f, 0.05f);
+    EXPECT_GT(inside, 6);
+    EXPECT_GT(darkened(0.14f, 0), inside / 2);
+    EXPECT_GT(darkened(0, -0.14f), inside / 2);
+    EXPECT_LT(darkened(0.3f, 0), 3);
+}
+
 TEST_F(ScenePicture, ANarrowShadowEdgeHasNoStairs) {
     View view = from_above();
     view.sun_direction = {0.3f, 1, 0.1f};

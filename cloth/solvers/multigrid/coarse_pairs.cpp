@@ -131,13 +131,13 @@ void CoarsePairs::merge(const AddRow& add_row) {
     }
 }
 
-void CoarsePairs::gather(const PairRows& pairs, std::uint32_t first, std::uint32_t particles,
+void CoarsePairs::gather(PairRows& pairs, std::uint32_t first, std::uint32_t particles,
                          const Interpolation& p, std::span<const float> weights) {
     keys_.clear();
     active_.clear();
     has_outer_ = false;
     // An island has room for more than one of its cloths: what is over is left to the finest level.
-    pairs.for_each_active([&](const PairRows::ActivePair& active) {
+    pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
         if (keys_.size() == order_.size()) return;
         for (const std::uint32_t corner : active.pair.corners)
             if (corner - first >= particles) {

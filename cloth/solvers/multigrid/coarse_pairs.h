@@ -42,7 +42,7 @@ class CoarsePairs {
 
     /// Of the pairs that push, all of whose corners are among a cloth's `particles` from `first` on. P leads
     /// from the first coarse level to them; `weights` are its weights, 0 where pinned.
-    void gather(const PairRows& pairs, std::uint32_t first, std::uint32_t particles, const Interpolation& p,
+    void gather(PairRows& pairs, std::uint32_t first, std::uint32_t particles, const Interpolation& p,
                 std::span<const float> weights);
     /// Of the rows of a finer coarse level.
     void gather(const CoarsePairs& finer, const Interpolation& p);

@@ -286,8 +286,7 @@ void Multigrid::reserve_pairs(std::size_t count) {
     has_pairs_ = count > 0;
 }
 
-void Multigrid::build(Parallel& parallel, ImplicitSystem& system, const PairRows* pairs,
-                      std::uint32_t first) {
+void Multigrid::build(Parallel& parallel, ImplicitSystem& system, PairRows* pairs, std::uint32_t first) {
     if (coarse_.empty()) return;
     if (has_pairs_) gather_pairs(pairs, first);
     system.spring_blocks(parallel, slots_, springs_.span());
@@ -305,7 +304,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system, const PairRows
     }
 }
 
-void Multigrid::gather_pairs(const PairRows* pairs, std::uint32_t first) {
+void Multigrid::gather_pairs(PairRows* pairs, std::uint32_t first) {
     if (pairs == nullptr || pairs->empty()) {
         for (CoarseLevel& level : coarse_) level.pairs().clear();
         return;
@@ -317,11 +316,11 @@ void Multigrid::gather_pairs(const PairRows* pairs, std::uint32_t first) {
 }
 
 // What is between this cloth and others holds it where it is.
-void Multigrid::hold_other_bodies(const PairRows& pairs, std::uint32_t first) {
+void Multigrid::hold_other_bodies(PairRows& pairs, std::uint32_t first) {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
     const Interpolation& p = coarse_.front().interpolation();
     SymmetricRows& ground = coarse_.front().matrix().ground_rows;
-    pairs.for_each_active([&](const PairRows::ActivePair& active) {
+    pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
         const auto& corners = active.pair.corners;
         const bool is_within =
             std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first < particles; });

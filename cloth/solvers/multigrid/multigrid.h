@@ -45,7 +45,7 @@ class Multigrid {
 
     /// Sums the coarse operators of the system's present W, and of the pairs that push, if there are any: the
     /// particles are numbered from `first` on in these.
-    void build(Parallel& parallel, ImplicitSystem& system, const PairRows* pairs = nullptr,
+    void build(Parallel& parallel, ImplicitSystem& system, PairRows* pairs = nullptr,
                std::uint32_t first = 0);
     /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
     void cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r, std::span<Vec4> z);
@@ -88,8 +88,8 @@ class Multigrid {
     void mark(std::uint32_t particle, bool pinned) noexcept;
     /// Whether those of inverse mass 0 are, and no others.
     [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
-    void gather_pairs(const PairRows* pairs, std::uint32_t first);
-    void hold_other_bodies(const PairRows& pairs, std::uint32_t first);
+    void gather_pairs(PairRows* pairs, std::uint32_t first);
+    void hold_other_bodies(PairRows& pairs, std::uint32_t first);
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
     void solve_level(Parallel& parallel, std::size_t level);
     void relax_and_correct(Parallel& parallel, std::size_t level);

@@ -181,6 +181,26 @@ TEST(PairRows, AreThoseOfADenseMatrix) {
     EXPECT_GT(sum, 0);
 }
 
+TEST(PairRows, OfOneClothAreThoseThatPushItsFreeParticles) {
+    const PairScene scene(61, 333);
+    Linearised linearised(scene);
+    std::vector<const FeaturePair*> seen;
+    const auto see = [&](const PairRows::ActivePair& active) { seen.push_back(&active.pair); };
+    for (const auto& [first, count] : {std::pair(0u, 61u), {0, 17}, {17, 30}, {47, 14}, {7, 1}, {20, 0}}) {
+        std::vector<const FeaturePair*> expected;
+        linearised.rows.for_each_active([&](const PairRows::ActivePair& active) {
+            if (std::ranges::any_of(active.pair.corners, [&](std::uint32_t i) {
+                    return i >= first && i < first + count && scene.positions[i].w > 0;
+                }))
+                expected.push_back(&active.pair);
+        });
+        seen.clear();
+        linearised.rows.for_each_active_of(first, count, see);
+        EXPECT_EQ(seen, expected) << first << " " << count;
+        EXPECT_EQ(seen.empty(), count < 2) << "each cloth but the last two has some";
+    }
+}
+
 TEST(PairRows, AreSymmetricAndKeepMomentum) {
     PairScene scene(24, 120, 1000);
     scene.positions[0].w = 200;  // none is pinned
