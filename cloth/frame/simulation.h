@@ -199,6 +199,10 @@ struct Simulation {
     [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> island);
     /// In how many parts they take a substep, so that less of their motion is cut.
     [[nodiscard]] static int parts_of_step(std::span<Cloth* const> island);
+    [[nodiscard]] static bool is_in_one_pass(const Cloth& cloth);
+    static void count_unsolved(Cloth& cloth, float h, bool unsolved);
+    /// By its pins, its skin or its frame.
+    [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
     static void count_halved_steps(std::span<Cloth* const> island, bool cut_much);
     void solve_joined(Worker& worker, const Substep& substep);
     void find_joined_impulses(Worker& worker);

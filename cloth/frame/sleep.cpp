@@ -47,17 +47,6 @@ float farthest_way(const ClothState& state) {
     return std::sqrt(squared);
 }
 
-/// By its pins, its skin or its frame.
-bool is_moved_by_host(const Cloth& cloth) {
-    const ClothState& state = cloth.state;
-    const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
-    if (std::ranges::any_of(state.pins, moves)) return true;
-    if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
-        return true;
-    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
-           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
-}
-
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     const Collider& collider = motion.end;
     if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
@@ -78,6 +67,16 @@ bool moves(const ColliderMotion& motion) {
 }
 
 }  // namespace
+
+bool Simulation::is_moved_by_host(const Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
+    if (std::ranges::any_of(state.pins, moves)) return true;
+    if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
+        return true;
+    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
+           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
+}
 
 void Simulation::choose_present(float dt) {
     present_.clear();

@@ -89,10 +89,14 @@ struct ClothState {
     std::vector<Pin> pins;                   ///< in ascending order of particles
     std::optional<FrameState> frame;         ///< only if it lives in one
     SkinState skin;
-    StepRecord record;                    ///< only with BDF2
-    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
-    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
-    std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
+    StepRecord record;  ///< only with BDF2
+    HeldContacts held;  ///< only with colliders, and if the solver is implicit
+    /// For how long passes have left it unsolved of late, while nothing drove it [s]; above the patience: for
+    /// how much longer it is solved by one linearisation. See Simulation::count_unsolved.
+    float unsolved = 0;
+    static constexpr float unsolved_patience = 0.35f, in_one_pass = 4;  // [s]
+    AlignedBuffer<TangleMemory> tangles;                                ///< only with contact
+    std::vector<BodyShare> shares;  ///< of each body, in the order of their ids
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;           ///< only where it may fall asleep
@@ -165,6 +169,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.record.displacements.span());
     visit(state.record.velocity_changes.span());
     visit(state.record.arrivals.span());
+    visit(std::span(&state.unsolved, 1));
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());

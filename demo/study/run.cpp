@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 #include <thread>
@@ -89,6 +90,12 @@ double kappa(const Cloth& cloth, double frame) {
     const ClothInfo info = cloth.info();
     const double mass = static_cast<double>(info.mass) / info.particles;
     return static_cast<double>(cloth.settings.fabric.warp) * frame * frame / mass;
+}
+
+double quantile(std::vector<double> sample, double p) {
+    std::ranges::sort(sample);
+    const double rank = std::ceil(p * static_cast<double>(sample.size()));
+    return sample[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
 }  // namespace weft::study

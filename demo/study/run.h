@@ -53,4 +53,7 @@ using Positions = std::vector<Eigen::Vector3d>;
 /// kappa = stiffness frame^2 / mean mass of a particle: how hard one step of the frame's length is.
 [[nodiscard]] double kappa(const Cloth& cloth, double frame);
 
+/// Of an unsorted, not empty sample; nearest rank.
+[[nodiscard]] double quantile(std::vector<double> sample, double p);
+
 }  // namespace weft::study

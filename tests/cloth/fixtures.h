@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <Eigen/Core>
 #include <random>
@@ -28,6 +29,13 @@ inline Mesh sheet(std::uint32_t rows, std::uint32_t columns) {
 
 inline bool same_bytes(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4)) == 0;
+}
+
+/// Root mean square over its particles [m/s].
+inline double rms_speed(const ClothView& cloth) {
+    double sum = 0;
+    for (const Vec4& v : cloth.velocities) sum += xyz(v).cast<double>().squaredNorm();
+    return std::sqrt(sum / static_cast<double>(cloth.velocities.size()));
 }
 
 inline double total_rest_area(const ClothModel& cloth) {

@@ -16,6 +16,13 @@ double usual_work(const Multilevel& method) {
 
 }  // namespace
 
+Multilevel in_one_pass(const Multilevel& method) {
+    Multilevel one = method;
+    one.passes = 1;
+    one.iterations = static_cast<int>((usual_work(method) - coarse_operators_work - 1) / iteration_work);
+    return one;
+}
+
 Effort::Effort(const Multilevel& method, double mass, double gamma, bool one_pass_will_do)
     : method_(method),
       adapts_(method.effort > 1),

@@ -6,6 +6,10 @@
 
 namespace weft {
 
+/// For the same work, one linearisation that is solved further. It puts no energy into springs, however
+/// stiff.
+[[nodiscard]] Multilevel in_one_pass(const Multilevel& method);
+
 /// Counts what a solve has done and says what it shall do next. Decisions follow from the equation alone,
 /// never from time. Work is in linearisations.
 class Effort {

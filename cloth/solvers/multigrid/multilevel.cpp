@@ -89,8 +89,8 @@ class MultilevelSolve {
         : members_(members),
           step_(*members.front().step),
           pairs_(step_.equation.pairs),
-          method_(method_of(step_, pairs_)),
           bodies_(step_.equation.bodies),
+          method_(method_of(step_, pairs_, bodies_)),
           effort_(method_, mass_of(members), static_cast<double>(step_.equation.gamma),
                   pairs_ == nullptr && bodies_ == nullptr) {}
 
@@ -100,7 +100,7 @@ class MultilevelSolve {
     using Member = MultilevelSolver::Member;
 
     static double mass_of(std::span<const Member> members);
-    static Multilevel method_of(const SolverStep& step, const PairRows* pairs);
+    static Multilevel method_of(const SolverStep& step, const PairRows* pairs, const BodyCoupling* bodies);
     /// The members as conjugate gradients see them.
     [[nodiscard]] auto parts() const {
         return members_ | std::views::transform([](const Member& member) {
@@ -132,8 +132,8 @@ class MultilevelSolve {
     std::span<const Member> members_;
     const SolverStep& step_;  // of the first: what all share is taken from it
     PairRows* pairs_;
-    Multilevel method_;
     BodyCoupling* bodies_;
+    Multilevel method_;
     Effort effort_;
 };
 
@@ -147,9 +147,13 @@ double MultilevelSolve::mass_of(std::span<const Member> members) {
 // A sheet that lies on a hammock comes to rest by four passes of two iterations, and by three of three goes
 // on: which features touch is found with each linearisation. Where none do, three iterations calm stiff
 // fabric that four passes of two leave trembling.
-Multilevel MultilevelSolve::method_of(const SolverStep& step, const PairRows* pairs) {
+Multilevel MultilevelSolve::method_of(const SolverStep& step, const PairRows* pairs,
+                                      const BodyCoupling* bodies) {
     Multilevel method = std::get<Multilevel>(step.settings.method);
-    if (pairs != nullptr && !pairs->empty() && method.iterations > 1) {
+    const bool features_touch = pairs != nullptr && !pairs->empty();
+    if (step.in_one_pass && !features_touch && bodies == nullptr && method.effort > 1)
+        return in_one_pass(method);
+    if (features_touch && method.iterations > 1) {
         ++method.passes;
         --method.iterations;
     }

@@ -1,7 +1,6 @@
 #include "demo/study/accuracy/accuracy_rows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "demo/study/accuracy/energy.h"
@@ -26,13 +25,6 @@ struct NamedFrame {
     std::string name;
 };
 const std::vector<NamedFrame> moments{{ComparedFrames::half_second, "0.5s"}, {ComparedFrames::second, "1s"}};
-
-/// Of an unsorted, not empty sample; nearest rank.
-double quantile(std::vector<double> sample, double p) {
-    std::ranges::sort(sample);
-    const double rank = std::ceil(p * static_cast<double>(sample.size()));
-    return sample[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
 
 std::string error_column(const std::string& reference, const std::string& moment, const std::string& unit) {
     return "error_" + reference + "_" + moment + "_" + unit;

@@ -1,7 +1,6 @@
 // weft_study motion: time schemes by how alive motion is, how near to the truth, whether it ends and what it
 // costs.
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <limits>
@@ -19,10 +18,11 @@ namespace weft::study {
 
 namespace {
 
-const std::vector<std::string> columns{
-    "machine",           "commit",      "method",     "per_side",  "truth_side", "time",   "energy_lost",
-    "energy_lost_truth", "truth_05_mm", "truth_1_mm", "own_05_mm", "own_1_mm",   "rest_s", "speed_40_mms",
-    "speed_30",          "speed_60",    "speed_120",  "speed_240"};
+const std::vector<std::string> columns{"machine",           "commit",      "method",       "per_side",
+                                       "truth_side",        "time",        "ms",           "energy_lost",
+                                       "energy_lost_truth", "truth_05_mm", "truth_1_mm",   "own_05_mm",
+                                       "own_1_mm",          "rest_s",      "speed_40_mms", "speed_30",
+                                       "speed_60",          "speed_120",   "speed_240"};
 const std::vector<std::string> keys{"method", "per_side", "truth_side"};
 
 /// One of backward Euler and BDF2 at its passes, iterations and substeps; the first is what times are told
@@ -93,8 +93,8 @@ class Motion {
 
     void run(const std::vector<MethodPoint>& points) {
         StudyProgress progress(points.size(), static_cast<double>(points.size()));
-        std::printf("%-12s %5s | %5s | truth 0.5, 1 s | own 0.5, 1 s [mm] | rest s, mm/s | swing at %s\n",
-                    "method", "time", "lost", "30, 60, 120, 240 Hz [m/s]");
+        std::printf("%-12s %5s %6s | %5s | truth 0.5, 1 s | own 0.5, 1 s [mm] | rest s, mm/s | swing at %s\n",
+                    "method", "time", "ms", "lost", "30, 60, 120, 240 Hz [m/s]");
         for (const MethodPoint& point : points) {
             progress.begin(point.name);
             CsvRow row{{"method", point.name},
@@ -117,7 +117,9 @@ class Motion {
     CsvRow measured(const MethodPoint& first, const MethodPoint& point, CsvRow row) {
         row["machine"] = machine_name();
         row["commit"] = commit_name();
-        row["time"] = number(time_against(first, point));
+        const Times times = times_of(first, point);
+        row["time"] = number(times.ratio);
+        row["ms"] = number(times.milliseconds);
         row["energy_lost_truth"] = number(lost_in_truth_);
         add_swings(point, row);
         add_distances(point, row);
@@ -129,22 +131,24 @@ class Motion {
         return row;
     }
 
-    /// The median ratio of frames that are run in turn, so that a slow moment falls on both.
-    [[nodiscard]] double time_against(const MethodPoint& first, const MethodPoint& point) const {
+    struct Times {
+        double ratio, milliseconds;  ///< of a frame, to the first's
+    };
+    /// Medians over frames that are run in turn with the first's, so that a slow moment falls on both.
+    [[nodiscard]] Times times_of(const MethodPoint& first, const MethodPoint& point) const {
         constexpr int frames = 30;
-        std::vector<double> ratios;
+        std::vector<double> ratios, milliseconds;
         Run a(hung_, first, threads_), b(hung_, point, threads_);
         for (int round = 0; round < sizes_.rounds; ++round) {
             a.restart(hung_);
             b.restart(hung_);
             for (int frame = 0; frame < frames; ++frame) {
                 const double usual = a.step();
-                ratios.push_back(b.step() / usual);
+                milliseconds.push_back(b.step());
+                ratios.push_back(milliseconds.back() / usual);
             }
         }
-        const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-        std::nth_element(ratios.begin(), middle, ratios.end());
-        return *middle;
+        return {quantile(ratios, 0.5), quantile(milliseconds, 0.5)};
     }
 
     void add_swings(const MethodPoint& point, CsvRow& row) const {
@@ -194,8 +198,9 @@ class Motion {
             return parse_number(row.at(name)).value_or(std::numeric_limits<double>::infinity());
         };
         std::printf(
-            "%-12s %5.2f | %5.2f | %6.1f %6.1f  | %6.1f %6.1f      | %5.1f %7.2f | %.2f %.2f %.2f %.2f%s\n",
-            row.at("method").c_str(), value("time"), value("energy_lost"), value("truth_05_mm"),
+            "%-12s %5.2f %6.3f | %5.2f | %6.1f %6.1f  | %6.1f %6.1f      | %5.1f %7.2f | %.2f %.2f %.2f "
+            "%.2f%s\n",
+            row.at("method").c_str(), value("time"), value("ms"), value("energy_lost"), value("truth_05_mm"),
             value("truth_1_mm"), value("own_05_mm"), value("own_1_mm"), value("rest_s"),
             value("speed_40_mms"), value("speed_30"), value("speed_60"), value("speed_120"),
             value("speed_240"), is_default ? "  the default" : "");

@@ -1,7 +1,6 @@
 // weft_study budget: what a budget holds, and how wrong motion is then, beside one setting for all of equal
 // cost.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
+#include "demo/study/run.h"
 
 namespace weft::study {
 
@@ -47,11 +47,6 @@ std::vector<Candidate> candidates() {
 }
 
 using Positions3 = std::vector<Vec3>;
-
-double quantile(std::vector<double> of, double part) {
-    std::ranges::sort(of);
-    return of[static_cast<std::size_t>(part * static_cast<double>(of.size() - 1))];
-}
 
 /// What steps would take if all that is done alike took alike: what the choices make of it, without what the
 /// machine does besides.

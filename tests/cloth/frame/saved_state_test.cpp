@@ -209,7 +209,7 @@ TEST_P(SavedState, NoHistoryOfSettingsShows) {
     }
 }
 
-TEST(StateOfContact, SaysWhetherStepsAreHalved) {
+TEST(StateOfCloth, SaysHowStepsAreTaken) {
     ClothState state(4);
     state.tangles = AlignedBuffer<TangleMemory>(4);
     const auto bytes = [&] {
@@ -222,6 +222,9 @@ TEST(StateOfContact, SaysWhetherStepsAreHalved) {
     };
     const std::vector<std::byte> before = bytes();
     state.halved = 3;
+    EXPECT_NE(bytes(), before);
+    state.halved = 0;
+    state.unsolved = 3;
     EXPECT_NE(bytes(), before);
 }
 

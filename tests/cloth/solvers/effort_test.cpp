@@ -81,13 +81,15 @@ double energy(const ClothView& cloth) {
 }
 
 TEST(Effort, PutsNoEnergyIntoAStiffPendulum) {
-    for (const auto& [stiffness, dt, steps] :
-         {std::tuple(5e3f, h, 180), {5e4f, h, 180}, {5e4f, h / 4, 360}}) {
+    for (const auto& [stiffness, dt, steps, effort] : {std::tuple(5e3f, h, 180, 3.0f),
+                                                       {5e4f, h, 180, 3.0f},
+                                                       {5e4f, h / 4, 360, 3.0f},
+                                                       {5e4f, h, 180, 1.5f}}) {
         World world = World::create(vacuum(downwards)).value();
         ClothSettings settings;
         settings.fabric.warp = settings.fabric.weft = stiffness;
         settings.fabric.damping = settings.air_damping = 0;
-        settings.method = Multilevel{.effort = 3};
+        settings.method = Multilevel{.effort = effort};
         const Mesh strip = make_sheet({.rows = 21, .columns = 3, .u = {0.1f, 0, 0}}).value();
         const ClothId id = world.add_cloth(strip, settings).value();
         ASSERT_TRUE(world.pin(id, std::array<std::uint32_t, 3>{0, 1, 2}));
@@ -97,34 +99,42 @@ TEST(Effort, PutsNoEnergyIntoAStiffPendulum) {
             world.step(dt);
             most = std::max(most, energy(*world.cloth(id)) - before);
         }
-        EXPECT_LT(most, 0.25 * fall) << stiffness << " N/m, " << dt << " s";
+        EXPECT_LT(most, (effort < 2 ? 0.6 : 0.25) * fall) << stiffness << " N/m, " << dt << " s";
     }
 }
 
-TEST(Effort, StiffClothThatHangsByAVertexDoesNotBuzz) {
-    constexpr std::uint32_t rings = 8, round = 40;
-    Mesh ring;
-    for (std::uint32_t i = 0; i <= rings; ++i)
-        for (std::uint32_t j = 0; j < round; ++j) {
-            const float r = 0.1f + 0.4f * static_cast<float>(i) / rings;
-            const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(j) / round;
-            ring.positions.push_back({r * std::cos(angle), 0, r * std::sin(angle)});
-            if (i == rings) continue;
-            const std::uint32_t a = i * round + j, b = i * round + (j + 1) % round;
-            ring.triangles.push_back({a, b, a + round});
-            ring.triangles.push_back({b, b + round, a + round});
-        }
-    World world = World::create({}).value();
-    const ClothSettings settings{.fabric = Fabric::named("flag").value(), .method = Multilevel{.effort = 3}};
-    const ClothId id = world.add_cloth(ring, settings).value();
-    ASSERT_TRUE(world.pin(id, 0));
-    double squared = 0;
-    float longest = 0;
-    for (int k = 0; k < 240; ++k) {
-        world.step(h);
-        if (k < 180) continue;
-        const ClothView cloth = world.cloth(id).value();
-        for (const Vec4& v : cloth.velocities) squared += static_cast<double>(xyz(v).squaredNorm());
+/// A ring of 360 particles that hangs by a vertex: stiff for its coarse mesh.
+struct HungRing {
+    static constexpr std::uint32_t rings = 8, round = 40;
+
+    explicit HungRing(float effort, const Vec3& wind = {}) {
+        Mesh ring;
+        for (std::uint32_t i = 0; i <= rings; ++i)
+            for (std::uint32_t j = 0; j < round; ++j) {
+                const float r = 0.1f + 0.4f * static_cast<float>(i) / rings;
+                const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(j) / round;
+                ring.positions.push_back({r * std::cos(angle), 0, r * std::sin(angle)});
+                if (i == rings) continue;
+                const std::uint32_t a = i * round + j, b = i * round + (j + 1) % round;
+                ring.triangles.push_back({a, b, a + round});
+                ring.triangles.push_back({b, b + round, a + round});
+            }
+        world = World::create({.wind = {.velocity = wind}}).value();
+        const ClothSettings settings{.fabric = Fabric::named("flag").value(),
+                                     .method = Multilevel{.effort = effort}};
+        id = world->add_cloth(ring, settings).value();
+        EXPECT_TRUE(world->pin(id, 0));
+    }
+    /// How many of these steps were left unsolved.
+    int step(int steps) {
+        int unsolved = 0;
+        for (int k = 0; k < steps; ++k) unsolved += has(world->step(h).flags, StepFlags::unsolved) ? 1 : 0;
+        return unsolved;
+    }
+    /// Of edges along radii: the longest over its rest length.
+    [[nodiscard]] float stretch() const {
+        const ClothView cloth = world->cloth(id).value();
+        float longest = 0;
         for (std::uint32_t j = 0; j < round; ++j)
             for (std::uint32_t i = 0; i < rings; ++i) {
                 const auto at = [&](std::uint32_t n) {
@@ -132,9 +142,39 @@ TEST(Effort, StiffClothThatHangsByAVertexDoesNotBuzz) {
                 };
                 longest = std::max(longest, (at(i + 1) - at(i)).norm() / (0.4f / rings));
             }
+        return longest;
     }
-    EXPECT_LT(std::sqrt(squared / 60 / ((rings + 1) * round)), 0.6);  // [m/s]; 2 and more when it buzzed
-    EXPECT_LT(longest, 1.12f);
+
+    std::optional<World> world;
+    ClothId id;
+};
+
+// It went on at 2 to 3 m/s.
+TEST(Effort, StiffClothThatHangsByAVertexDoesNotBuzz) {
+    for (const float effort : {1.5f, 3.0f}) {
+        HungRing ring(effort);
+        EXPECT_LT(ring.step(240), effort < 2 ? 50 : 12) << effort;
+        for (int k = 0; k < 60; ++k) {
+            ring.step(1);
+            EXPECT_LT(rms_speed(ring.world->cloth(ring.id).value()), 0.8) << effort << " " << k;
+            EXPECT_LT(ring.stretch(), 1.12f) << effort << " " << k;
+        }
+    }
+}
+
+// By one linearisation less of such a step is left, but the motion is farther from the truth.
+TEST(Effort, WhatAHostOrTheWindDrivesIsSolvedByPasses) {
+    HungRing carried(1.5f);
+    const Vec4 start = carried.world->cloth(carried.id).value().positions[0];
+    int unsolved = 0;
+    for (int k = 0; k < 240; ++k) {
+        const float way = 0.2f * std::sin(0.1f * static_cast<float>(k));
+        ASSERT_TRUE(carried.world->move_pin(carried.id, 0, {start.x + way, start.y, start.z}));
+        unsolved += carried.step(1);
+    }
+    EXPECT_GT(unsolved, 100);
+    HungRing blown(1.5f, {9, 0, 2});
+    EXPECT_GT(blown.step(240), 100);
 }
 
 // By two iterations in the last pass they went on at .2 to .6 m/s.
@@ -161,11 +201,7 @@ TEST(Effort, SmallPiecesOfStiffFabricComeToRest) {
         ASSERT_TRUE(world.pin(id, napkin.side - 1));
         int unsolved = 0;
         for (int k = 0; k < 600; ++k) unsolved += has(world.step(h).flags, StepFlags::unsolved) ? 1 : 0;
-        double squared = 0;
-        const ClothView view = world.cloth(id).value();
-        for (const Vec4& v : view.velocities) squared += xyz(v).cast<double>().squaredNorm();
-        EXPECT_LT(std::sqrt(squared / static_cast<double>(view.velocities.size())), 0.03)
-            << napkin.fabric << " " << napkin.length;
+        EXPECT_LT(rms_speed(world.cloth(id).value()), 0.03) << napkin.fabric << " " << napkin.length;
         EXPECT_LT(unsolved, 6) << napkin.fabric << " " << napkin.length;
     }
 }
