@@ -45,8 +45,8 @@ struct Multilevel {
     /// The most work of a step, over that of the passes and iterations above, 1 to 1000. Where the equation
     /// is hard, steps that went too far are taken back in part, and passes are added; from about 3 on, unless
     /// features or bodies touch, it is solved anew by one linearisation with some ten iterations, by which
-    /// small pieces of stiff cloth tremble. If too much is left, for a third of a second, of cloth that touches
-    /// nothing and that neither the wind nor the host drives, it is solved for four seconds by one
+    /// small pieces of stiff cloth tremble. If too much is left, for a third of a second, of cloth that
+    /// touches nothing and that neither the wind nor the host drives, it is solved for four seconds by one
     /// linearisation in the usual time: stiff cloth on a coarse mesh would whip to and fro for ever. An easy
     /// equation costs nothing more; 1 switches all of this off.
     float effort = 1.5f;
