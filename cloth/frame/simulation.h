@@ -135,6 +135,10 @@ struct Simulation {
     /// The air's velocities at points [m/s]; both have room for whole groups of 16.
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
+    /// Whether its next equation is to be solved by one linearisation; and counts one that was solved.
+    [[nodiscard]] static bool is_in_one_pass(const Cloth& cloth);
+    static void count_unsolved(Cloth& cloth, float h, bool unsolved);
+
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
@@ -199,8 +203,6 @@ struct Simulation {
     [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> island);
     /// In how many parts they take a substep, so that less of their motion is cut.
     [[nodiscard]] static int parts_of_step(std::span<Cloth* const> island);
-    [[nodiscard]] static bool is_in_one_pass(const Cloth& cloth);
-    static void count_unsolved(Cloth& cloth, float h, bool unsolved);
     /// By its pins, its skin or its frame.
     [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
     static void count_halved_steps(std::span<Cloth* const> island, bool cut_much);
