@@ -90,6 +90,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& pr
       next_velocities(model.particle_count),
       surface(model),
       partial_counts(block_count(model.particle_count)),
+      partial_sums(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     start_at_rest();
     solver = make_solver(model, initial, state.positions.span());
@@ -106,6 +107,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
       next_velocities(model.particle_count, unmade),
       surface(std::move(saved.surface)),
       partial_counts(block_count(model.particle_count), unmade),
+      partial_sums(block_count(model.particle_count), unmade),
       partial_surveys(block_count(model.particle_count), unmade) {
     start_at_rest();
     SavedLevels* const levels = saved.levels ? &*saved.levels : nullptr;

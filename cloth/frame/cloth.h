@@ -244,6 +244,7 @@ struct Cloth {
     /// 0.
     float impulse_ratio = 0;
     AlignedBuffer<std::uint32_t> partial_counts;
+    AlignedBuffer<double> partial_sums;
     AlignedBuffer<Survey> partial_surveys;
 
     /// How its frame carries it before the present step; none without a frame, or at full inertia.

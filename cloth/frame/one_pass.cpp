@@ -1,21 +1,19 @@
 // Stiff cloth on a coarse mesh, into which the passes of the multilevel method put energy.
 
 #include <algorithm>
+#include <utility>
 
 #include "cloth/frame/simulation.h"
-#include "engine/vector.h"
+#include "cloth/system/sparse/vectors.h"
 
 namespace weft {
 
 namespace {
 
 /// What the air that blows at it gives it [W]; drag takes.
-double power_of_air(const Cloth& cloth) {
-    double power = 0;
-    const auto forces = std::as_const(cloth.air.forces).span();
-    for (std::size_t i = 0; i < forces.size(); ++i)
-        power += static_cast<double>(xyz(forces[i]).dot(xyz(cloth.state.velocities[i])));
-    return power;
+double power_of_air(Parallel& parallel, Cloth& cloth) {
+    return dot(parallel, std::as_const(cloth.air.forces).span(), std::as_const(cloth.state.velocities).span(),
+               cloth.partial_sums.span());
 }
 
 }  // namespace
@@ -29,15 +27,15 @@ bool Simulation::is_in_one_pass(const Cloth& cloth) {
 // It would whip to and fro for ever, where one linearisation lets it come to rest. What wind or a host drives
 // is nearer to the truth by passes, and some of them get over what is hard for a moment. Were the two to
 // take turns step by step, small pieces would tremble.
-void Simulation::count_unsolved(Cloth& cloth, float h, bool unsolved) {
+void Simulation::count_unsolved(Parallel& parallel, Cloth& cloth, float h, bool unsolved) {
     constexpr float patience = ClothState::unsolved_patience, driven = 4;
     float& time = cloth.state.unsolved;
     if (time > patience)
         time -= h;
-    else if (!unsolved || power_of_air(cloth) > 0 || is_moved_by_host(cloth))
+    else if (!unsolved || is_moved_by_host(cloth) || power_of_air(parallel, cloth) > 0)
         time = std::max(0.0f, time - (unsolved ? driven : 1) * h);
     else if ((time += h) > patience)
-        time = patience + ClothState::in_one_pass;
+        time = patience + ClothState::one_pass_lasts;
 }
 
 }  // namespace weft

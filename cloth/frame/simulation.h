@@ -137,7 +137,7 @@ struct Simulation {
 
     /// Whether its next equation is to be solved by one linearisation; and counts one that was solved.
     [[nodiscard]] static bool is_in_one_pass(const Cloth& cloth);
-    static void count_unsolved(Cloth& cloth, float h, bool unsolved);
+    static void count_unsolved(Parallel& parallel, Cloth& cloth, float h, bool unsolved);
 
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;

@@ -82,6 +82,8 @@ struct BodyShare {
 
 /// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
+    static constexpr float unsolved_patience = 0.35f, one_pass_lasts = 4;  // [s]
+
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
     AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step, w likewise
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
@@ -89,14 +91,13 @@ struct ClothState {
     std::vector<Pin> pins;                   ///< in ascending order of particles
     std::optional<FrameState> frame;         ///< only if it lives in one
     SkinState skin;
-    StepRecord record;  ///< only with BDF2
-    HeldContacts held;  ///< only with colliders, and if the solver is implicit
+    StepRecord record;                    ///< only with BDF2
+    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
+    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
+    std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
     /// For how long passes have left it unsolved of late, while nothing drove it [s]; above the patience: for
     /// how much longer it is solved by one linearisation. See Simulation::count_unsolved.
     float unsolved = 0;
-    static constexpr float unsolved_patience = 0.35f, in_one_pass = 4;  // [s]
-    AlignedBuffer<TangleMemory> tangles;                                ///< only with contact
-    std::vector<BodyShare> shares;  ///< of each body, in the order of their ids
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;           ///< only where it may fall asleep

@@ -253,7 +253,7 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
                                                     .wants_residual = wants_residual,
                                                     .in_one_pass = is_in_one_pass(cloth)});
     take_result(worker, cloth, result, wants_residual);
-    count_unsolved(cloth, equation.h, result.unsolved);
+    count_unsolved(worker.parallel, cloth, equation.h, result.unsolved);
 }
 
 void Simulation::take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual) {

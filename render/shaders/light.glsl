@@ -18,7 +18,7 @@ float tap_radius(int i, float count) { return sqrt((float(i) + 0.5) / count); }
 
 const float nothing = 0.99999;  // depth where a map saw nothing, while the ground may lie deeper than the map
 
-// Or near enough that taps may be.
+// Whether p lies in the map, or so near it that taps do.
 bool near_map(vec2 p, float reach) { return all(greaterThan(p, vec2(-reach))) && all(lessThan(p, vec2(1.0 + reach))); }
 
 // Average over the 2 x 2 pixels that are shaded together, whose angles differ: four times as many taps at no cost.
@@ -46,7 +46,7 @@ vec2 surface_slope(vec3 normal) {
 // sun: either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
 float sun_visibility(vec3 point, vec3 normal) {
     const float sun_size = 0.09;  // a far softer sun than the real one: width of the edge per distance
-    const float widest = 0.25;    // [m] from what casts a shadow to where it is looked for
+    const float widest = 0.25;    // [m]: how far aside what casts the shadow is looked for
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
     float pixel = pixel_size(point);
@@ -65,7 +65,7 @@ float sun_visibility(vec3 point, vec3 normal) {
     float searches = frame.quality.x, taps = frame.quality.y;
     for (int i = 0; i < int(searches) * count; ++i) {
         search = golden_turn * search;
-        // The first right above: what is narrower than the taps are apart hides the sun from those below it.
+        // The first tap lies straight towards the sun, so that whatever is right before it is found, however small.
         vec2 aside = search * sqrt(float(i) / searches);
         float depth = textureLod(sun_depth, p.xy + aside, 0.0).r;
         float before = p.z + dot(slope, aside) - bias - depth;

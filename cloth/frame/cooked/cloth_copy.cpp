@@ -30,6 +30,7 @@ Cloth::Cloth(const Cloth& cooked)
       shares_contact_mesh(contact_mesh != nullptr),
       surface(cooked.surface),
       partial_counts(block_count(model.particle_count)),
+      partial_sums(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     if (!solver) solver = make_solver(model, settings, state.positions.span());
     if (cooked.history) history.emplace(model.particle_count);
@@ -67,8 +68,8 @@ std::size_t Cloth::own_bytes() const {
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
            (whole ? whole->bytes() : 0) + body_buffers.bytes() +
            collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
-           partial_counts.bytes() + partial_surveys.bytes() + (shown ? shown->bytes() : 0) +
-           (budgeted ? sizeof(Budgeted) : 0);
+           partial_counts.bytes() + partial_sums.bytes() + partial_surveys.bytes() +
+           (shown ? shown->bytes() : 0) + (budgeted ? sizeof(Budgeted) : 0);
 }
 
 }  // namespace weft

@@ -7,6 +7,8 @@
 namespace weft::test {
 namespace {
 
+Parallel serial(1);
+
 Cloth moving_cloth() {
     return crumpled(sheet(4, 4), 0.01f, 100);
 }
@@ -15,7 +17,7 @@ Cloth moving_cloth() {
 float time_until(bool one_pass, Cloth& cloth) {
     float time = 0;
     for (; Simulation::is_in_one_pass(cloth) != one_pass && time < 100; time += h)
-        Simulation::count_unsolved(cloth, h, true);
+        Simulation::count_unsolved(serial, cloth, h, true);
     return time;
 }
 
@@ -30,7 +32,7 @@ TEST(OnePass, IsPutOffByWhatIsSolvedAndByWhatDrives) {
     Cloth cloth = moving_cloth();
     const auto change = [&](bool unsolved) {
         cloth.state.unsolved = 0.2f;
-        Simulation::count_unsolved(cloth, h, unsolved);
+        Simulation::count_unsolved(serial, cloth, h, unsolved);
         return cloth.state.unsolved - 0.2f;
     };
     EXPECT_FLOAT_EQ(change(true), h);
@@ -49,7 +51,7 @@ TEST(OnePass, IsPutOffByWhatIsSolvedAndByWhatDrives) {
     cloth.state.pins.front().target.x() += 0.01f;
     EXPECT_FLOAT_EQ(change(true), -4 * h);
     cloth.state.unsolved = 0;
-    Simulation::count_unsolved(cloth, h, false);
+    Simulation::count_unsolved(serial, cloth, h, false);
     EXPECT_EQ(cloth.state.unsolved, 0);
 }
 
