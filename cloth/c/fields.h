@@ -60,8 +60,6 @@ requires(!Is<C, Of>) && HaveFields<C, Of> void fields(const Way& way, C& c, Of& 
 template <class Way>
 void fields(const Way& way, Is<WeftMethod> auto& c, Is<Multilevel> auto& of) {
     way(c.passes, of.passes);
-    way(c.iterations, of.iterations);
-    way(c.effort, of.effort);
     way(c.tolerance, of.tolerance);
 }
 template <class Way, class Of>

@@ -135,10 +135,6 @@ struct Simulation {
     /// The air's velocities at points [m/s]; both have room for whole groups of 16.
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
-    /// Whether its next equation is to be solved by one linearisation; and counts one that was solved.
-    [[nodiscard]] static bool is_in_one_pass(const Cloth& cloth);
-    static void count_unsolved(Parallel& parallel, Cloth& cloth, float h, bool unsolved);
-
   private:
     using Motions = std::vector<std::vector<ColliderMotion>>;
     [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
@@ -303,7 +299,7 @@ struct Simulation {
     std::vector<Cloth*> joined_;                // those that are in one equation
     std::vector<StepEquation> equations_;       // of each of these, as what follows
     std::vector<SolverStep> steps_;
-    std::vector<MultilevelSolver::Member> members_;
+    std::vector<PassMember> members_;
     std::vector<float> residuals_;
 };
 

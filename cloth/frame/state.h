@@ -82,8 +82,6 @@ struct BodyShare {
 
 /// One cloth's. Loose and pinned particles have inverse mass 0.
 struct ClothState {
-    static constexpr float unsolved_patience = 0.35f, one_pass_lasts = 4;  // [s]
-
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
     AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step, w likewise
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
@@ -95,9 +93,6 @@ struct ClothState {
     HeldContacts held;                    ///< only with colliders, and if the solver is implicit
     AlignedBuffer<TangleMemory> tangles;  ///< only with contact
     std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
-    /// For how long passes have left it unsolved of late, while nothing drove it [s]; above the patience: for
-    /// how much longer it is solved by one linearisation. See Simulation::count_unsolved.
-    float unsolved = 0;
     /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;           ///< only where it may fall asleep
@@ -170,7 +165,6 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.record.displacements.span());
     visit(state.record.velocity_changes.span());
     visit(state.record.arrivals.span());
-    visit(std::span(&state.unsolved, 1));
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
     visit(state.held.touching.span());

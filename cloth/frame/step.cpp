@@ -250,10 +250,8 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
                                                     .settings = cloth.stepped_settings(),
                                                     .equation = equation,
                                                     .velocities = cloth.next_velocities.span(),
-                                                    .wants_residual = wants_residual,
-                                                    .in_one_pass = is_in_one_pass(cloth)});
+                                                    .wants_residual = wants_residual});
     take_result(worker, cloth, result, wants_residual);
-    count_unsolved(worker.parallel, cloth, equation.h, result.unsolved);
 }
 
 void Simulation::take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual) {

@@ -27,8 +27,6 @@ struct SolverStep {
         velocities;  ///< the result: at the end of the step, w 0; another buffer than the equation's
 
     bool wants_residual = true;  ///< else none is measured, and 0 is returned
-    /// Passes have left an equation unsolved of late: to be solved by one linearisation, if the method can.
-    bool in_one_pass = false;
 
     [[nodiscard]] auto timed(Stage stage) const { return profiler.time(static_cast<std::uint32_t>(stage)); }
 };

@@ -2,6 +2,7 @@
 // The linear system of one implicit step, W dv = b, as solvers see it. Springs and finite elements each have
 // their own.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,12 +34,16 @@ struct Relaxation {
     float momentum = 0;
 };
 
-/// What multiply() sums on its way: b . x, x . x and x . W x.
+/// Vectors whose dot products with x a multiplication of x sums on its way, while x is in registers; null: 0.
+using DottedWith = std::array<const Vec4*, 3>;
 struct Products {
-    double b_x = 0, x_x = 0, x_wx = 0;
+    std::array<double, 3> dots{};  ///< of x with these
+    double x_wx = 0;               ///< x . W x
 
-    friend Products operator+(const Products& l, const Products& r) {
-        return {l.b_x + r.b_x, l.x_x + r.x_x, l.x_wx + r.x_wx};
+    friend Products operator+(Products l, const Products& r) {
+        for (std::size_t k = 0; k < l.dots.size(); ++k) l.dots[k] += r.dots[k];
+        l.x_wx += r.x_wx;
+        return l;
     }
 };
 
@@ -74,15 +79,15 @@ class ImplicitSystem {
                           std::span<Vec4> residual) = 0;
 
     /// product = W x, unless it is empty.
-    Products multiply(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+    Products multiply(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
                       std::span<Vec4> product);
     /// product = W x. Returns x . W x.
     double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-        return multiply(parallel, x, x, product).x_wx;
+        return multiply(parallel, {}, x, product).x_wx;
     }
     /// The same with what W leaves out of the slope about an iterate, so that relaxation need not know it: a
     /// preconditioner made of W serves both.
-    Products multiply_coupled(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,
+    Products multiply_coupled(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
                               std::span<Vec4> product);
     /// One step of relaxation on W x = b.
     void relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x, Relaxation relaxation,
@@ -151,8 +156,8 @@ class ImplicitSystem {
     // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
     // are empty.
     /// Returns their shares.
-    virtual Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                   GridWindow* window) const = 0;
+    virtual Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                   Vec4* product, GridWindow* window) const = 0;
     virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
                                        GridWindow* window) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;

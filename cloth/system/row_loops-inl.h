@@ -32,20 +32,20 @@ class SumByLanes {
 
 /// product = W x, unless it is null. Returns the rows' shares.
 template <class Matrix, class Rows>
-HWY_INLINE Products multiply_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
-                                  Vec4* product) {
-    SumByLanes b_x, x_x, x_wx;
+HWY_INLINE Products multiply_rows(const Matrix& matrix, const BlockRange& range, const DottedWith& with,
+                                  Rows& x, Vec4* product) {
+    SumByLanes dots[3], x_wx;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         x.come_to(i);
         const Lanes3 x_i = x.own(i);
         const Lanes3 row = row_product(matrix, i, x, x_i);
         if (product != nullptr) store_rows(row, hn::Zero(Tag()), product + i);
         const std::uint32_t lane = i % Stencil::lanes;
-        b_x.add(lane, dot(xyz(load_rows(b + i)), x_i));
-        x_x.add(lane, dot(x_i, x_i));
+        for (std::size_t k = 0; k < with.size(); ++k)
+            if (with[k] != nullptr) dots[k].add(lane, dot(xyz(load_rows(with[k] + i)), x_i));
         x_wx.add(lane, dot(row, x_i));
     }
-    return {b_x.all(), x_x.all(), x_wx.all()};
+    return {{dots[0].all(), dots[1].all(), dots[2].all()}, x_wx.all()};
 }
 
 /// remainder = b - W x.

@@ -23,9 +23,8 @@ constexpr FlagText texts[] = {
     {StepFlags::speed_limited,
      "Particles were held to the largest speed: look for a pin or a collider that jumps."},
     {StepFlags::unsolved,
-     "The cloth is softer or slower than its material for a moment: more substeps, or passes and effort "
-     "under "
-     "\"How it is computed\", keep it true."},
+     "The cloth is softer or slower than its material for a moment: more substeps or passes under "
+     "\"How it is computed\" keep it true."},
     {StepFlags::pins_stopped, "A pin was stopped by cloth in its way: move it slower, or round it."},
     {StepFlags::crossed, "Cloth went through cloth, which contact should not let it: a fault of Weft."}};
 

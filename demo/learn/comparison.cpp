@@ -52,7 +52,7 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
     });
     if (!second) return second.error();
     auto exact = again(shown, [](ClothSettings& settings) {
-        settings.method = Multilevel{.passes = 6, .iterations = 6};
+        settings.method = Multilevel{.passes = 20};
         settings.time_scheme = TimeScheme::of_method;
         settings.substeps = 8;
     });

@@ -165,18 +165,6 @@ Result<void> read_method(const std::filesystem::path& file, const Json& json, Re
         if (!iterations) return iterations.error();
         set_iterations(read.cloth.method, static_cast<int>(*iterations));
     }
-    auto* const multilevel = std::get_if<Multilevel>(&read.cloth.method);
-    for (const char* key : {"passes", "effort"}) {
-        if (!json.contains(key)) continue;
-        const auto value = number(key, 1, 1000);
-        if (!value) return value.error();
-        if (multilevel == nullptr)
-            return malformed(file, std::string(key) + " is of the method multilevel alone");
-        if (key[0] == 'p')
-            multilevel->passes = static_cast<int>(*value);
-        else
-            multilevel->effort = static_cast<float>(*value);
-    }
     return {};
 }
 
@@ -194,8 +182,7 @@ Result<void> read_self_collision(const std::filesystem::path& file, const Json& 
 
 Result<void> read_part(const std::filesystem::path& file, const std::string& key, const Json& value,
                        Read& read) {
-    if (key == "scene" || key == "method" || key == "iterations" || key == "passes" || key == "effort")
-        return {};
+    if (key == "scene" || key == "method" || key == "iterations") return {};
     if (key == "material") return read_numbers(file, "material", value, fabric_numbers(), read);
     if (key == "self_collision") return read_self_collision(file, value, read);
     if (key == "wind") {
@@ -238,10 +225,6 @@ Json numbers_json(const std::vector<Number>& numbers, const Read& read) {
 void write_method(const Method& method, Json& json) {
     json["method"] = entry_of(method).name;
     if (const auto iterations = iterations_of(method)) json["iterations"] = *iterations;
-    if (const auto* const multilevel = std::get_if<Multilevel>(&method)) {
-        json["passes"] = multilevel->passes;
-        json["effort"] = shortest(multilevel->effort);
-    }
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 //      "substeps": 4, "budget": 0,
 //      "material": {"areal_density": 0.12, "warp": 400, "weft": 400, "shear": 100, "bending": 5e-6,
 //                   "damping": 2e-4, "stiffening": 0},
-//      "method": "multilevel", "iterations": 2, "passes": 3, "effort": 1.5, "cloth_substeps": 1,
+//      "method": "multilevel", "iterations": 3, "cloth_substeps": 1,
 //      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005, "friction":
 //      1}
 //
-// in metres, seconds and kilograms. What is left out stays as it is; "passes" and "effort" are of the method
-// multilevel alone, "iterations" of those that iterate.
+// in metres, seconds and kilograms. What is left out stays as it is; "iterations" are the passes of the
+// method multilevel.
 
 #include <filesystem>
 #include <string>

@@ -43,6 +43,7 @@ std::optional<int> iterations_of(const Method& method) {
     return std::visit(
         [](const auto& each) -> std::optional<int> {
             if constexpr (requires { each.iterations; }) return each.iterations;
+            if constexpr (requires { each.passes; }) return each.passes;
             return std::nullopt;
         },
         method);
@@ -52,6 +53,7 @@ void set_iterations(Method& method, int iterations) {
     std::visit(
         [&](auto& each) {
             if constexpr (requires { each.iterations; }) each.iterations = iterations;
+            if constexpr (requires { each.passes; }) each.passes = iterations;
         },
         method);
 }

@@ -60,17 +60,8 @@ bool own_controls(ConjugateGradient& method) {
 }
 
 bool own_controls(Multilevel& method) {
-    bool changed = iterations_slider(
-        method.iterations, 1,
-        "Steps towards the solution in the last pass: more, and stiff cloth hangs straighter.");
-    changed |=
-        slider("passes", method.passes, 1, 20, "%d",
-               "How often a substep starts anew from where it has come: more, and fast motion is truer.");
-    return slider(
-               "effort", method.effort, 1, 8, "%.2f",
-               "How much more time than usual may be taken where cloth is pressed or pulled hard; 1: none.",
-               logarithmic) ||
-           changed;
+    return slider("passes", method.passes, 1, 20, "%d",
+                  "How often a substep starts anew from where it has come: more, and fast motion is truer.");
 }
 
 bool own_controls(Xpbd& method) {

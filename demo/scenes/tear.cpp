@@ -43,10 +43,6 @@ class Tear final : public Scene {
 
         ClothSettings settings;
         settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-        // Pieces that snap back turn by much in a step, which linearisations follow only if there are enough:
-        // by the default effort half of the steps leave too much unsolved, by this one in thirty, in no more
-        // time.
-        settings.method = Multilevel{.effort = 6};
         const auto cloth = world.add_cloth(*mesh, settings);
         if (!cloth) return cloth.error();
         for (std::uint32_t row = 0; row < grid.rows; ++row) {

@@ -97,33 +97,28 @@ void add_iterative(List& list) {
 }
 
 void add_multilevel(List& list) {
-    const auto passes = [](int count, int iterations) {
-        return Multilevel{.passes = count, .iterations = iterations};
-    };
-    list.curve("multilevel-linear", "Multilevel: one linear solve");
-    for (const int k : {1, 2, 4, 8}) list.add(k == 2, text("iterations", k), passes(1, k));
+    const auto passes = [](int count) { return Multilevel{.passes = count}; };
     list.curve("multilevel-passes", "Multilevel: Newton passes");
-    for (const int count : {2, 3, 4, 6, 8})
-        for (const int k : {1, 2, 4, 6})
-            if (count * k <= 18)
-                list.add(k == 2 && count <= 3, text("passes", count, "iterations", k), passes(count, k));
+    for (const int count : {1, 2, 3, 4, 6, 8, 12, 18})
+        list.add(count == 1 || count == 3, text("passes", count), passes(count));
     list.curve("multilevel-substeps", "Multilevel in substeps");
     for (const int substeps : {2, 4, 8, 16})
-        list.add(substeps == 4, text("passes", 1, "substeps", substeps), passes(1, 1), substeps);
+        list.add(substeps == 4, text("passes", 1, "substeps", substeps), passes(1), substeps);
     list.curve("multilevel-bdf2", "Multilevel: BDF2");
-    for (const auto& [count, k] : {std::pair(1, 2), {2, 2}, {3, 2}, {3, 3}, {4, 2}, {4, 4}, {6, 4}})
-        list.add(count == 3 && k == 3, text("passes", count, "iterations", k), passes(count, k), 1, bdf2);
+    for (const int count : {1, 2, 3, 4, 6, 8, 12})
+        list.add(count == 3, text("passes", count), passes(count), 1, bdf2);
     list.curve("multilevel-bdf2-substeps", "Multilevel: BDF2 in substeps");
-    for (const int substeps : {2, 4, 8})
-        list.add(substeps == 2, text("passes", 3, "substeps", substeps), passes(3, 3), substeps, bdf2);
+    for (const int count : {1, 3})
+        for (const int substeps : {2, 4, 8})
+            list.add(substeps == 2, text("passes", count, "substeps", substeps), passes(count), substeps,
+                     bdf2);
 }
 
 /// Of about the springs' stiffnesses, so that what it costs can be compared; how it moves cannot.
 void add_elements(List& list) {
     list.curve("elements", "Multilevel: finite elements");
     for (const int count : {1, 2, 3, 4, 6}) {
-        MethodPoint* const point = list.add(count == 3, text("passes", count, "iterations", 2),
-                                            Multilevel{.passes = count, .iterations = 2});
+        MethodPoint* const point = list.add(count == 3, text("passes", count), Multilevel{.passes = count});
         point->configure = [configure = point->configure](ClothSettings& settings) {
             configure(settings);
             settings.finite_elements.enabled = true;

@@ -97,7 +97,7 @@ std::vector<NamedSettings> methods() {
         return settings;
     };
     std::vector<NamedSettings> all{{"default", {}},
-                                   {"multilevel-1x1", with(Multilevel{.passes = 1, .iterations = 1})},
+                                   {"multilevel-1", with(Multilevel{.passes = 1})},
                                    {"jacobi", with(Jacobi{})},
                                    {"chebyshev", with(Chebyshev{})},
                                    {"conjugate-gradient", with(ConjugateGradient{})},

@@ -52,7 +52,7 @@ static std::string text_of(const ConjugateGradient& m) {
 }
 static std::string text_of(const Multilevel& m) {
     return braced("Multilevel",
-                  {text_of(m.passes), text_of(m.iterations), text_of(m.effort), text_of(m.tolerance)});
+                  {text_of(m.passes), text_of(m.tolerance)});
 }
 static std::string text_of(const Xpbd& m) {
     return braced("Xpbd", {text_of(m.iterations)});

@@ -14,7 +14,7 @@ namespace {
 MethodPoint implicit(TimeScheme scheme) {
     MethodPoint point;
     point.configure = [=](ClothSettings& settings) {
-        settings.method = Multilevel{.passes = 8, .iterations = 4};
+        settings.method = Multilevel{.passes = 20};
         settings.time_scheme = scheme;
         settings.substeps = 1;
     };

@@ -28,8 +28,6 @@ Method reduced(const Method& method, std::uint32_t rung) {
     if (rung == 0 || own == nullptr) return method;
     Multilevel less = *own;
     less.passes = std::min(own->passes, rung_at(rung).passes);
-    less.iterations = 1;
-    less.effort = 1;
     return less;
 }
 

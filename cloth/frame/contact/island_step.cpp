@@ -230,7 +230,7 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
                           .settings = cloth.stepped_settings(),
                           .equation = equation,
                           .velocities = cloth.next_velocities.span()});
-        members_.push_back({static_cast<MultilevelSolver*>(cloth.solver.get()), &steps_.back()});
+        members_.push_back(static_cast<MultilevelSolver&>(*cloth.solver).member(steps_.back()));
     }
     solve_joined(worker, substep);
     settle_features(worker, space, island, substep);
@@ -241,7 +241,7 @@ void Simulation::solve_joined(Worker& worker, const Substep& substep) {
     if (joined_.empty()) return;
     together_->make_rows(worker.parallel, equations_.front().gamma);
     residuals_.assign(members_.size(), 0.0f);
-    const SolveResult result = MultilevelSolver::solve(members_, residuals_);
+    const SolveResult result = solve_by_passes(members_, residuals_);
     if (reports_contacts()) find_joined_impulses(worker);
     for (std::size_t m = 0; m < joined_.size(); ++m) {
         Cloth& cloth = *joined_[m];

@@ -90,7 +90,6 @@ void Cloth::take_contact(const ClothState& before, Sources sources) {
             state.held.touching[i / Stencil::lanes] |= before.held.touching[sources[i] / Stencil::lanes];
     }
     gather(before.tangles, sources, state.tangles);
-    state.unsolved = before.unsolved;
     state.halved = before.halved;
 }
 

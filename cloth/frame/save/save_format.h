@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Another number for each change of what follows the head.
-inline constexpr std::uint32_t save_version = 8;
+inline constexpr std::uint32_t save_version = 9;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {

@@ -96,8 +96,8 @@ void for_each_field(T& of, const Visit& visit) {
 }
 template <FieldsOf<Multilevel> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {
-    auto& [passes, iterations, effort, tolerance] = of;
-    visit_each(visit, "passes", passes, "iterations", iterations, "effort", effort, "tolerance", tolerance);
+    auto& [passes, tolerance] = of;
+    visit_each(visit, "passes", passes, "tolerance", tolerance);
 }
 template <FieldsOf<Xpbd> T, class Visit>
 void for_each_field(T& of, const Visit& visit) {

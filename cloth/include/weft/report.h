@@ -30,7 +30,7 @@ enum class StepFlags : std::uint32_t {
     /// a pin or a collider that jumps.
     speed_limited = 1u << 3,
     /// The method left more of a cloth's equation unsolved than Multilevel::tolerance: the cloth may stretch
-    /// or lag. Raise Multilevel::effort, or take one pass of 16 iterations, or raise ClothSettings::substeps;
+    /// or lag. Raise ClothSettings::substeps, or Multilevel::passes;
     /// or lower Fabric::warp and weft over shear, or Fabric::damping.
     unsolved = 1u << 4,
     /// A pin was stopped by cloth that it would have had to pass through, see StepReport::pin_lag: no motion

@@ -10,9 +10,9 @@ std::size_t CgVectors::bytes() const noexcept {
     return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
 }
 
-Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
+OfPreconditioned products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
     return parallel.reduce(
-        static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), Products{},
+        static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), OfPreconditioned{},
         [&](const BlockRange& range) {
             FourRows with_residual = FourRows::Zero(), squares = FourRows::Zero();
             for (std::uint32_t i = range.begin; i < range.end; i += 4) {
@@ -20,8 +20,8 @@ Products products(Parallel& parallel, std::span<const Vec4> residual, CgVectors&
                 with_residual += z * load_four(&residual[i]);
                 squares += z * z;
             }
-            return Products{.b_x = with_residual.topRows<3>().cast<double>().sum(),
-                            .x_x = squares.topRows<3>().cast<double>().sum()};
+            return OfPreconditioned{.r_z = with_residual.topRows<3>().cast<double>().sum(),
+                                    .z_z = squares.topRows<3>().cast<double>().sum()};
         },
         std::plus<>{});
 }

@@ -150,10 +150,10 @@ HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, c
     return loop(rows);
 }
 
-Products multiply(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+Products multiply(const SpringMatrix& matrix, const BlockRange& range, const DottedWith& with, const Vec4* x,
                   Vec4* product, GridWindow* window) {
     return with_rows(matrix, range, x, window,
-                     [&](auto& rows) HWY_ATTR { return multiply_rows(matrix, range, b, rows, product); });
+                     [&](auto& rows) HWY_ATTR { return multiply_rows(matrix, range, with, rows, product); });
 }
 
 void subtract_product(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
@@ -239,9 +239,9 @@ void SpringMatrix::set_unit(float largest_block) {
     unit = largest_block > 0 ? std::ldexp(1.0f, exponent - 7) : 1.0f;
 }
 
-Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product, GridWindow* window) {
-    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product, window);
+Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const DottedWith& with,
+                        const Vec4* x, Vec4* product, GridWindow* window) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, with, x, product, window);
 }
 
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

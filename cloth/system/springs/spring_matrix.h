@@ -59,8 +59,8 @@ struct SpringMatrix {
 
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
 /// Invariant: `window` is null but for matrices with diagonals.
-Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product, GridWindow* window);
+Products multiply_block(const SpringMatrix& matrix, const BlockRange& range, const DottedWith& with,
+                        const Vec4* x, Vec4* product, GridWindow* window);
 void subtract_product_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                             Vec4* remainder, GridWindow* window);
 void relax_block(const SpringMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -126,9 +126,9 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                     });
 }
 
-Products SpringSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                     GridWindow* window) const {
-    return multiply_block(matrix_, range, b, x, product, window);
+Products SpringSystem::multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                     Vec4* product, GridWindow* window) const {
+    return multiply_block(matrix_, range, with, x, product, window);
 }
 
 void SpringSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -73,7 +73,7 @@ class SpringSystem final : public ImplicitSystem {
 
   protected:
     double add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
-    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+    Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x, Vec4* product,
                            GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
                                GridWindow* window) const override;

@@ -63,10 +63,10 @@ HWY_INLINE Lanes3 preconditioned(const TriangleMatrix& matrix, std::uint32_t i, 
 
 namespace {
 
-Products multiply(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                  Vec4* product) {
+Products multiply(const TriangleMatrix& matrix, const BlockRange& range, const DottedWith& with,
+                  const Vec4* x, Vec4* product) {
     RowsInMemory rows{matrix.stencil, x};
-    return multiply_rows(matrix, range, b, rows, product);
+    return multiply_rows(matrix, range, with, rows, product);
 }
 
 void subtract_product(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
@@ -103,9 +103,9 @@ TriangleMatrix::TriangleMatrix(Stencil neighbours)
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
 
-Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product) {
-    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, b, x, product);
+Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const DottedWith& with,
+                        const Vec4* x, Vec4* product) {
+    return HWY_DYNAMIC_DISPATCH(multiply)(matrix, range, with, x, product);
 }
 
 void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,

@@ -32,8 +32,8 @@ struct TriangleMatrix {
 };
 
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
-Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
-                        Vec4* product);
+Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const DottedWith& with,
+                        const Vec4* x, Vec4* product);
 void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,
                             const Vec4* x, Vec4* remainder);
 void relax_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -222,9 +222,9 @@ void TriangleSystem::place(Parallel& parallel, const StepEquation& equation, std
     });
 }
 
-Products TriangleSystem::multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
-                                       GridWindow* /*window*/) const {
-    return multiply_block(matrix_, range, b, x, product);
+Products TriangleSystem::multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                       Vec4* product, GridWindow* /*window*/) const {
+    return multiply_block(matrix_, range, with, x, product);
 }
 
 void TriangleSystem::subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -36,7 +36,7 @@ class TriangleSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    Products multiply_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* product,
+    Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x, Vec4* product,
                            GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
                                GridWindow* window) const override;

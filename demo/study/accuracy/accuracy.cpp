@@ -21,6 +21,8 @@ double work_of(const MethodPoint& point) {
     const auto iterations = [](const auto& method) {
         if constexpr (requires { method.iterations; })
             return static_cast<double>(method.iterations);
+        else if constexpr (requires { method.passes; })
+            return static_cast<double>(method.passes);
         else
             return 1.0;
     };

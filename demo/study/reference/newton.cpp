@@ -106,7 +106,7 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
 ConvergedSolver::ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance)
     : tolerance_(tolerance), approach_settings_(settings) {
     if (model.particle_count <= ExactSolve::usual_limit) return;
-    approach_settings_.method = Multilevel{.passes = 16, .iterations = 8};
+    approach_settings_.method = Multilevel{.passes = 60};
     approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_, model.positions.span());
 }
 

@@ -132,7 +132,7 @@ MethodPoint method_of(Reference reference) {
     MethodPoint point{name_of(reference), "Reference", "", {}, {}, false};
     if (reference == Reference::elements) {
         point.configure = [](ClothSettings& settings) {
-            settings.method = Multilevel{.passes = 16, .iterations = 8};
+            settings.method = Multilevel{.passes = 60};
             settings.finite_elements.enabled = true;
         };
         return point;

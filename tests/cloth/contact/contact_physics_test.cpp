@@ -147,7 +147,7 @@ TEST(ContactPhysics, AFineSheetOnABallStaysWholeAtOneStepAFrame) {
     cases[1].self_collision.enabled = true;
     cases[2].time_scheme = TimeScheme::bdf2;
     cases[3].finite_elements.enabled = true;
-    cases[4].method = Multilevel{.passes = 1, .iterations = 1};
+    cases[4].method = Multilevel{.passes = 1};
     cases[5].method = ConjugateGradient{.iterations = 48};
     for (std::size_t k = 0; k < cases.size(); ++k) {
         SCOPED_TRACE(k);

@@ -29,14 +29,20 @@ Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1)
     return velocity_change(cloth);
 }
 
-TEST(MultilevelSolver, OnePassIsTheLinearisedStep) {
+// Galerkin's condition: b - W dv is orthogonal to the velocity, and so does no work, though little of the
+// equation is solved.
+TEST(MultilevelSolver, WhatOnePassLeavesDoesNoWork) {
     const std::uint32_t corners[] = {0, 11};
     Cloth cloth = waving(sheet(12, 12), corners);
-    Levels levels(cloth);
+    const Levels levels(cloth);
     const DenseSystem system = dense(*levels.system);
+    Eigen::VectorXd velocities = flat(cloth.state.velocities.span());
+    for (const std::uint32_t pinned : corners) velocities.segment<3>(3 * pinned).setZero();
+    const Eigen::VectorXd dv = stepped(cloth, {.passes = 1, .tolerance = 1e6f});
+    const Eigen::VectorXd left = system.right_side - system.matrix * dv;
     const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
-    const Eigen::VectorXd found = stepped(cloth, {.passes = 1, .iterations = 60, .effort = 1});
-    EXPECT_LT((found - exact).norm() / exact.norm(), 1e-4);
+    EXPECT_GT((dv - exact).norm(), 0.01 * exact.norm()) << "solved so far that this is no test";
+    EXPECT_LT(std::abs(left.dot(velocities)), 1e-3 * std::abs(system.right_side.dot(velocities)));
 }
 
 /// What the velocities leave of the nonlinear equation, relative to what inertia alone leaves.
@@ -65,8 +71,8 @@ Cloth stretched() {
 
 TEST(MultilevelSolver, ManyPassesSolveTheNonlinearStep) {
     Cloth cloth = stretched();
-    const double one = equation_left(cloth, stepped(cloth, {.passes = 1, .iterations = 20}));
-    const double many = equation_left(cloth, stepped(cloth, {.passes = 12, .iterations = 20}));
+    const double one = equation_left(cloth, stepped(cloth, {.passes = 1, .tolerance = 1e6f}));
+    const double many = equation_left(cloth, stepped(cloth, {.passes = 60}));
     EXPECT_GT(one, 10 * many);
     EXPECT_LT(many, 1e-3);
 }
@@ -74,8 +80,8 @@ TEST(MultilevelSolver, ManyPassesSolveTheNonlinearStep) {
 TEST(MultilevelSolver, GivesTheSameBytesForAnyNumberOfThreads) {
     const std::uint32_t corners[] = {0, 47};
     Cloth cloth = waving(sheet(48, 48), corners);
-    const Eigen::VectorXd one = stepped(cloth, {.iterations = 3}, 1);
-    for (const int threads : {2, 3, 8}) EXPECT_EQ(one, stepped(cloth, {.iterations = 3}, threads));
+    const Eigen::VectorXd one = stepped(cloth, {}, 1);
+    for (const int threads : {2, 3, 8}) EXPECT_EQ(one, stepped(cloth, {}, threads));
 }
 
 WorldSettings still_world() {

@@ -33,7 +33,7 @@ std::vector<TeleportCase> teleport_cases() {
     add("Xpbd", [](ClothSettings& s) { s.method = Xpbd{}; });
     add("Elements", [](ClothSettings& s) {
         s.finite_elements.enabled = true;
-        s.method = Multilevel{.passes = 8, .iterations = 30};
+        s.method = Multilevel{.passes = 100};
     });
     return result;
 }

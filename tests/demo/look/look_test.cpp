@@ -211,7 +211,7 @@ TEST_F(SettingsFile, ReadsBackWhatItWrote) {
     const ClothId id = first.content().cloths.front().id;
     ClothSettings cloth = *first.world().cloth_settings(id);
     cloth.fabric = materials()[3].fabric;
-    cloth.method = Multilevel{.passes = 4, .iterations = 3, .effort = 2.5f};
+    cloth.method = Multilevel{.passes = 4};
     cloth.substeps = 2;
     cloth.friction = 0.25f;
     ASSERT_TRUE(first.world().set_cloth_settings(id, cloth).ok());

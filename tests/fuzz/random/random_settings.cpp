@@ -62,8 +62,6 @@ Method random_method(Random& random, int most_iterations) {
         default: {
             const int passes = random.whole(1, std::clamp(iterations, 1, 8));
             return Multilevel{.passes = passes,
-                              .iterations = std::max(1, iterations / passes),
-                              .effort = random.chance(0.3) ? 1.0f : random.between(1, 4),
                               .tolerance = random.chance(0.2) ? 0.0f : random.of_any_size(1e-3f, 1e3f)};
         }
     }
@@ -120,7 +118,7 @@ void spoil(Random& random, ClothSettings& s) {
             if (random.chance(0.5))
                 s.method = Multilevel{.passes = random.one_of({0, -3, 100001})};
             else
-                s.method = Multilevel{.effort = random.one_of({0.0f, 0.99f, -2.0f, 1001.0f})};
+                s.method = Multilevel{.tolerance = random.one_of({-1.0f, -2e-3f, 1.1e9f})};
             break;
         case 2:
             s.method = Chebyshev{.iterations = 0};
@@ -261,9 +259,8 @@ std::uint64_t passes_of(const ClothSettings& settings) {
             if constexpr (std::is_same_v<M, SymplecticEuler>) {
                 return 1;
             } else if constexpr (std::is_same_v<M, Multilevel>) {
-                const auto times =
-                    static_cast<std::int64_t>(std::ceil(std::clamp(method.effort, 1.0f, 1e3f)));
-                return 8 * times * method.passes * method.iterations;
+                constexpr std::int64_t more = 3;  // passes that a hard step adds
+                return 8 * (method.passes + more);
             } else {
                 return method.iterations;
             }

@@ -64,10 +64,10 @@ enum {
 enum { WEFT_SET_GAUSS_SEIDEL, WEFT_SET_LDLT };
 typedef struct WeftMethod {
     int32_t kind;                         // WEFT_METHOD_...
-    int32_t iterations;                   // of all but symplectic Euler
+    int32_t iterations;                   // of all but Multilevel and symplectic Euler
     WeftBool exact_mean_motion;           // of Jacobi and Chebyshev
     int32_t passes;                       // of Multilevel
-    float effort, tolerance;              // likewise
+    float tolerance;                      // likewise
     int32_t vertical, horizontal, shear;  // of Fibres: WEFT_SET_...
 } WeftMethod;
 enum { WEFT_TIME_OF_METHOD, WEFT_TIME_BACKWARD_EULER, WEFT_TIME_BDF2 };

@@ -1,0 +1,74 @@
+#pragma once
+// The passes of the multilevel method over a group of cloths that are one equation.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cloth/solvers/multigrid/momentum.h"
+#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solvers/solver.h"
+#include "cloth/solvers/step_residual.h"
+#include "cloth/system/implicit_system.h"
+#include "engine/memory/aligned_buffer.h"
+
+namespace weft {
+
+/// Sums over particles: of velocities in the first three, of what they are weighted by in the last.
+struct VelocitySums {
+    std::array<double, 4> pinned{}, moving{};
+
+    friend VelocitySums operator+(VelocitySums l, const VelocitySums& r) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            l.pinned[k] += r.pinned[k];
+            l.moving[k] += r.moving[k];
+        }
+        return l;
+    }
+};
+
+/// Vectors of one cloth: one Vec4 a particle, w 0; where the particle is pinned, all is 0.
+struct PassVectors {
+    explicit PassVectors(std::uint32_t particles)
+        : motion(particles),
+          change(particles),
+          correction(particles),
+          of_motion(particles),
+          of_change(particles),
+          partials(block_count(particles)) {}
+    PassVectors(std::uint32_t particles, Unmade later)
+        : motion(particles, later),
+          change(particles, later),
+          correction(particles, later),
+          of_motion(particles, later),
+          of_change(particles, later),
+          partials(block_count(particles), later) {}
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return motion.bytes() + change.bytes() + correction.bytes() + of_motion.bytes() + of_change.bytes() +
+               partials.bytes();
+    }
+
+    AlignedBuffer<Vec4> motion;                ///< velocity in the group's frame [m/s]
+    AlignedBuffer<Vec4> change;                ///< of the velocity, in the last pass [m/s]
+    AlignedBuffer<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
+    AlignedBuffer<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
+    AlignedBuffer<VelocitySums> partials;      ///< of blocks
+};
+
+/// A cloth of a group: its step, and what its solver owns.
+struct PassMember {
+    const SolverStep& step;
+    ImplicitSystem& system;
+    Multigrid& levels;
+    PassVectors& vectors;
+    FreePieces& pieces;
+    StepResidual& residual;
+    double mass;  ///< [kg]
+};
+
+/// Solves the steps of cloths that touch as one equation. Precondition: gamma, pairs, bodies and threads are
+/// the same in all. The first one's settings say how many passes there are. Each member's residual is written
+/// to `residuals`, unless these are empty; the result's is the greatest.
+SolveResult solve_by_passes(std::span<const PassMember> members, std::span<float> residuals);
+
+}  // namespace weft
