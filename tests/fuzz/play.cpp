@@ -350,7 +350,7 @@ void compare(const Fingerprints& expected, const Fingerprints& found, const std:
 
 }  // namespace
 
-std::size_t present_operation() noexcept {
+const std::size_t& present_operation() noexcept {
     return played;
 }
 

@@ -41,6 +41,6 @@ struct Played {
 void play_all_ways(const Script& script);
 
 /// The operation that is being played, for whoever reports a crash.
-[[nodiscard]] std::size_t present_operation() noexcept;
+[[nodiscard]] const std::size_t& present_operation() noexcept;
 
 }  // namespace weft::fuzz
