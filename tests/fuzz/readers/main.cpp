@@ -1,5 +1,8 @@
 // weft_fuzz_readers: damaged files for everything that reads files, the same for the same seed.
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -11,10 +14,23 @@
 #include "tests/fuzz/crash_report.h"
 #include "tests/fuzz/readers/reader.h"
 
-#include <unistd.h>
+#ifdef __SANITIZE_ADDRESS__
+extern "C" const char* __asan_default_options() {
+    return "max_allocation_size_mb=2048";
+}
+#endif
 
 namespace weft::fuzz {
 namespace {
+
+/// The files have some kilobytes: whoever asks for gigabytes because of one has believed a number in it.
+void limit_memory() {
+#ifndef __SANITIZE_ADDRESS__
+    constexpr rlim_t most = rlim_t{4} << 30;
+    const rlimit limit{most, most};
+    must(setrlimit(RLIMIT_AS, &limit) == 0, "memory cannot be limited");
+#endif
+}
 
 constexpr const char* usage =
     "weft_fuzz_readers [--seed S] [--files N] [--seconds T] [--only READER]\n"
@@ -125,5 +141,6 @@ int main(int count, char** arguments) {
         std::fputs(weft::fuzz::usage, stderr);
         return 2;
     }
+    weft::fuzz::limit_memory();
     return weft::fuzz::Run(*options).all() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
