@@ -13,4 +13,8 @@ inline constexpr std::size_t most_triangles = std::size_t{1} << 27;
 /// Triangles that may meet at one particle: what a solver prepares grows with the square of their number.
 inline constexpr std::size_t most_triangles_at_particle = 1024;
 
+/// The least rest area of a triangle [m^2], the square of a tenth of a micrometre. With the least density its
+/// particles weigh 1e-19 kg, whose inverse a float holds with room for its square.
+inline constexpr double least_area = 1e-14;
+
 }  // namespace weft

@@ -22,10 +22,6 @@ namespace {
 /// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
 constexpr double least_relative_height = 1e-6;
 
-/// [m^2]. The square of a tenth of a micrometre: with the least density, particles of such triangles weigh
-/// 1e-19 kg, whose inverse a float holds with room for its square.
-constexpr double least_area = 1e-14;
-
 template <std::integral Integer>
 std::string text(Integer value) {
     return std::to_string(value);

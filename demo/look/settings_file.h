@@ -16,15 +16,13 @@
 #include <filesystem>
 #include <string>
 
+#include "demo/look/settings_values.h"
 #include "demo/scene_simulation.h"
 
 namespace weft::demo {
 
 /// Error: the file cannot be written.
 [[nodiscard]] Result<void> save_settings(const std::filesystem::path& file, const Simulation& simulation);
-
-/// The scene that a file of settings names; "" if none. Errors: it cannot be read, or is no JSON object.
-[[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
 
 /// Gives the world and all cloths what the file says, or, with an error, nothing. Errors name the file and
 /// the key, and say what would be right.

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "demo/json_text.h"
+
 namespace weft::demo {
 namespace {
 
@@ -55,7 +57,8 @@ class Complaints {
 
 Result<void> set(const Field& field, const Json& value, const Complaints& complain, Fabric& fabric) {
     if (!value.is_number() || !(value.get<double>() >= field.least && value.get<double>() <= field.most))
-        return complain(std::string(field.key) + " is " + value.dump() + "; it must be " + range_text(field));
+        return complain(std::string(field.key) + " is " + quoted_json(value) + "; it must be " +
+                        range_text(field));
     fabric.*field.value = value.get<float>();
     return {};
 }
@@ -65,7 +68,7 @@ Result<Fabric> read_own(const Json& json, const Complaints& complain) {
     for (const auto& [key, value] : json.items()) {
         const auto field = std::ranges::find_if(fields, [&](const Field& each) { return key == each.key; });
         if (field == fields.end())
-            return complain("a fabric has no \"" + key + "\"; it has " + all_keys() +
+            return complain("a fabric has no " + quoted_json(Json(key)) + "; it has " + all_keys() +
                             ", or those of a measured one: density, stretching, bending");
         if (auto done = set(*field, value, complain, fabric); !done) return done.error();
     }
@@ -73,9 +76,11 @@ Result<Fabric> read_own(const Json& json, const Complaints& complain) {
 }
 
 /// `rows` rows of `columns` numbers; none if it is not that.
-std::optional<std::vector<std::vector<double>>> read_table(const Json& json, std::size_t rows,
-                                                           std::size_t columns) {
-    if (!json.is_array() || json.size() != rows) return {};
+std::optional<std::vector<std::vector<double>>> read_table(const Json& file, const char* key,
+                                                           std::size_t rows, std::size_t columns) {
+    const auto found = file.find(key);
+    if (found == file.end() || !found->is_array() || found->size() != rows) return {};
+    const Json& json = *found;
     std::vector<std::vector<double>> table;
     for (const Json& row : json) {
         if (!row.is_array() || row.size() != columns) return {};
@@ -152,24 +157,24 @@ StretchFit fit_stiffening(const std::vector<std::vector<double>>& samples) {
 Result<Fabric> read_measured(const Json& json, const Complaints& complain, MeasuredStretch stretch) {
     for (const auto& [key, value] : json.items())
         if (key != "density" && key != "stretching" && key != "bending")
-            return complain("a measured fabric has no \"" + key +
-                            "\"; it has density, stretching and bending");
+            return complain("a measured fabric has no " + quoted_json(Json(key)) +
+                            "; it has density, stretching and bending");
+    Fabric fabric;
     if (!json.contains("density")) return complain("density is missing; it must be " + range_text(fields[0]));
-    const auto stretching = read_table(json.value("stretching", Json()), 6, 4);
+    if (auto done = set(fields[0], json["density"], complain, fabric); !done) return done.error();
+    const auto stretching = read_table(json, "stretching", 6, 4);
     if (!stretching) return complain("stretching must be 6 rows of 4 numbers: c11, c12, c22, c33 [N/m]");
-    const auto bending = read_table(json.value("bending", Json()), 3, 5);
+    const auto bending = read_table(json, "bending", 3, 5);
     if (!bending) return complain("bending must be 3 rows, for 0, 45 and 90 degrees, of 5 numbers [N m]");
 
     StretchFit k{mean_of_positive(*stretching, 0, 1), mean_of_positive(*stretching, 2, 3), 0};
     const bool is_warp_first = k.c11 >= k.c22;
     if (stretch == MeasuredStretch::stiffening) k = fit_stiffening(*stretching);
-    Fabric fabric;
-    const std::array<std::pair<std::size_t, Json>, 6> values{{{0, json["density"]},
-                                                              {1, is_warp_first ? k.c11 : k.c22},
-                                                              {2, is_warp_first ? k.c22 : k.c11},
-                                                              {3, mean_of_positive(*stretching, 3, 4)},
-                                                              {4, 0.25 * mean_of_positive(*bending, 0, 5)},
-                                                              {6, k.stiffening}}};
+    const std::array<std::pair<std::size_t, double>, 5> values{{{1, is_warp_first ? k.c11 : k.c22},
+                                                                {2, is_warp_first ? k.c22 : k.c11},
+                                                                {3, mean_of_positive(*stretching, 3, 4)},
+                                                                {4, 0.25 * mean_of_positive(*bending, 0, 5)},
+                                                                {6, k.stiffening}}};
     for (const auto& [field, value] : values)
         if (auto done = set(fields[field], value, complain, fabric); !done) return done.error();
     return fabric;
@@ -183,9 +188,10 @@ Result<Fabric> load_fabric(const std::filesystem::path& file, MeasuredStretch st
         return Error{ErrorCode::file_not_found,
                      file.string() + " cannot be read; it must be a JSON file of a fabric"};
     const Complaints complain(file);
-    const Json json = Json::parse(in, nullptr, false);
-    if (json.is_discarded() || !json.is_object())
+    const auto parsed = parse_json<Json>(in);
+    if (!parsed || !parsed->is_object())
         return complain("it must hold one JSON object, as {\"areal_density\": 0.2, \"warp\": 400}");
+    const Json& json = *parsed;
     const bool measured = json.contains("density") || json.contains("stretching");
     return measured ? read_measured(json, complain, stretch) : read_own(json, complain);
 }

@@ -5,8 +5,6 @@
 #include <csignal>
 #include <cstdio>
 
-#include "tests/fuzz/play.h"
-
 // Of the sanitizers' runtime; null without it.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
@@ -14,15 +12,14 @@ namespace weft::fuzz {
 
 namespace {
 
-constexpr unsigned longest_script = 600;  // [s]
-
 const char* log_text = "";
 std::size_t log_size = 0;
+const std::size_t* present = &log_size;
 
 // Nothing here allocates: the heap may be what broke.
 void print_log() {
     char head[64];
-    const int size = std::snprintf(head, sizeof head, "\nin operation %zu of\n", present_operation());
+    const int size = std::snprintf(head, sizeof head, "\nin number %zu of\n", *present);
     if (write(STDERR_FILENO, head, static_cast<std::size_t>(size)) < 0) return;
     if (write(STDERR_FILENO, log_text, log_size) < 0) return;
 }
@@ -33,23 +30,33 @@ void on_signal(int signal) {
     std::raise(signal);
 }
 
+/// Signals have a stack of their own: an overflow of the usual one is reported as well.
 void install() {
-    for (const int signal : {SIGABRT, SIGALRM}) std::signal(signal, on_signal);
+    static char stack[1 << 16];
+    stack_t own{};
+    own.ss_sp = stack;
+    own.ss_size = sizeof stack;
+    sigaltstack(&own, nullptr);
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_ONSTACK;
+    for (const int signal : {SIGABRT, SIGALRM}) sigaction(signal, &action, nullptr);
     if (__sanitizer_set_death_callback != nullptr) {
         __sanitizer_set_death_callback(print_log);
     } else {
-        for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, on_signal);
+        for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigaction(signal, &action, nullptr);
     }
 }
 
 }  // namespace
 
-void report_crashes_with(const std::string& text) {
+void report_crashes_with(const std::string& text, const std::size_t& operation, unsigned longest) {
     static const bool installed = (install(), true);
     static_cast<void>(installed);
     log_text = text.data();
     log_size = text.size();
-    alarm(longest_script);
+    present = &operation;
+    alarm(longest);
 }
 
 }  // namespace weft::fuzz

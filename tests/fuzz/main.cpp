@@ -48,7 +48,8 @@ std::optional<Options> parse(int count, char** arguments) {
 }
 
 bool plays_well(const Script& script, const std::string& log) {
-    report_crashes_with(log);
+    constexpr unsigned longest_script = 600;  // [s]
+    report_crashes_with(log, present_operation(), longest_script);
     try {
         play_all_ways(script);
         return true;

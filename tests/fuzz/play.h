@@ -29,9 +29,15 @@ struct PlayOptions {
 /// Of the positions and velocities of each cloth, after each operation; 0 for cloths that are not there.
 using Fingerprints = std::vector<std::vector<std::uint64_t>>;
 
+/// Where something was in a whole play, and how far it might have gone in each of its steps [m].
+struct Reached {
+    Vec3 lower{1, 1, 1}, upper{-1, -1, -1};  ///< empty: it was nowhere
+};
+
 /// What came of it.
 struct Played {
     Fingerprints fingerprints;
+    std::vector<Reached> reached;       ///< by each cloth
     std::vector<std::size_t> restored;  ///< operations that took a save
 };
 
@@ -41,6 +47,6 @@ struct Played {
 void play_all_ways(const Script& script);
 
 /// The operation that is being played, for whoever reports a crash.
-[[nodiscard]] std::size_t present_operation() noexcept;
+[[nodiscard]] const std::size_t& present_operation() noexcept;
 
 }  // namespace weft::fuzz

@@ -35,6 +35,7 @@ class Player {
           options_(options),
           world_(make_world()),
           cloths_(script.cloths),
+          reached_(script.cloths),
           pins_(script.cloths) {}
 
     Played play() {
@@ -45,15 +46,17 @@ class Player {
             const Operation& operation = script_.operations[played];
             const bool left_out = options_.without && operation.cloth == *options_.without;
             if (!left_out) call(operation);
+            note_reach(operation);
             fingerprints.push_back(fingerprints_now());
         }
         if (options_.recorded != nullptr && !world_.stop_recording())
             throw Failure{0, "the recording broke off"};
-        return {std::move(fingerprints), std::move(restored_)};
+        return {std::move(fingerprints), std::move(reached_), std::move(restored_)};
     }
 
   private:
     void call(const Operation& operation);
+    void note_reach(const Operation& operation);
 
     // Each makes the call, and returns its answer where there is one.
     using Answered = std::optional<Result<void>>;
@@ -152,6 +155,7 @@ class Player {
     PlayOptions options_;
     World world_;
     std::vector<std::optional<ClothId>> cloths_;
+    std::vector<Reached> reached_;
     std::vector<std::optional<ColliderId>> colliders_;
     std::vector<std::optional<BodyId>> bodies_;
     std::map<std::size_t, std::size_t> carried_;  ///< colliders, and by which body

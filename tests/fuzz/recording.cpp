@@ -5,6 +5,7 @@
 
 #include "cloth/frame/record/record_format.h"
 #include "tests/fuzz/play.h"
+#include "tests/fuzz/recording_seal.h"
 
 namespace weft::fuzz {
 
@@ -14,31 +15,6 @@ using Bytes = std::vector<std::byte>;
 
 void check_that(bool holds, const std::string& what) {
     if (!holds) throw Failure{0, "its recording: " + what};
-}
-
-void seal(Bytes& bytes, std::size_t at) {
-    RecordHead head;
-    std::memcpy(&head, bytes.data() + at, sizeof head);
-    StateHash hasher;
-    hasher.add(std::span<const std::byte>(bytes).subspan(at + sizeof head, head.bytes));
-    head.hash = hasher.value();
-    head.own_hash = head.hash_of_head(hasher);
-    std::memcpy(bytes.data() + at, &head, sizeof head);
-}
-
-/// Where records begin that a flipped bit makes take no longer: settings may ask for any number of passes.
-std::vector<std::size_t> harmless_records(const Bytes& bytes) {
-    std::vector<std::size_t> found;
-    for (std::size_t at = sizeof(RecordingHead); at < bytes.size();) {
-        RecordHead head;
-        std::memcpy(&head, bytes.data() + at, sizeof head);
-        const auto call = static_cast<Call>(head.call);
-        const bool sets = call == Call::create || call == Call::set_settings || call == Call::add_cloth ||
-                          call == Call::set_cloth_settings;
-        if (!sets && head.bytes > 0) found.push_back(at);
-        at += sizeof head + head.bytes;
-    }
-    return found;
 }
 
 void replay_flipped(Random& random, const Bytes& recorded, bool sealed) {

@@ -1,6 +1,7 @@
 #include "tests/fuzz/script.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -47,6 +48,7 @@ class Author {
             world_ = random_world_settings(random_, 4);
         } while (world_.answer == Answer::refused);
         script_.world = world_.value;
+        is_apart_ = random_.chance(0.3);
     }
 
     Script write() {
@@ -114,8 +116,11 @@ class Author {
     }
     std::vector<std::uint32_t> pattern_of_vertices(const Mesh& mesh);
 
+    void put_apart(Mesh& mesh) const;
+
     Random random_;
     Script script_;
+    bool is_apart_ = false;  ///< cloths are far from each other, and there are no bodies
     Drawn<WorldSettings> world_;
     std::vector<PlannedCloth> cloths_;
     std::vector<PlannedCollider> colliders_;
@@ -219,6 +224,7 @@ void Author::shift_origin() {
 void Author::add_cloth() {
     if (cloths_.size() >= 6) return;
     Drawn<Mesh> mesh = random_mesh(random_);
+    if (is_apart_) put_apart(mesh.value);
     const Drawn<ClothSettings> settings =
         random_cloth_settings(random_, passes_left(mesh.value.positions.size(), work()));
     const bool refused = mesh.answer == Answer::refused || settings.answer == Answer::refused;
@@ -233,6 +239,15 @@ void Author::add_cloth() {
         : accepted ? Answer::accepted
                    : Answer::either,
         cloths_.size() - 1);
+}
+
+/// Far from the others, so that it must not matter to them, whatever it is given. Without precision to lose:
+/// a mesh that is far out stays there.
+void Author::put_apart(Mesh& mesh) const {
+    constexpr float apart = 500, farthest = 1000;  // [m]
+    for (const Vec3& p : mesh.positions)
+        if (!(std::abs(p.x) < farthest)) return;
+    for (Vec3& p : mesh.positions) p.x += apart * static_cast<float>(cloths_.size());
 }
 
 void Author::measure_cloth() {
@@ -388,7 +403,7 @@ void Author::remove_collider() {
 }
 
 void Author::add_body() {
-    if (bodies_ >= 5) return;
+    if (is_apart_ || bodies_ >= 5) return;  // bodies can tie cloths together
     ++bodies_;
     const Drawn<BodySettings> settings = random_body(random_);
     add(AddBody{settings.value, random_body_state(random_)}, settings.answer);

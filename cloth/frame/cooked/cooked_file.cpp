@@ -142,10 +142,24 @@ bool are_sound(const ClothModel& model) {
     std::uint32_t bits = 0;
     for (const Vec4& p : model.positions) bits |= std::bit_cast<std::uint32_t>(p.w);
     return bits == 0 && are_from_zero(model.rest_area.span()) && are_from_zero(model.rest_lengths.span()) &&
-           are_within(model.bending.span()) && are_within(model.bending_excess.span()) &&
-           are_within(numbers_of<float>(model.texcoords)) &&
+           are_within(model.rest_lengths.span(), 4 * runaway_distance) && are_within(model.bending.span()) &&
+           are_within(model.bending_excess.span()) && are_within(numbers_of<float>(model.texcoords)) &&
            are_within(numbers_of<float>(model.positions), runaway_distance) &&
            are_within(numbers_of<float>(model.panel_sides));
+}
+
+/// The masses of particles are of areas that triangles can have; loose particles have none. Precondition:
+/// lists are of their sizes.
+bool have_areas(const ClothModel& model) {
+    constexpr float least = 0.3f * static_cast<float>(least_area);  // a third, rounded
+    constexpr float most = 8 * runaway_distance * runaway_distance * most_triangles_at_particle;
+    bool are_right = true;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        const bool is_loose = model.corner_offsets[i] == model.corner_offsets[i + 1];
+        const float area = model.rest_area[i];
+        are_right &= is_loose ? area == 0 : area >= least && area <= most;
+    }
+    return are_right;
 }
 
 /// What it says of the mesh is so, as far as it can be seen here; edges are no longer than the mesh can be.
@@ -211,7 +225,8 @@ bool is_whole(const ClothModel& model) {
            are_below(numbers_of<std::uint32_t>(model.triangles), n) &&
            are_below(numbers_of<std::uint32_t>(model.vertex_triangles), vertices) &&
            (!model.vertex_triangles.empty() || model.texcoords.empty() || vertices == n) &&
-           are_kinds(model.kinds.span()) && are_components(model) && have_their_corners(model);
+           are_kinds(model.kinds.span()) && have_areas(model) && are_components(model) &&
+           have_their_corners(model);
 }
 
 /// All that is behind the head.

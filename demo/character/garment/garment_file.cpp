@@ -74,8 +74,9 @@ Result<MaterialUse> read_materials(const std::filesystem::path& file) {
 
 /// Diffuse colours by material.
 std::optional<std::map<std::string, Vec3>> read_colours(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) return std::nullopt;
     const std::string name = file.string();
     ObjLines lines(stream, name);
     std::map<std::string, Vec3> colours;
@@ -89,7 +90,7 @@ std::optional<std::map<std::string, Vec3>> read_colours(const std::filesystem::p
         for (float& part : rgb) {
             const std::string_view word = take_word(rest);
             std::from_chars(word.data(), word.data() + word.size(), part);
-            part = std::clamp(part, 0.0f, 1.0f);
+            part = part > 0 ? std::min(part, 1.0f) : 0;  // NaN as well
         }
         colours[material] = {rgb[0], rgb[1], rgb[2]};
     }

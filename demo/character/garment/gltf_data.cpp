@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+
+#include "cloth/mesh/coordinates.h"
+#include "cloth/mesh/mesh_limits.h"
+#include "demo/character/garment/gltf_fields.h"
 
 namespace weft::demo {
 namespace {
 
-Error broken(const std::string& what) {
-    return {ErrorCode::malformed_file, what};
+constexpr std::size_t most_numbers = std::size_t{1} << 26;  // of an animation
+
+std::string name_of(std::size_t accessor) {
+    return "accessors[" + std::to_string(accessor) + "]";
 }
 
 template <class T>
@@ -20,26 +27,22 @@ double number_at(const unsigned char* at, bool normalised) {
     return std::max(number / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
 }
 
-double number_of_type(const unsigned char* at, int type, bool normalised) {
+double number_of_type(const unsigned char* at, GltfType type, bool normalised) {
     switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case GltfType::i8:
             return number_at<std::int8_t>(at, normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        case GltfType::u8:
             return number_at<std::uint8_t>(at, normalised);
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case GltfType::i16:
             return number_at<std::int16_t>(at, normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        case GltfType::u16:
             return number_at<std::uint16_t>(at, normalised);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case GltfType::u32:
             return number_at<std::uint32_t>(at, normalised);
-        default:
-            return number_at<float>(at, normalised);
+        case GltfType::f32:
+            break;
     }
-}
-
-template <class Container>
-bool holds(const Container& container, int index) {
-    return index >= 0 && static_cast<std::size_t>(index) < container.size();
+    return number_at<float>(at, normalised);
 }
 
 Vector3 three(const std::vector<double>& values, std::size_t first) {
@@ -48,175 +51,166 @@ Vector3 three(const std::vector<double>& values, std::size_t first) {
 }
 
 Eigen::Quaternionf four(const std::vector<double>& values, std::size_t first) {
-    const Eigen::Quaternionf q(static_cast<float>(values[first + 3]), static_cast<float>(values[first]),
-                               static_cast<float>(values[first + 1]), static_cast<float>(values[first + 2]));
-    return q.norm() > 1e-6f ? q.normalized() : Eigen::Quaternionf::Identity();
+    const Eigen::Quaterniond q(values[first + 3], values[first], values[first + 1], values[first + 2]);
+    return q.norm() > 1e-6 ? q.normalized().cast<float>() : Eigen::Quaternionf::Identity();
 }
 
-NodePlace place_of(const tinygltf::Node& node) {
-    NodePlace place;
-    if (node.matrix.size() == 16) {
-        Eigen::Matrix4f matrix;
-        for (int i = 0; i < 16; ++i)
-            matrix(i % 4, i / 4) = static_cast<float>(node.matrix[static_cast<std::size_t>(i)]);
-        place.translation = matrix.block<3, 1>(0, 3);
-        Matrix3 axes = matrix.block<3, 3>(0, 0);
-        for (int i = 0; i < 3; ++i) place.scale[i] = std::max(axes.col(i).norm(), 1e-6f);
-        for (int i = 0; i < 3; ++i) axes.col(i) /= place.scale[i];
-        place.rotation = Eigen::Quaternionf(axes).normalized();
-        return place;
-    }
-    if (node.translation.size() == 3) place.translation = three(node.translation, 0);
-    if (node.rotation.size() == 4) place.rotation = four(node.rotation, 0);
-    if (node.scale.size() == 3) place.scale = three(node.scale, 0);
-    return place;
+/// Calls `take(number)` for all of them, in order. load_gltf has checked that they lie in their buffer.
+template <class Take>
+Result<void> for_each_number(const GltfModel& model, std::size_t index, std::size_t components,
+                             bool normalised, const Take& take) {
+    const GltfAccessor& accessor = model.accessors[index];
+    if (accessor.sparse || !accessor.view)
+        return gltf_error(name_of(index) + (accessor.sparse ? " is sparse" : " has no bufferView") +
+                          "; only plain values can be read");
+    if (accessor.components != components)
+        return gltf_error(name_of(index) + " has " + std::to_string(accessor.components) +
+                          " components; it must have " + std::to_string(components));
+    const GltfView& view = model.views[*accessor.view];
+    const std::size_t size = accessor.component_bytes(),
+                      stride = view.stride == 0 ? size * components : view.stride;
+    const unsigned char* const first = model.buffers[view.buffer].data() + view.offset + accessor.offset;
+    for (std::size_t i = 0; i < accessor.count; ++i)
+        for (std::size_t c = 0; c < components; ++c)
+            if (auto taken =
+                    take(number_of_type(first + i * stride + c * size, accessor.type, normalised), i);
+                !taken)
+                return taken;
+    return {};
 }
 
 }  // namespace
 
-Result<tinygltf::Model> load_gltf(const std::filesystem::path& file) {
-    if (!std::filesystem::is_regular_file(file))
-        return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a glTF file"};
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
-    tinygltf::Model model;
-    std::string errors, warnings;
-    const bool binary = file.extension() == ".glb";
-    const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &errors, &warnings, file.string())
-                               : loader.LoadASCIIFromFile(&model, &errors, &warnings, file.string());
-    if (loaded) return model;
-    return broken(file.string() + ": " + (errors.empty() ? "is no glTF file" : errors));
-}
-
-Result<std::vector<double>> gltf_numbers(const tinygltf::Model& model, int accessor, int components) {
-    if (!holds(model.accessors, accessor)) return broken("there is no accessor " + std::to_string(accessor));
-    const tinygltf::Accessor& from = model.accessors[static_cast<std::size_t>(accessor)];
-    const std::string name = "accessor " + std::to_string(accessor);
-    if (from.sparse.isSparse || !holds(model.bufferViews, from.bufferView))
-        return broken(name + " is sparse or has no view");
-    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(from.bufferView)];
-    if (!holds(model.buffers, view.buffer)) return broken(name + " has no buffer");
-    const int has = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
-    if (has != components)
-        return broken(name + " has " + std::to_string(has) + " components; it must have " +
-                      std::to_string(components));
-    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(from.componentType));
-    const int stride = from.ByteStride(view);
-    if (size <= 0 || size > 4 || stride < size * components)
-        return broken(name + " is of a type that cannot be read");
-    const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-    const std::size_t first = view.byteOffset + from.byteOffset,
-                      element = static_cast<std::size_t>(size * components);
-    const std::size_t step = static_cast<std::size_t>(stride);
-    const bool fits = first <= bytes.size() && from.count <= bytes.size() &&
-                      (from.count == 0 || (from.count - 1) * step + element <= bytes.size() - first);
-    if (!fits) return broken(name + " goes beyond its buffer");
+Result<std::vector<double>> gltf_numbers(const GltfModel& model, std::size_t accessor,
+                                         std::size_t components) {
     std::vector<double> numbers;
-    numbers.reserve(from.count * static_cast<std::size_t>(components));
-    for (std::size_t i = 0; i < from.count; ++i) {
-        for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
-            const unsigned char* at = bytes.data() + first + i * step + c * static_cast<std::size_t>(size);
-            numbers.push_back(number_of_type(at, from.componentType, from.normalized));
-            if (!std::isfinite(numbers.back()))
-                return broken(name + " has a number that is not finite, in element " + std::to_string(i));
-        }
-    }
+    const auto take = [&](double number, std::size_t element) -> Result<void> {
+        if (!std::isfinite(number))
+            return gltf_error(name_of(accessor) + " has a number that is not finite, in element " +
+                              std::to_string(element));
+        numbers.push_back(number);
+        return {};
+    };
+    const bool normalised = model.accessors[accessor].normalised;
+    if (auto read = for_each_number(model, accessor, components, normalised, take); !read)
+        return read.error();
     return numbers;
 }
 
-Result<std::vector<Triangle>> gltf_triangles(const tinygltf::Model& model,
-                                             const tinygltf::Primitive& primitive, std::size_t vertices,
-                                             const std::string& name) {
-    std::vector<double> indices;
-    if (primitive.indices >= 0) {
-        auto read = gltf_numbers(model, primitive.indices, 1);
-        if (!read) return read.error();
-        indices = std::move(*read);
+Result<std::vector<std::uint32_t>> gltf_indices(const GltfModel& model, std::size_t accessor,
+                                                std::size_t components, std::size_t size) {
+    std::vector<std::uint32_t> indices;
+    const auto take = [&](double number, std::size_t element) -> Result<void> {
+        if (!(number >= 0 && number < static_cast<double>(size)) || number != std::floor(number))
+            return gltf_error(name_of(accessor) + " has index " + std::to_string(number) + ", in element " +
+                              std::to_string(element) + "; there are " + std::to_string(size));
+        indices.push_back(static_cast<std::uint32_t>(number));
+        return {};
+    };
+    if (auto read = for_each_number(model, accessor, components, false, take); !read) return read.error();
+    return indices;
+}
+
+Result<std::vector<Triangle>> gltf_triangles(const GltfModel& model, const GltfPrimitive& primitive,
+                                             std::size_t vertices, const std::string& name) {
+    const auto in_primitive = [&](const std::string& what) {
+        return gltf_error("the primitive of material " + name + " " + what);
+    };
+    if (!primitive.is_of_triangles) return in_primitive("is not of triangles");
+    std::vector<std::uint32_t> indices;
+    if (primitive.indices) {
+        auto read = gltf_indices(model, *primitive.indices, 1, vertices);
+        if (!read)
+            return in_primitive("of " + std::to_string(vertices) + " vertices: " + read.error().message);
+        indices = *std::move(read);
     } else {
-        for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<double>(v));
+        for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<std::uint32_t>(v));
     }
-    if ((primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) || indices.size() % 3 != 0)
-        return broken("the primitive of material " + name + " is not of triangles");
+    if (indices.size() % 3 != 0)
+        return in_primitive("has " + std::to_string(indices.size()) +
+                            " corners; they must be three a triangle");
     std::vector<Triangle> triangles(indices.size() / 3);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (!(indices[i] >= 0 && indices[i] < static_cast<double>(vertices)))
-            return broken("the primitive of material " + name + " has index " + std::to_string(indices[i]) +
-                          "; it has " + std::to_string(vertices) + " vertices");
-        triangles[i / 3][i % 3] = static_cast<std::uint32_t>(indices[i]);
-    }
+    for (std::size_t i = 0; i < indices.size(); ++i) triangles[i / 3][i % 3] = indices[i];
     return triangles;
 }
 
-std::vector<NodePlace> gltf_places(const tinygltf::Model& model) {
+Result<void> add_part(std::span<const Vec3> positions, std::span<const Triangle> triangles, Mesh& to) {
+    const std::size_t first = to.positions.size();
+    if (positions.size() > most_vertices - first || triangles.size() > most_triangles - to.triangles.size())
+        return Error{ErrorCode::invalid_mesh, "there are more than " + std::to_string(most_vertices) +
+                                                  " vertices or " + std::to_string(most_triangles) +
+                                                  " triangles, with those that are named many times; a mesh "
+                                                  "may have so many"};
+    for (const Vec3& p : positions)
+        if (!(to_vector(p).cwiseAbs().maxCoeff() <= runaway_distance))
+            return gltf_error("vertex " + std::to_string(&p - positions.data()) + " comes to stand at (" +
+                              std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
+                              ") m; it must be within " + std::to_string(runaway_distance) + " m");
+    to.positions.insert(to.positions.end(), positions.begin(), positions.end());
+    const auto moved = [&](std::uint32_t v) { return static_cast<std::uint32_t>(first + v); };
+    for (const auto& [a, b, c] : triangles) to.triangles.push_back({moved(a), moved(b), moved(c)});
+    return {};
+}
+
+std::vector<NodePlace> gltf_places(const GltfModel& model) {
     std::vector<NodePlace> places;
-    for (const tinygltf::Node& node : model.nodes) places.push_back(place_of(node));
+    for (const GltfNode& node : model.nodes) places.push_back(node.place);
     return places;
 }
 
-Result<std::vector<int>> gltf_parents(const tinygltf::Model& model) {
-    std::vector<int> parents(model.nodes.size(), -1);
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        for (const int child : model.nodes[n].children) {
-            if (holds(parents, child)) parents[static_cast<std::size_t>(child)] = static_cast<int>(n);
-        }
-    }
-    for (std::size_t n = 0; n < parents.size(); ++n) {  // those that go round would have no end
-        std::size_t steps = 0;
-        for (auto at = static_cast<int>(n); at >= 0; at = parents[static_cast<std::size_t>(at)])
-            if (++steps > parents.size()) return broken("node " + std::to_string(n) + " is its own ancestor");
-    }
-    return parents;
-}
-
-std::vector<Eigen::Affine3f> gltf_globals(const std::vector<NodePlace>& places,
-                                          const std::vector<int>& parents) {
-    std::vector<Eigen::Affine3f> globals;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-        Eigen::Affine3f global = Eigen::Affine3f::Identity();
-        for (auto at = static_cast<int>(n); at >= 0; at = parents[static_cast<std::size_t>(at)]) {
-            const NodePlace& place = places[static_cast<std::size_t>(at)];
-            global = Eigen::Translation3f(place.translation) * place.rotation * Eigen::Scaling(place.scale) *
-                     global;
-        }
-        globals.push_back(global);
+Result<std::vector<Eigen::Affine3f>> gltf_globals(const GltfModel& model,
+                                                  const std::vector<NodePlace>& places) {
+    std::vector<Eigen::Affine3f> globals(places.size(), Eigen::Affine3f::Identity());
+    for (const std::size_t n : model.parents_first) {
+        const NodePlace& place = places[n];
+        const Eigen::Affine3f own =
+            Eigen::Translation3f(place.translation) * place.rotation * Eigen::Scaling(place.scale);
+        const auto& parent = model.nodes[n].parent;
+        globals[n] = parent ? globals[*parent] * own : own;
+        const Vector3 at = globals[n].translation();
+        if (!globals[n].linear().allFinite() || !(at.cwiseAbs().maxCoeff() <= runaway_distance))
+            return gltf_error(
+                "nodes[" + std::to_string(n) + "] comes to stand at (" + std::to_string(at.x()) + ", " +
+                std::to_string(at.y()) + ", " + std::to_string(at.z()) + ") m, or its scale to " +
+                "more than a float holds; it must be within " + std::to_string(runaway_distance) + " m");
     }
     return globals;
 }
 
-Result<GltfAnimation> GltfAnimation::create(const tinygltf::Model& model) {
+Result<GltfAnimation> GltfAnimation::create(const GltfModel& model) {
     GltfAnimation animation;
-    if (model.animations.empty()) return animation;
-    const tinygltf::Animation& from = model.animations.front();
-    for (const tinygltf::AnimationChannel& channel : from.channels) {
-        if (!holds(model.nodes, channel.target_node) || !holds(from.samplers, channel.sampler)) continue;
-        if (channel.target_path != "translation" && channel.target_path != "rotation" &&
-            channel.target_path != "scale")
-            continue;
-        const tinygltf::AnimationSampler& sampler = from.samplers[static_cast<std::size_t>(channel.sampler)];
-        const int components = channel.target_path == "rotation" ? 4 : 3;
-        auto times = gltf_numbers(model, sampler.input, 1);
-        if (!times) return times.error();
-        auto values = gltf_numbers(model, sampler.output, components);
-        if (!values) return values.error();
-        const bool spline = sampler.interpolation == "CUBICSPLINE";
-        const std::size_t size = static_cast<std::size_t>(components), keys = times->size();
-        if (keys == 0 || values->size() != keys * size * (spline ? 3 : 1) || !std::ranges::is_sorted(*times))
-            return broken("an animation's sampler has " + std::to_string(keys) +
-                          " times, in order or not, for " + std::to_string(values->size() / size) +
-                          " values");
-        if (spline) {  // before, at and after each time
-            for (std::size_t k = 0; k < keys * size; ++k)
-                (*values)[k] = (*values)[(3 * (k / size) + 1) * size + k % size];
-            values->resize(keys * size);
-        }
-        animation.duration_ = std::max(animation.duration_, times->back());
-        animation.tracks_.push_back({static_cast<std::size_t>(channel.target_node),
-                                     channel.target_path.front(), sampler.interpolation == "STEP",
-                                     std::move(*times), std::move(*values), size});
+    std::size_t numbers = 0;
+    for (const GltfTrack& from : model.animation) {
+        numbers += model.accessors[from.times].count + 4 * model.accessors[from.values].count;
+        if (numbers > most_numbers)
+            return gltf_error("the animation has more than " + std::to_string(most_numbers) + " numbers");
+        auto track = read_track(model, from);
+        if (!track) return track.error();
+        animation.duration_ = std::max(animation.duration_, track->times.back());
+        animation.tracks_.push_back(*std::move(track));
     }
     return animation;
+}
+
+Result<GltfAnimation::Track> GltfAnimation::read_track(const GltfModel& model, const GltfTrack& from) {
+    const std::size_t size = from.path == GltfTrack::Path::rotation ? 4 : 3;
+    auto times = gltf_numbers(model, from.times, 1);
+    if (!times) return times.error();
+    auto values = gltf_numbers(model, from.values, size);
+    if (!values) return values.error();
+    const bool spline = from.between == GltfTrack::Between::spline;
+    const std::size_t keys = times->size();
+    if (keys == 0 || values->size() != keys * size * (spline ? 3 : 1) || !std::ranges::is_sorted(*times))
+        return gltf_error("the animation of node " + std::to_string(from.node) + " has " +
+                          std::to_string(keys) + " times, in order or not, for " +
+                          std::to_string(values->size() / size) + " values");
+    if (spline) {  // before, at and after each time
+        for (std::size_t k = 0; k < keys * size; ++k)
+            (*values)[k] = (*values)[(3 * (k / size) + 1) * size + k % size];
+        values->resize(keys * size);
+    }
+    return Track{from.node,         from.path,          from.between == GltfTrack::Between::step,
+                 *std::move(times), *std::move(values), size};
 }
 
 void GltfAnimation::pose(double time, std::vector<NodePlace>& places) const {
@@ -231,12 +225,12 @@ void GltfAnimation::pose(double time, std::vector<NodePlace>& places) const {
         const auto p = static_cast<float>(part);
         const std::size_t a = first * track.components, b = second * track.components;
         NodePlace& place = places[track.node];
-        if (track.kind == 'r') {
+        if (track.path == GltfTrack::Path::rotation) {
             place.rotation = four(track.values, a).slerp(p, four(track.values, b));
             continue;
         }
-        const Vector3 value = three(track.values, a) + p * (three(track.values, b) - three(track.values, a));
-        (track.kind == 't' ? place.translation : place.scale) = value;
+        const Vector3 value = (1 - p) * three(track.values, a) + p * three(track.values, b);
+        (track.path == GltfTrack::Path::translation ? place.translation : place.scale) = value;
     }
 }
 

@@ -12,16 +12,17 @@ namespace weft::demo {
 namespace {
 
 constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
+/// Frames times nodes, and frames times tracks: half a gigabyte of poses, and a second or two to make them.
+constexpr std::size_t most_poses = std::size_t{1} << 25;
 
 class GltfReader {
   public:
-    GltfReader(tinygltf::Model model, bool with_body) : model_(std::move(model)), with_body_(with_body) {}
+    GltfReader(GltfModel model, bool with_body) : model_(std::move(model)), with_body_(with_body) {}
 
     Result<SkinnedCharacter> read() {
         if (model_.skins.empty() || model_.skins.front().joints.empty())
             return Error{ErrorCode::malformed_file, "there is no skin with joints; a character needs one"};
-        if (auto sound = check_nodes(); !sound) return sound.error();
-        place_nodes();
+        if (auto placed = place_nodes(); !placed) return placed.error();
         make_skeleton();
         if (auto motion = read_motion(); !motion) return motion.error();
         if (auto mesh = read_meshes(); !mesh) return mesh.error();
@@ -35,54 +36,43 @@ class GltfReader {
   private:
     using Affine = Eigen::Affine3f;
 
-    Result<void> check_nodes() {
-        auto parents = gltf_parents(model_);
-        if (!parents) return parents.error();
-        parents_ = std::move(*parents);
-        for (const int joint : skin().joints) {
-            if (joint < 0 || static_cast<std::size_t>(joint) >= parents_.size())
-                return Error{ErrorCode::malformed_file,
-                             "the skin has joint " + std::to_string(joint) + "; there is no such node"};
-        }
+    Result<void> place_nodes() {
+        places_ = gltf_places(model_);
+        auto globals = gltf_globals(model_, places_);
+        if (!globals) return globals.error();
+        at_rest_ = *std::move(globals);
         return {};
     }
 
-    void place_nodes() {
-        places_ = gltf_places(model_);
-        at_rest_ = gltf_globals(places_, parents_);
-    }
-
-    [[nodiscard]] const tinygltf::Skin& skin() const { return model_.skins.front(); }
-    [[nodiscard]] std::size_t depth(int node) const {
-        std::size_t found = 0;
-        for (; node >= 0; node = parents_[static_cast<std::size_t>(node)]) ++found;
-        return found;
-    }
+    [[nodiscard]] const GltfSkin& skin() const { return model_.skins.front(); }
     static Quaternion rotation_of(const Affine& global) {
         Matrix3 axes = global.linear();
-        for (int i = 0; i < 3; ++i) axes.col(i).normalize();
+        for (int i = 0; i < 3; ++i) axes.col(i).stableNormalize();
         return Quaternion(axes).normalized();
     }
 
     /// Parents first; turned so that nothing is turned at rest.
     void make_skeleton() {
-        nodes_ = skin().joints;
-        std::ranges::stable_sort(nodes_, {}, [&](int node) { return depth(node); });
-        for (std::size_t j = 0; j < nodes_.size(); ++j) joint_of_node_[nodes_[j]] = j;
+        const std::set<std::size_t> joints(skin().joints.begin(), skin().joints.end());
+        std::map<std::size_t, std::size_t> nearest_joint;  // of each node: itself, or an ancestor
         Skeleton& skeleton = character_.recording.skeleton;
-        for (std::size_t j = 0; j < nodes_.size(); ++j) {
-            int parent = parents_[static_cast<std::size_t>(nodes_[j])];
-            while (parent >= 0 && !joint_of_node_.contains(parent))
-                parent = parents_[static_cast<std::size_t>(parent)];
-            const std::size_t above = parent < 0 ? 0 : joint_of_node_[parent];
-            const Vector3 place = at_rest_[static_cast<std::size_t>(nodes_[j])].translation();
-            const Vector3 from = at_rest_[static_cast<std::size_t>(nodes_[above])].translation();
-            skeleton.joints.push_back({model_.nodes[static_cast<std::size_t>(nodes_[j])].name,
-                                       j == 0 ? -1 : static_cast<int>(above),
-                                       j == 0 ? Vector3(Vector3::Zero()) : Vector3(place - from)});
+        for (const std::size_t node : model_.parents_first) {
+            const auto parent = model_.nodes[node].parent;
+            const auto above = parent ? nearest_joint.find(*parent) : nearest_joint.end();
+            const std::size_t over = above == nearest_joint.end() ? 0 : above->second;
+            if (joints.contains(node)) {
+                const bool is_root = nodes_.empty();
+                nodes_.push_back(node);
+                const Vector3 offset = at_rest_[node].translation() - at_rest_[nodes_[over]].translation();
+                skeleton.joints.push_back({model_.nodes[node].name, is_root ? -1 : static_cast<int>(over),
+                                           is_root ? Vector3(Vector3::Zero()) : offset});
+                nearest_joint[node] = joint_of_node_[node] = nodes_.size() - 1;
+            } else if (above != nearest_joint.end()) {
+                nearest_joint[node] = over;
+            }
         }
         character_.rest = JointAngles::at_rest(skeleton);
-        character_.rest.root = at_rest_[static_cast<std::size_t>(nodes_.front())].translation();
+        character_.rest.root = at_rest_[nodes_.front()].translation();
     }
 
     Result<void> read_motion() {
@@ -93,10 +83,20 @@ class GltfReader {
         const auto frames = static_cast<std::size_t>(
                                 std::floor(std::min(animation->duration(), longest_animation) * frame_rate)) +
                             1;
+        const std::size_t each = std::max(model_.nodes.size(), model_.animation.size());
+        if (each > most_poses / frames)
+            return Error{ErrorCode::malformed_file, "the animation has " + std::to_string(frames) +
+                                                        " frames of " + std::to_string(each) +
+                                                        " nodes or channels; their product may be at most " +
+                                                        std::to_string(most_poses)};
         for (std::size_t f = 0; f < frames; ++f) {
             std::vector<NodePlace> places = places_;
             animation->pose(static_cast<double>(f) / frame_rate, places);
-            recording.frames.push_back(angles_of(gltf_globals(places, parents_)));
+            const auto globals = gltf_globals(model_, places);
+            if (!globals)
+                return Error{globals.error().code,
+                             "in frame " + std::to_string(f) + ", " + globals.error().message};
+            recording.frames.push_back(angles_of(*globals));
         }
         return {};
     }
@@ -105,14 +105,14 @@ class GltfReader {
         JointAngles angles = character_.rest;
         std::vector<Quaternion> turned;
         for (std::size_t j = 0; j < nodes_.size(); ++j) {
-            const auto node = static_cast<std::size_t>(nodes_[j]);
+            const std::size_t node = nodes_[j];
             turned.push_back(rotation_of(globals[node]) * rotation_of(at_rest_[node]).conjugate());
             const int parent = character_.recording.skeleton.joints[j].parent;
             angles.rotations[j] =
                 parent < 0 ? turned[j]
                            : Quaternion(turned[static_cast<std::size_t>(parent)].conjugate() * turned[j]);
         }
-        angles.root = globals[static_cast<std::size_t>(nodes_.front())].translation();
+        angles.root = globals[nodes_.front()].translation();
         return angles;
     }
 
@@ -120,22 +120,15 @@ class GltfReader {
         Garment& garment = character_.garment;
         garment.stands_ready = true;
         bool any_free = false;
-        for (const tinygltf::Node& node : model_.nodes) {
-            if (node.skin != 0 || node.mesh < 0 ||
-                static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
-                continue;
-            for (const tinygltf::Primitive& primitive :
-                 model_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-                const bool has_material =
-                    primitive.material >= 0 &&
-                    static_cast<std::size_t>(primitive.material) < model_.materials.size();
-                const tinygltf::Material material =
-                    has_material ? model_.materials[static_cast<std::size_t>(primitive.material)]
-                                 : tinygltf::Material();
+        for (const GltfNode& node : model_.nodes) {
+            if (node.skin != std::size_t{0} || !node.mesh) continue;
+            for (const GltfPrimitive& primitive : model_.meshes[*node.mesh]) {
+                const GltfMaterial material =
+                    primitive.material ? model_.materials[*primitive.material] : GltfMaterial();
                 const bool free = material.name.ends_with("Free");
                 const bool is_worn = free || material.name.starts_with("Garment");
                 if (!is_worn && !with_body_) continue;
-                if (free && !any_free) take_colour(material);
+                if (free && !any_free) garment.colour = material.colour.value_or(garment.colour);
                 any_free = any_free || free;
                 if (auto read =
                         read_primitive(primitive, material.name, free, is_worn ? garment_ : character_.body);
@@ -153,30 +146,27 @@ class GltfReader {
         return {};
     }
 
-    void take_colour(const tinygltf::Material& material) {
-        const std::vector<double>& colour = material.pbrMetallicRoughness.baseColorFactor;
-        if (colour.size() >= 3)
-            character_.garment.colour = {static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                         static_cast<float>(colour[2])};
+    Result<std::size_t> attribute(const GltfPrimitive& primitive, const char* name,
+                                  const std::string& of) const {
+        if (const auto found = primitive.attribute(name)) return *found;
+        return Error{ErrorCode::malformed_file, "the primitive of material " + of + " has no " + name};
     }
 
-    Result<std::vector<double>> attribute(const tinygltf::Primitive& primitive, const char* name,
-                                          int components, const std::string& of) const {
-        const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end())
-            return Error{ErrorCode::malformed_file, "the primitive of material " + of + " has no " + name};
-        return gltf_numbers(model_, found->second, components);
-    }
-
-    Result<void> read_primitive(const tinygltf::Primitive& primitive, const std::string& name, bool free,
+    Result<void> read_primitive(const GltfPrimitive& primitive, const std::string& name, bool free,
                                 SkinnedMesh& to) {
-        const auto positions = attribute(primitive, "POSITION", 3, name);
-        if (!positions) return positions.error();
-        const auto joints = attribute(primitive, "JOINTS_0", 4, name);
-        if (!joints) return joints.error();
-        const auto weights = attribute(primitive, "WEIGHTS_0", 4, name);
+        const auto of_positions = attribute(primitive, "POSITION", name);
+        if (!of_positions) return of_positions.error();
+        const auto of_joints = attribute(primitive, "JOINTS_0", name);
+        if (!of_joints) return of_joints.error();
+        const auto of_weights = attribute(primitive, "WEIGHTS_0", name);
+        if (!of_weights) return of_weights.error();
+        const auto bound = gltf_numbers(model_, *of_positions, 3);
+        if (!bound) return bound.error();
+        const auto joints = gltf_indices(model_, *of_joints, 4, skin().joints.size());
+        if (!joints) return Error{joints.error().code, "joints of the skin: " + joints.error().message};
+        const auto weights = gltf_numbers(model_, *of_weights, 4);
         if (!weights) return weights.error();
-        const std::size_t vertices = positions->size() / 3;
+        const std::size_t vertices = bound->size() / 3;
         if (joints->size() != 4 * vertices || weights->size() != 4 * vertices)
             return Error{ErrorCode::malformed_file,
                          "the primitive of material " + name + " has " + std::to_string(weights->size() / 4) +
@@ -184,33 +174,31 @@ class GltfReader {
                              std::to_string(vertices) + " positions"};
         const auto triangles = gltf_triangles(model_, primitive, vertices, name);
         if (!triangles) return triangles.error();
-        const auto first = static_cast<std::uint32_t>(to.mesh.positions.size());
-        for (const auto& [a, b, c] : *triangles)
-            to.mesh.triangles.push_back({first + a, first + b, first + c});
-        const auto inverse_binds = skin().inverseBindMatrices < 0
-                                       ? Result<std::vector<double>>(std::vector<double>())
-                                       : gltf_numbers(model_, skin().inverseBindMatrices, 16);
-        if (!inverse_binds) return inverse_binds.error();
         if (auto colours = read_colours(primitive, vertices, to); !colours) return colours;
-        for (std::size_t v = 0; v < vertices; ++v) {
-            if (!free && &to == &garment_)
-                character_.garment.fixed.push_back(static_cast<std::uint32_t>(to.mesh.positions.size()));
-            if (auto added = add_vertex(*positions, *joints, *weights, *inverse_binds, v, to); !added)
-                return added;
-        }
+        const auto positions = rest_positions(*bound, *joints, *weights, name);
+        if (!positions) return positions.error();
+        const std::size_t first = to.mesh.positions.size();
+        if (auto added = add_part(*positions, *triangles, to.mesh); !added)
+            return Error{added.error().code,
+                         "the primitive of material " + name + ": " + added.error().message};
+        for (const std::uint32_t joint : *joints)
+            to.joints.push_back(static_cast<std::uint32_t>(joint_of_node_[skin().joints[joint]]));
+        for (const double weight : *weights) to.weights.push_back(static_cast<float>(weight));
+        if (free || &to != &garment_) return {};
+        for (std::size_t v = first; v < to.mesh.positions.size(); ++v)
+            character_.garment.fixed.push_back(static_cast<std::uint32_t>(v));
         return {};
     }
 
     /// White, where a primitive has none and others have.
-    Result<void> read_colours(const tinygltf::Primitive& primitive, std::size_t vertices, SkinnedMesh& to) {
-        const auto found = primitive.attributes.find("COLOR_0");
-        if (found == primitive.attributes.end()) {
+    Result<void> read_colours(const GltfPrimitive& primitive, std::size_t vertices, SkinnedMesh& to) {
+        const auto found = primitive.attribute("COLOR_0");
+        if (!found) {
             if (!to.colours.empty()) to.colours.resize(to.mesh.positions.size() + vertices, Vec3{1, 1, 1});
             return {};
         }
-        auto numbers = gltf_numbers(model_, found->second, 3);
-        const std::size_t each = numbers.ok() ? 3 : 4;
-        if (!numbers) numbers = gltf_numbers(model_, found->second, 4);
+        const std::size_t each = model_.accessors[*found].components == 3 ? 3 : 4;
+        const auto numbers = gltf_numbers(model_, *found, each);
         if (!numbers) return numbers.error();
         if (numbers->size() != each * vertices)
             return Error{ErrorCode::malformed_file, std::to_string(numbers->size() / each) + " colours for " +
@@ -222,42 +210,55 @@ class GltfReader {
         return {};
     }
 
-    /// Where the skin has it while the nodes are at rest.
-    Result<void> add_vertex(const std::vector<double>& positions, const std::vector<double>& joints,
-                            const std::vector<double>& weights, const std::vector<double>& inverse_binds,
-                            std::size_t vertex, SkinnedMesh& to) {
-        const Vector3 bound(static_cast<float>(positions[3 * vertex]),
-                            static_cast<float>(positions[3 * vertex + 1]),
-                            static_cast<float>(positions[3 * vertex + 2]));
-        Vector3 place = Vector3::Zero();
-        float sum = 0;
-        for (std::size_t k = 4 * vertex; k < 4 * vertex + 4; ++k) {
-            const auto weight = static_cast<float>(weights[k]);
-            if (!(joints[k] < static_cast<double>(skin().joints.size())))
-                return Error{ErrorCode::malformed_file,
-                             "vertex " + std::to_string(vertex) + " hangs on joint " +
-                                 std::to_string(static_cast<int>(joints[k])) + "; the skin has " +
-                                 std::to_string(skin().joints.size())};
-            const auto joint = static_cast<std::size_t>(joints[k]);
-            const int node = skin().joints[joint];
-            Eigen::Matrix4f inverse = Eigen::Matrix4f::Identity();
-            for (std::size_t i = 0; i < 16 && 16 * joint + 15 < inverse_binds.size(); ++i)
-                inverse(static_cast<int>(i % 4), static_cast<int>(i / 4)) =
-                    static_cast<float>(inverse_binds[16 * joint + i]);
-            place += weight * (at_rest_[static_cast<std::size_t>(node)] * (Affine(inverse) * bound));
-            sum += weight;
-            to.joints.push_back(static_cast<std::uint32_t>(joint_of_node_[node]));
-            to.weights.push_back(weight);
+    /// From the axes in which vertices are bound to the World's, by the skin's joint, while nodes are at
+    /// rest.
+    Result<std::vector<Affine>> rest_transforms() const {
+        std::vector<Affine> transforms;
+        for (const std::size_t node : skin().joints) transforms.push_back(at_rest_[node]);
+        if (!skin().inverse_binds) return transforms;
+        const auto numbers = gltf_numbers(model_, *skin().inverse_binds, 16);
+        if (!numbers) return numbers.error();
+        for (std::size_t j = 0; j < transforms.size(); ++j) {
+            Affine inverse;
+            inverse.matrix() = Eigen::Map<const Eigen::Matrix4d>(numbers->data() + 16 * j).cast<float>();
+            transforms[j] = transforms[j] * inverse;
         }
-        to.mesh.positions.push_back(to_vec3(sum > 0 ? Vector3(place / sum) : bound));
-        return {};
+        return transforms;
     }
 
-    tinygltf::Model model_;
+    /// Where the skin has vertices while the nodes are at rest.
+    Result<std::vector<Vec3>> rest_positions(const std::vector<double>& bound,
+                                             const std::vector<std::uint32_t>& joints,
+                                             const std::vector<double>& weights,
+                                             const std::string& name) const {
+        const auto transforms = rest_transforms();
+        if (!transforms) return transforms.error();
+        std::vector<Vec3> positions;
+        for (std::size_t v = 0; v < bound.size() / 3; ++v) {
+            const Vector3 from = Eigen::Map<const Eigen::Vector3d>(bound.data() + 3 * v).cast<float>();
+            const auto refused = [&](const std::string& what) {
+                return Error{ErrorCode::malformed_file,
+                             "vertex " + std::to_string(v) + " of material " + name + " " + what};
+            };
+            Vector3 place = Vector3::Zero();
+            float sum = 0;
+            for (std::size_t k = 4 * v; k < 4 * v + 4; ++k) {
+                const auto weight = static_cast<float>(weights[k]);
+                if (!(weight >= 0 && weight <= 1e6f))
+                    return refused("has a weight of " + std::to_string(weight) + "; it must be from 0 to 1");
+                if (weight > 0) place += weight * ((*transforms)[joints[k]] * from);
+                sum += weight;
+            }
+            positions.push_back(to_vec3(sum > 0 ? Vector3(place / sum) : from));
+        }
+        return positions;
+    }
+
+    GltfModel model_;
     bool with_body_;
     SkinnedMesh garment_;
-    std::vector<int> parents_, nodes_;  // nodes_: of the skeleton's joints
-    std::map<int, std::size_t> joint_of_node_;
+    std::vector<std::size_t> nodes_;  // of the skeleton's joints
+    std::map<std::size_t, std::size_t> joint_of_node_;
     std::vector<NodePlace> places_;
     std::vector<Affine> at_rest_;
     SkinnedCharacter character_;

@@ -5,41 +5,36 @@
 namespace weft::demo {
 namespace {
 
-/// Lines and points are no cloth.
-bool has_triangles(const tinygltf::Primitive& primitive) {
-    return primitive.mode == -1 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-}
-
-Result<void> add_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+Result<void> add_primitive(const GltfModel& model, const GltfPrimitive& primitive,
                            const Eigen::Affine3f& place, Mesh& to) {
-    const std::string name = std::to_string(primitive.material);
-    const auto found = primitive.attributes.find("POSITION");
-    if (found == primitive.attributes.end())
+    const std::string name = primitive.material ? std::to_string(*primitive.material) : "none";
+    const auto found = primitive.attribute("POSITION");
+    if (!found)
         return Error{ErrorCode::malformed_file, "the primitive of material " + name + " has no POSITION"};
-    const auto positions = gltf_numbers(model, found->second, 3);
-    if (!positions) return positions.error();
-    const auto triangles = gltf_triangles(model, primitive, positions->size() / 3, name);
+    const auto numbers = gltf_numbers(model, *found, 3);
+    if (!numbers) return numbers.error();
+    const std::size_t vertices = numbers->size() / 3;
+    const auto triangles = gltf_triangles(model, primitive, vertices, name);
     if (!triangles) return triangles.error();
-    const auto first = static_cast<std::uint32_t>(to.positions.size());
-    for (const auto& [a, b, c] : *triangles) to.triangles.push_back({first + a, first + b, first + c});
-    for (std::size_t i = 0; i < positions->size(); i += 3)
-        to.positions.push_back(to_vec3(place * Vector3(static_cast<float>((*positions)[i]),
-                                                       static_cast<float>((*positions)[i + 1]),
-                                                       static_cast<float>((*positions)[i + 2]))));
+    std::vector<Vec3> positions;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const Vector3 own = Eigen::Map<const Eigen::Vector3d>(numbers->data() + 3 * v).cast<float>();
+        positions.push_back(to_vec3(place * own));
+    }
+    if (auto added = add_part(positions, *triangles, to); !added)
+        return Error{added.error().code, "the primitive of material " + name + ": " + added.error().message};
     return {};
 }
 
-Result<Mesh> mesh_of(const tinygltf::Model& model) {
-    const auto parents = gltf_parents(model);
-    if (!parents) return parents.error();
-    const std::vector<Eigen::Affine3f> places = gltf_globals(gltf_places(model), *parents);
+Result<Mesh> mesh_of(const GltfModel& model) {
+    const auto places = gltf_globals(model, gltf_places(model));
+    if (!places) return places.error();
     Mesh mesh;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const auto which = static_cast<std::size_t>(model.nodes[n].mesh);
-        if (model.nodes[n].mesh < 0 || which >= model.meshes.size()) continue;
-        for (const tinygltf::Primitive& each : model.meshes[which].primitives) {
-            if (!has_triangles(each)) continue;
-            if (auto added = add_primitive(model, each, places[n], mesh); !added) return added.error();
+        if (!model.nodes[n].mesh) continue;
+        for (const GltfPrimitive& each : model.meshes[*model.nodes[n].mesh]) {
+            if (!each.is_of_triangles) continue;  // lines and points are no cloth
+            if (auto added = add_primitive(model, each, (*places)[n], mesh); !added) return added.error();
         }
     }
     if (mesh.triangles.empty())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -18,19 +19,20 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
 
+/// The range is maps.h's.
 struct NamedMap {
     std::string_view name;
     Map map;
-    float unset;
+    float unset, least, most;
 };
-constexpr std::array<NamedMap, 8> named_maps{{{"mass", Map::mass, 1},
-                                              {"pin", Map::pin, 0},
-                                              {"leash", Map::leash, none},
-                                              {"backstop", Map::backstop, none},
-                                              {"backstop_radius", Map::backstop_radius, none},
-                                              {"friction", Map::friction, 1},
-                                              {"thickness", Map::thickness, 1},
-                                              {"stiffness", Map::stiffness, 1}}};
+constexpr std::array<NamedMap, 8> named_maps{{{"mass", Map::mass, 1, 0.01f, 100},
+                                              {"pin", Map::pin, 0, 0, 1},
+                                              {"leash", Map::leash, none, 0, none},
+                                              {"backstop", Map::backstop, none, -10, none},
+                                              {"backstop_radius", Map::backstop_radius, none, 1e-3f, none},
+                                              {"friction", Map::friction, 1, 0, 1000},
+                                              {"thickness", Map::thickness, 1, 0, 1},
+                                              {"stiffness", Map::stiffness, 1, 1e-3f, 1000}}};
 
 template <class T>
 std::optional<T> number_of(std::string_view word) {
@@ -64,7 +66,7 @@ class MapsReader {
         if (name.empty()) return {};
         const auto named = std::ranges::find(named_maps, name, &NamedMap::name);
         if (named == named_maps.end())
-            return lines_.error("there is no map " + std::string(name) +
+            return lines_.error("there is no map " + std::string(name.substr(0, 40)) +
                                 "; there are mass, pin, leash, backstop, backstop_radius, friction, "
                                 "thickness and stiffness");
         const std::string_view which = take_word(rest), word = take_word(rest);
@@ -73,23 +75,34 @@ class MapsReader {
             return lines_.error("the line must be a map, vertices and a number, as in \"leash 1-20 0.1\"");
         std::vector<float>& values =
             maps_.try_emplace(named->map, std::vector<float>(vertices_, named->unset)).first->second;
-        return set(which, *value, values);
+        return set(which, *value, *named, values);
     }
 
-    Result<void> set(std::string_view which, float value, std::vector<float>& values) {
+    [[nodiscard]] Result<void> check(float value, const NamedMap& map) const {
+        if (value >= map.least && value <= map.most) return {};
+        return lines_.error(std::string(map.name) + " is " + std::to_string(value) + "; it must be from " +
+                            std::to_string(map.least) + " to " + std::to_string(map.most));
+    }
+
+    Result<void> set(std::string_view which, float value, const NamedMap& map, std::vector<float>& values) {
         constexpr std::array<std::pair<std::string_view, float Vec3::*>, 3> channels{
             {{"red", &Vec3::x}, {"green", &Vec3::y}, {"blue", &Vec3::z}}};
-        if (which == "all") {
-            std::ranges::fill(values, value);
-            return {};
-        }
         for (const auto& [name, channel] : channels) {
             if (which != name) continue;
             if (colours_.size() != vertices_)
                 return lines_.error(
                     "the garment's vertices have no colours; give each one, or name them by "
                     "their numbers");
-            for (std::size_t v = 0; v < vertices_; ++v) values[v] = value * colours_[v].*channel;
+            for (std::size_t v = 0; v < vertices_; ++v) {
+                values[v] = value * colours_[v].*channel;
+                // A colour of 0 is out of some ranges; the World says so, as it knows what the garment is for.
+                if (std::isnan(values[v])) return check(values[v], map);
+            }
+            return {};
+        }
+        if (auto fits = check(value, map); !fits) return fits;
+        if (which == "all") {
+            std::ranges::fill(values, value);
             return {};
         }
         const std::size_t dash = which.find('-');
@@ -97,7 +110,7 @@ class MapsReader {
         const auto last =
             dash == std::string_view::npos ? first : number_of<std::size_t>(which.substr(dash + 1));
         if (!first || !last || *first < 1 || *last < *first || *last > vertices_)
-            return lines_.error("\"" + std::string(which) +
+            return lines_.error("\"" + std::string(which.substr(0, 40)) +
                                 "\" are no vertices; all, red, green, blue, or numbers from 1 to " +
                                 std::to_string(vertices_) + " as in 12 or 12-40 are");
         std::fill(values.begin() + static_cast<std::ptrdiff_t>(*first - 1),
@@ -138,8 +151,10 @@ std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj) {
         std::array<float, 6> numbers{};
         std::size_t count = 0;
         for (std::string_view word = take_word(rest); !word.empty() && count < 6; word = take_word(rest))
-            numbers[count++] = number_of<float>(word).value_or(0);
-        if (count < 6) return {};
+            numbers[count++] = number_of<float>(word).value_or(none);
+        const bool has_colour =
+            std::isfinite(numbers[3]) && std::isfinite(numbers[4]) && std::isfinite(numbers[5]);
+        if (count < 6 || !has_colour) return {};
         colours.push_back({numbers[3], numbers[4], numbers[5]});
     }
     return colours;
@@ -149,8 +164,9 @@ Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t ve
                        std::span<const Vec3> colours, Garment& garment) {
     std::filesystem::path file = garment_file;
     file.replace_extension(".maps");
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return {};
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) return {};
     const std::string name = file.string();
     MapsReader reader(stream, name, vertices, colours);
     if (auto read = reader.read(); !read) return read;

@@ -27,7 +27,7 @@ namespace weft::demo {
 /// Gives the garment of this file its maps; nothing, where there is no file of maps. What `pin` pins becomes
 /// Garment::fixed. Of `vertices` the rest of the mesh's are split off at the same position (load_obj).
 /// Errors name the line: a map or channel of no such name, vertices that the file lacks, a value that is no
-/// number, colours that it has not.
+/// number or out of the map's range (maps.h), colours that it has not.
 [[nodiscard]] Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t vertices,
                                      std::span<const Vec3> colours, Garment& garment);
 

@@ -7,10 +7,14 @@
 #include <numbers>
 #include <utility>
 
+#include "cloth/mesh/coordinates.h"
+
 namespace weft::demo {
 namespace {
 
 constexpr std::size_t most_joints = 1024, most_frames = 1'000'000;
+/// Frames times joints: half a gigabyte, which a file of few channels would ask for in a few lines.
+constexpr std::size_t most_rotations = std::size_t{1} << 25;
 constexpr float tallest = 10;  // [m]
 
 /// What a number of a frame means to its joint: 0 to 2 a position along x, y, z, 3 to 5 a rotation about
@@ -40,6 +44,10 @@ class BvhWords {
         const std::string found = word_.empty() ? "the file ends" : "\"" + word_.substr(0, 40) + "\" stands";
         return {ErrorCode::malformed_file,
                 file_ + ":" + std::to_string(line_) + ": " + found + " where " + wanted + " must stand"};
+    }
+    [[nodiscard]] Error error_of_file(const std::string& length) const {
+        return {ErrorCode::malformed_file,
+                file_ + ": " + length + "; it must be at most " + std::to_string(runaway_distance) + " m"};
     }
     [[nodiscard]] Result<void> expect(const char* word) {
         if (next() == word) return {};
@@ -88,6 +96,7 @@ class BvhParser {
         if (auto read = read_joint(-1, false); !read) return read.error();
         if (auto read = read_motion(); !read) return read.error();
         shrink_from_centimetres();
+        if (auto near = check_places(); !near) return near.error();
         return std::move(recording_);
     }
 
@@ -138,6 +147,9 @@ class BvhParser {
         if (auto found = words_.expect("Frames:"); !found) return found;
         const auto frames = words_.count("the number of frames", 1, most_frames);
         if (!frames) return frames.error();
+        if (const std::size_t joints = recording_.skeleton.size(); joints > most_rotations / *frames)
+            return words_.error("at most " + std::to_string(most_rotations / joints) + " frames, for " +
+                                std::to_string(joints) + " joints,");
         if (auto found = words_.expect("Frame"); !found) return found;
         if (auto found = words_.expect("Time:"); !found) return found;
         const auto time = words_.number("the time of a frame");
@@ -155,9 +167,9 @@ class BvhParser {
         angles.root = recording_.skeleton.joints.front().offset;
         for (const Channel& channel : channels_) {
             const std::string& name = recording_.skeleton.joints[channel.joint].name;
-            const auto value =
-                words_.number("frame " + std::to_string(frame + 1) + "'s " +
-                              channel_names[static_cast<std::size_t>(channel.kind)] + " of " + name);
+            const auto value = words_.number("frame " + std::to_string(frame + 1) + "'s " +
+                                             channel_names[static_cast<std::size_t>(channel.kind)] + " of " +
+                                             name.substr(0, 40));
             if (!value) return value.error();
             if (channel.kind >= 3) {
                 Quaternion& q = angles.rotations[channel.joint];
@@ -181,6 +193,20 @@ class BvhParser {
         if ((upper - lower).maxCoeff() <= tallest) return;
         for (Joint& joint : recording_.skeleton.joints) joint.offset *= 0.01f;
         for (JointAngles& frame : recording_.frames) frame.root *= 0.01f;
+    }
+
+    /// No bone and no place of the root may be farther out than cloth may be.
+    [[nodiscard]] Result<void> check_places() const {
+        const auto far = [](const Vector3& v) { return !(v.cwiseAbs().maxCoeff() <= runaway_distance); };
+        for (const Joint& joint : recording_.skeleton.joints)
+            if (far(joint.offset))
+                return words_.error_of_file("the offset of joint " + joint.name.substr(0, 40) + " is " +
+                                            std::to_string(joint.offset.norm()) + " m");
+        for (const JointAngles& frame : recording_.frames)
+            if (far(frame.root))
+                return words_.error_of_file("a frame puts the root " + std::to_string(frame.root.norm()) +
+                                            " m from the origin");
+        return {};
     }
 
     BvhWords words_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace weft::demo {
@@ -16,10 +17,11 @@ RecordedMotion::RecordedMotion(Recording recording) : recording_(std::move(recor
     stand_on_the_spot();
 }
 
-/// How far the frames that go over into the beginning are from it, if it goes round after `shift`.
-double RecordedMotion::unlikeness(std::size_t shift) const {
+/// The distance of the frames that cross over into the beginning from it, if the motion repeats after `shift`
+/// frames. The sum ends at `most`: a long recording with a short frame time has 10^9 pairs of poses.
+double RecordedMotion::unlikeness(std::size_t shift, double most) const {
     double sum = 0;
-    for (std::size_t frame = 0; frame < shared_; ++frame) {
+    for (std::size_t frame = 0; frame < shared_ && sum < most; ++frame) {
         const JointAngles &a = recording_.frames[frame], &b = recording_.frames[frame + shift];
         for (std::size_t j = 0; j < a.rotations.size(); ++j)
             sum += 1 - std::abs(static_cast<double>(a.rotations[j].dot(b.rotations[j])));
@@ -33,9 +35,9 @@ void RecordedMotion::find_round() {
     shared_ = std::min(std::max<std::size_t>(crossing, 1), frames / 4);
     round_ = frames - shared_;
     if (shared_ == 0) return;
-    double least = unlikeness(round_);
+    double least = unlikeness(round_, std::numeric_limits<double>::infinity());
     for (std::size_t shift = round_; shift-- > frames / 2;) {
-        const double found = unlikeness(shift);
+        const double found = unlikeness(shift, least);
         if (found < least) std::tie(least, round_) = std::pair(found, shift);
     }
 }

@@ -21,7 +21,7 @@ class RecordedMotion final : public Motion {
     [[nodiscard]] Vector3 velocity() const { return velocity_; }  ///< that was taken out, level [m/s]
 
   private:
-    [[nodiscard]] double unlikeness(std::size_t shift) const;
+    [[nodiscard]] double unlikeness(std::size_t shift, double most) const;
     void find_round();
     void stand_on_the_spot();
     /// Between frames, counted from the first.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cloth/fixtures.h"
+#include "tests/collision/colliders/solids.h"
 #include "weft/weft.h"
 
 namespace weft::test::sleeping {
@@ -292,6 +293,62 @@ TEST(Sleep, ClothThatFallsOnItWakesItAndWhatLayOnItFallsWhenItGoes) {
     ASSERT_TRUE(world.remove_cloth(lower));
     run(world, 30);
     EXPECT_LT(world.cloth(upper)->positions[middle].y, height - 0.3f);
+}
+
+TEST(Sleep, WhatItDoesNotMeetDoesNotWakeIt) {
+    for (const std::uint32_t layer : {1u, 2u}) {
+        World world = make_world();
+        ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+        Collider ball{.shape = Sphere{{0, 1, 0}, 0.1f}};
+        ball.layers = layer;
+        const ColliderId id = world.add_collider(ball).value();
+        ClothSettings settings = that_sleeps();
+        settings.collider_mask = 1;
+        const ClothId cloth = add_sheet(world, 0.02f, settings);
+        ASSERT_TRUE(sleeps_within(world, cloth, 600));
+        ball.shape = Sphere{{0, 0.1f, 0}, 0.1f};
+        ASSERT_TRUE(world.move_collider(id, ball));
+        world.step(h);
+        EXPECT_EQ(world.is_asleep(cloth).value(), layer == 2) << "layer " << layer;
+    }
+}
+
+TEST(Sleep, AShapeThatIsDeformedIntoItWakesItAndOneThatKeepsClearDoesNot) {
+    for (const float stretched : {1.01f, 1.6f}) {
+        World world = make_world();
+        ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+        const Solid solid = box_mesh({0.1f, 0.1f, 0.1f});
+        const ShapeId shape = world.add_shape(solid.mesh()).value();
+        ASSERT_TRUE(world.add_collider({.shape = PlacedShape{.shape = shape, .position = {0, 0.15f, 0}}}));
+        const ClothId cloth = add_sheet(world, 0.02f, that_sleeps());
+        ASSERT_TRUE(sleeps_within(world, cloth, 600));
+        std::vector<Vec3> vertices = solid.vertices;
+        for (Vec3& v : vertices) v.y *= stretched;
+        ASSERT_TRUE(world.deform_shape(shape, vertices));
+        world.step(h);
+        EXPECT_EQ(world.is_asleep(cloth).value(), stretched < 1.5f) << stretched;
+    }
+}
+
+TEST(Sleep, SleepsAgainWhenWhatMovedNearItStands) {
+    Room room;
+    ASSERT_TRUE(room.world.move_collider(room.ball, {.shape = Sphere{{0, 0.107f, 0}, 0.1f}}));
+    room.world.step(h);
+    ASSERT_FALSE(room.world.is_asleep(room.cloth).value());
+    EXPECT_TRUE(sleeps_within(room.world, room.cloth, 600));
+}
+
+TEST(Sleep, NeverUnderABodyThatHangsOnIt) {
+    World world = make_world();
+    const ClothId cloth = add_sheet(world, 1, that_sleeps());
+    ASSERT_TRUE(world.pin(cloth, corners));
+    const BodyId body =
+        world.add_body({.mass = 0.01f, .damping = 10, .angular_damping = 10}, {.position = {0, 1, 0}})
+            .value();
+    ASSERT_TRUE(world.attach(body, cloth, std::vector<std::uint32_t>{middle}));
+    EXPECT_FALSE(sleeps_within(world, cloth, 600));
+    ASSERT_TRUE(world.remove_body(body));
+    EXPECT_TRUE(sleeps_within(world, cloth, 3000));
 }
 
 TEST(Sleep, GoesOnFromASaveWithTheSameBytesOnAnyThreads) {

@@ -1,165 +1,20 @@
-// A skinned character from a glTF file, which the test writes by the format's description.
+// A skinned character from a glTF file, read as it was written.
 
 #include "demo/character/garment/gltf_file.h"
 
-#include <cstring>
+#include <cmath>
 #include <numbers>
-#include <set>
 
 #include "demo/character/character.h"
 #include "demo/character/garment/gltf_mesh.h"
-#include "demo/character/motion/generated_walk.h"
+#include "tests/demo/character/gltf_example.h"
 #include "tests/demo/character/temporary_file.h"
 
 namespace weft::demo {
 namespace {
 
-std::string text(double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.9g", value);
-    return digits;
-}
-
-/// Buffers and their descriptions, as they grow.
-struct GltfText {
-    std::string bytes, views, accessors;
-    int count = 0;
-
-    template <class T>
-    int add(const std::vector<T>& values, const char* type, int component_type, std::size_t elements) {
-        const std::string comma = count > 0 ? "," : "";
-        views += comma + R"({"buffer":0,"byteOffset":)" + std::to_string(bytes.size()) + R"(,"byteLength":)" +
-                 std::to_string(values.size() * sizeof(T)) + "}";
-        accessors += comma + R"({"bufferView":)" + std::to_string(count) + R"(,"componentType":)" +
-                     std::to_string(component_type) + R"(,"count":)" + std::to_string(elements) +
-                     R"(,"type":")" + type + "\"}";
-        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-        while (bytes.size() % 4 != 0) bytes += '\0';
-        return count++;
-    }
-};
-
-/// plain_skeleton() in a dress, with every node turned by a quarter about x at rest, which its child undoes.
-struct Model {
-    Skeleton skeleton = plain_skeleton();
-    Garment dress;
-    GltfText data;
-    std::string nodes, joints, primitives, animation;
-
-    explicit Model(bool with_body = false) {
-        JointAngles rest = JointAngles::at_rest(skeleton);
-        rest.root = {0, 1, 0};
-        Pose pose;
-        place_joints(skeleton, rest, pose);
-        dress = make_dress(Body::create(skeleton).value(), pose, 300);
-        const Quaternion quarter(Eigen::AngleAxisf(std::numbers::pi_v<float> / 2, Vector3::UnitX()));
-        for (std::size_t j = 0; j < skeleton.size(); ++j) {
-            const Joint& joint = skeleton.joints[j];
-            const bool root = joint.parent < 0;
-            const Quaternion local = root ? quarter : Quaternion::Identity();
-            const Vector3 t = root ? rest.root : Vector3(quarter.conjugate() * joint.offset);
-            std::string children;
-            for (std::size_t c = 0; c < skeleton.size(); ++c) {
-                if (skeleton.joints[c].parent == static_cast<int>(j))
-                    children += (children.empty() ? "" : ",") + std::to_string(c);
-            }
-            nodes += (root ? "" : ",") + std::string(R"({"name":")") + joint.name + R"(","translation":[)" +
-                     text(t.x()) + "," + text(t.y()) + "," + text(t.z()) + R"(],"rotation":[)" +
-                     text(local.x()) + ",0,0," + text(local.w()) + "]" +
-                     (children.empty() ? "" : R"(,"children":[)" + children + "]") + "}";
-            joints +=
-                (root ? "" : ",") + std::to_string(skeleton.size() - 1 - j);  // in another order than nodes
-        }
-        nodes += R"(,{"name":"dress","mesh":0,"skin":0})";
-        add_skin(pose, quarter);
-        if (with_body) add_body();
-        add_animation(quarter);
-    }
-
-    void add_skin(const Pose& pose, const Quaternion& quarter) {
-        std::vector<float> inverse;
-        for (std::size_t j = skeleton.size(); j-- > 0;) {
-            const Eigen::Affine3f global = Eigen::Translation3f(pose.positions[j]) * quarter;
-            const Eigen::Matrix4f matrix = global.inverse().matrix();
-            inverse.insert(inverse.end(), matrix.data(), matrix.data() + 16);
-        }
-        data.add(inverse, "MAT4", 5126, skeleton.size());
-        const std::set<std::uint32_t> fixed(dress.fixed.begin(), dress.fixed.end());
-        std::vector<float> positions;
-        for (const Vec3& p : dress.mesh.positions) positions.insert(positions.end(), {p.x, p.y, p.z});
-        // Half of the hips, half of the chest: joints 0 and 2, counted from the end.
-        std::vector<std::uint8_t> bones;
-        std::vector<float> weights;
-        for (std::size_t v = 0; v < dress.mesh.positions.size(); ++v) {
-            const auto last = static_cast<std::uint8_t>(skeleton.size() - 1);
-            bones.insert(bones.end(), {last, static_cast<std::uint8_t>(last - 2), 0, 0});
-            weights.insert(weights.end(), {0.5f, 0.5f, 0, 0});
-        }
-        const std::size_t count = dress.mesh.positions.size();
-        const int p = data.add(positions, "VEC3", 5126, count), b = data.add(bones, "VEC4", 5121, count);
-        const int w = data.add(weights, "VEC4", 5126, count);
-        for (const bool free : {false, true}) {
-            std::vector<std::uint16_t> indices;
-            for (const Triangle& t : dress.mesh.triangles) {
-                const bool is_fixed = fixed.contains(t[0]) && fixed.contains(t[1]) && fixed.contains(t[2]);
-                if (is_fixed == free) continue;
-                for (const std::uint32_t v : t) indices.push_back(static_cast<std::uint16_t>(v));
-            }
-            const int i = data.add(indices, "SCALAR", 5123, indices.size());
-            primitives += (free ? "," : "") + std::string(R"({"attributes":{"POSITION":)") +
-                          std::to_string(p) + R"(,"JOINTS_0":)" + std::to_string(b) + R"(,"WEIGHTS_0":)" +
-                          std::to_string(w) + R"(},"indices":)" + std::to_string(i) + R"(,"material":)" +
-                          (free ? "1" : "0") + "}";
-        }
-    }
-
-    /// A box round the hips that goes with them, each vertex twice, as at seams.
-    void add_body() {
-        std::vector<float> positions, weights;
-        std::vector<std::uint8_t> bones;
-        std::vector<std::uint16_t> indices;
-        const auto last = static_cast<std::uint8_t>(skeleton.size() - 1);
-        for (int v = 0; v < 16; ++v) {
-            positions.insert(positions.end(), {(v & 1) != 0 ? 0.07f : -0.07f, (v & 2) != 0 ? 1.05f : 0.75f,
-                                               (v & 4) != 0 ? 0.06f : -0.06f});
-            bones.insert(bones.end(), {last, 0, 0, 0});
-            weights.insert(weights.end(), {1, 0, 0, 0});
-        }
-        for (const auto& [a, b, c, d] : std::array<std::array<int, 4>, 6>{
-                 {{0, 4, 6, 2}, {1, 3, 7, 5}, {8, 9, 13, 12}, {10, 14, 15, 11}, {0, 2, 3, 1}, {4, 5, 7, 6}}})
-            for (const int v : {a, b, c, a, c, d}) indices.push_back(static_cast<std::uint16_t>(v));
-        const int p = data.add(positions, "VEC3", 5126, 16), b = data.add(bones, "VEC4", 5121, 16);
-        const int w = data.add(weights, "VEC4", 5126, 16), i = data.add(indices, "SCALAR", 5123, 36);
-        primitives += R"(,{"attributes":{"POSITION":)" + std::to_string(p) + R"(,"JOINTS_0":)" +
-                      std::to_string(b) + R"(,"WEIGHTS_0":)" + std::to_string(w) + R"(},"indices":)" +
-                      std::to_string(i) + R"(,"material":2})";
-    }
-
-    /// The left thigh goes from where it is forward by 60 degrees in a second.
-    void add_animation(const Quaternion& quarter) {
-        const Quaternion forward(Eigen::AngleAxisf(-std::numbers::pi_v<float> / 3, Vector3::UnitX()));
-        const Quaternion local = quarter.conjugate() * forward * quarter;
-        const int times = data.add(std::vector<float>{0, 1}, "SCALAR", 5126, 2);
-        const int values = data.add(
-            std::vector<float>{0, 0, 0, 1, local.x(), local.y(), local.z(), local.w()}, "VEC4", 5126, 2);
-        animation = R"({"channels":[{"sampler":0,"target":{"node":)" +
-                    std::to_string(*skeleton.find("LeftUpLeg")) +
-                    R"(,"path":"rotation"}}],"samplers":[{"input":)" + std::to_string(times) +
-                    R"(,"output":)" + std::to_string(values) + "}]}";
-    }
-
-    [[nodiscard]] std::string json(const std::string& buffer) const {
-        return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + buffer + R"(","byteLength":)" +
-               std::to_string(data.bytes.size()) + R"(}],"bufferViews":[)" + data.views +
-               R"(],"accessors":[)" + data.accessors + R"(],"nodes":[)" + nodes +
-               R"(],"skins":[{"joints":[)" + joints +
-               R"(],"inverseBindMatrices":0}],"materials":[{"name":"GarmentTop"},{"name":"SkirtFree","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.5,0.2,1]}},{"name":"Skin"}],"meshes":[{"primitives":[)" +
-               primitives + R"(]}],"animations":[)" + animation + "]}";
-    }
-};
-
 TEST(Gltf, HasSkeletonMotionAndGarment) {
-    const Model model;
+    const GltfExample model;
     const TemporaryFile buffer("model.bin", model.data.bytes);
     const TemporaryFile file("model.gltf", model.json(buffer.path().filename().string()));
     const auto read = read_gltf(file.path());
@@ -194,7 +49,7 @@ TEST(Gltf, HasSkeletonMotionAndGarment) {
 }
 
 TEST(Gltf, DressesSomebody) {
-    const Model model;
+    const GltfExample model;
     const TemporaryFile buffer("dressed.bin", model.data.bytes);
     const TemporaryFile file("dressed.gltf", model.json(buffer.path().filename().string()));
     CharacterSettings settings;
@@ -221,7 +76,7 @@ TEST(Gltf, DressesSomebody) {
 
 TEST(Gltf, ItsOwnBodyIsMetAsItsSkin) {
     for (const bool with_body : {true, false}) {
-        const Model model(with_body);
+        const GltfExample model(with_body);
         const TemporaryFile buffer("skinned.bin", model.data.bytes);
         const TemporaryFile file("skinned.gltf", model.json(buffer.path().filename().string()));
         EXPECT_TRUE(read_gltf(file.path()).value().body.mesh.positions.empty()) << "nobody asked for it";
@@ -272,8 +127,8 @@ TEST(Gltf, AMeshWithNobodyInItIsClothWhereItsNodesPutIt) {
     ASSERT_EQ(mesh->triangles.size(), 2u);
     EXPECT_EQ(mesh->triangles[1], (Triangle{3, 4, 5}));
     EXPECT_EQ(to_vector(mesh->positions[4]), Vector3(3, 3, 0));
-    const TemporaryFile unread("model.bin", Model().data.bytes);
-    const TemporaryFile skinned("skinned.gltf", Model().json(unread.path().filename().string()));
+    const TemporaryFile unread("model.bin", GltfExample().data.bytes);
+    const TemporaryFile skinned("skinned.gltf", GltfExample().json(unread.path().filename().string()));
     EXPECT_TRUE(has_skin(skinned.path()));
     for (const auto& [nodes, named] :
          {std::pair("[{}]", "no node has a mesh"), {R"([{"mesh":0,"children":[0]}])", "its own ancestor"}}) {
@@ -286,7 +141,7 @@ TEST(Gltf, AMeshWithNobodyInItIsClothWhereItsNodesPutIt) {
 }
 
 TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {
-    const Model model;
+    const GltfExample model;
     const TemporaryFile buffer("faulty.bin", model.data.bytes);
     const auto refusal = [&](const std::string& from, const std::string& to) {
         std::string json = model.json(buffer.path().filename().string());
@@ -301,13 +156,83 @@ TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {
     EXPECT_NE(refusal("SkirtFree", "Skirt").find("\"Free\""), std::string::npos);
     EXPECT_NE(refusal("\"WEIGHTS_0\"", "\"WEIGHTS_9\"").find("GarmentTop has no WEIGHTS_0"),
               std::string::npos);
-    EXPECT_NE(refusal("\"joints\":[", "\"joints\":[999,").find("joint 999"), std::string::npos);
+    EXPECT_NE(refusal("\"joints\":[", "\"joints\":[999,").find("joints[0] is 999"), std::string::npos);
     EXPECT_NE(refusal("\"type\":\"MAT4\"", "\"type\":\"VEC4\"").find("must have 16"), std::string::npos);
     EXPECT_NE(refusal("\"componentType\":5126,\"count\":26", "\"componentType\":5126,\"count\":999999"), "");
     EXPECT_NE(refusal("\"asset\"", "\"asset"), "");
     const auto missing = read_gltf("no/such.glb");
     ASSERT_FALSE(missing.ok());
     EXPECT_EQ(missing.error().code, ErrorCode::file_not_found);
+}
+
+TEST(Gltf, AValueThatIsMalformedIsNamed) {
+    const GltfExample model;
+    const TemporaryFile buffer("named.bin", model.data.bytes);
+    const std::string whole = model.json(buffer.path().filename().string());
+    const std::string bytes = std::to_string(model.data.bytes.size());
+    struct Case {
+        std::string from, to, named;
+    };
+    const std::string sampler = R"("channels":[{"sampler":0)";
+    for (const auto& [from, to, named] : std::vector<Case>{
+             {R"("version":"2.0")", R"("version":"1.0")", "asset.version is \"1.0\""},
+             {R"("byteLength":)" + bytes, R"("byteLength":-1)", "buffers[0].byteLength is -1"},
+             {R"("byteLength":)" + bytes, R"("byteLength":1e18)", "buffers[0].byteLength is 1e+18"},
+             {R"("byteLength":)" + bytes, R"("byteLength":12)", "bufferViews[0] has"},
+             {R"("byteOffset":0)", R"("byteOffset":1e15)", "bufferViews[0] has"},
+             {R"("byteOffset":0)", R"("byteOffset":0,"byteStride":4)", "one every 4"},
+             {R"("buffer":0)", R"("buffer":7)", "bufferViews[0].buffer is 7"},
+             {R"("bufferView":0)", R"("bufferView":-1)", "accessors[0].bufferView is -1"},
+             {R"("componentType":5126)", R"("componentType":0.5)", "accessors[0].componentType is 0.5"},
+             {R"("type":"MAT4")", R"("type":"MAT5")", "accessors[0].type is \"MAT5\""},
+             {R"("translation":[)", R"("translation":[0,1e39,0],"was":[)",
+              "nodes[0].translation is [0,1e+39,0]"},
+             {R"("translation":[)", R"("translation":[0,9e9,0],"was":[)", "nodes[0] comes to stand"},
+             {R"("rotation":[)", R"("rotation":[0,0,0,0],"was":[)", "nodes[0].rotation is [0,0,0,0]"},
+             {R"("children":[)", R"("children":[0,)", "is its own ancestor"},
+             {R"("children":[)", R"("children":["x",)", "nodes[0].children[0] is \"x\""},
+             {R"("skin":0)", R"("skin":1)", "skin is 1"},
+             {R"("inverseBindMatrices":0)", R"("inverseBindMatrices":9999)",
+              "skins[0].inverseBindMatrices is 9999"},
+             {R"("indices":)", R"("indices":0,"was":)", "must have 1"},
+             {sampler, R"("channels":[{"sampler":-1)", "animations[0].channels[0].sampler is -1"},
+             {R"("path":"rotation")", R"("path":"turn")", "path is \"turn\""},
+             {R"("nodes":[)", R"("nodes":[[],)", "nodes[0] is []"},
+             {R"("nodes":)",
+              R"("nodes":)" + std::string(100'000, '[') + std::string(100'000, ']') + R"(,"was":)",
+              "nested more than 64 deep"}}) {
+        std::string json = whole;
+        ASSERT_NE(json.find(from), std::string::npos) << from;
+        json.replace(json.find(from), from.size(), to);
+        const TemporaryFile file("named.gltf", json);
+        const auto read = read_gltf(file.path());
+        ASSERT_FALSE(read.ok()) << to.substr(0, 99);
+        EXPECT_EQ(read.error().code, ErrorCode::malformed_file);
+        EXPECT_NE(read.error().message.find(named), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.find("named.gltf"), std::string::npos) << read.error().message;
+    }
+}
+
+TEST(Gltf, ABinaryFileThatIsCutOffAnywhereIsRefused) {
+    const GltfExample model;
+    std::string json = model.json("");
+    json += std::string(3 - (json.size() + 3) % 4, ' ');
+    const auto word = [](std::size_t value) {
+        const auto number = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    const std::string& binary = model.data.bytes;
+    const std::string whole = "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) +
+                              "JSON" + json + word(binary.size()) + std::string("BIN\0", 4) + binary;
+    const TemporaryFile file("whole.glb", whole);
+    const auto read = read_gltf(file.path());
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    for (std::size_t size = 0; size < whole.size(); size += 1 + size / 9) {
+        const TemporaryFile cut("cut.glb", whole.substr(0, size));
+        const auto refused = read_gltf(cut.path());
+        ASSERT_FALSE(refused.ok()) << size;
+        EXPECT_NE(refused.error().message.find("cut.glb"), std::string::npos) << refused.error().message;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+// The bytes of a glTF file: its two kinds of container, and the buffers that it names.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "demo/character/garment/gltf_fields.h"
+#include "weft/error.h"
+
+namespace weft::demo {
+
+using GltfBytes = std::vector<unsigned char>;
+
+/// All of a regular file. Error: it cannot be read, or is larger than 2 GiB.
+[[nodiscard]] Result<GltfBytes> read_bytes(const std::filesystem::path& file);
+
+/// What a file holds; views of its bytes.
+struct GltfContainer {
+    std::string_view json;
+    std::optional<std::string_view> binary;  ///< of .glb files, and not of all
+};
+
+/// Error: chunks of .glb that are not as the file's length and the format ask for.
+[[nodiscard]] Result<GltfContainer> open_container(const GltfBytes& bytes);
+
+/// The `buffers` of a file in `folder`, 2 GiB together at most, each of the length that the file says.
+[[nodiscard]] Result<std::vector<GltfBytes>> load_buffers(const GltfFields& file,
+                                                          const std::filesystem::path& folder,
+                                                          std::optional<std::string_view> binary);
+
+}  // namespace weft::demo
