@@ -117,6 +117,25 @@ Vector3 tangent_to(const Vector3& normal, const Vector3& way, const Vector3& oth
                    unit_or(otherwise - otherwise.dot(normal) * normal, normal.unitOrthogonal()));
 }
 
+/// The first `most_named` of the vertices, by number.
+std::string list_of(const std::vector<std::size_t>& vertices) {
+    constexpr std::size_t most_named = 16;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most_named, vertices.size()); ++k)
+        text += (k > 0 ? ", " : "") + std::to_string(vertices[k]);
+    return vertices.size() > most_named ? text + ", ..." : text;
+}
+
+/// Precondition: there are some.
+Error out_of_reach(const std::vector<std::size_t>& vertices, std::size_t all, float reach) {
+    const std::string end = " further from the cloth than DrawnMeshSettings::reach, " +
+                            number_text(static_cast<double>(reach)) + " m";
+    if (vertices.size() == 1) return bad_vertex(vertices[0], "is" + end);
+    return {ErrorCode::invalid_argument, std::to_string(vertices.size()) + " of the " + std::to_string(all) +
+                                             " vertices of the drawn surface are" + end + ": vertices " +
+                                             list_of(vertices)};
+}
+
 DrawnBond bond_to(const ClothView& cloth, const NearestTriangle::Found& found, float rounding,
                   const Vector3& vertex, const Vector3& normal, const Vector3& along_u,
                   const Vector3& along_v) {
@@ -171,15 +190,17 @@ Result<DrawnMesh> DrawnMesh::bind(const ClothView& cloth, const DrawnSurface& su
         auto bonds = std::make_unique<Bonds>();
         bonds->rounding = settings.rounding;
         bonds->of_vertex.reserve(surface.vertices.size());
+        std::vector<std::size_t> unbound;
         for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
             const Vector3 vertex = to_vector(surface.vertices[v]);
             const auto found = nearest.to(vertex, axes.normals[v], settings.reach);
             if (!found)
-                return bad_vertex(v, "is further from the cloth than DrawnMeshSettings::reach, " +
-                                         number_text(static_cast<double>(settings.reach)) + " m");
-            bonds->of_vertex.push_back(bond_to(cloth, *found, settings.rounding, vertex, axes.normals[v],
-                                               axes.along_u[v], axes.along_v[v]));
+                unbound.push_back(v);
+            else if (unbound.empty())
+                bonds->of_vertex.push_back(bond_to(cloth, *found, settings.rounding, vertex, axes.normals[v],
+                                                   axes.along_u[v], axes.along_v[v]));
         }
+        if (!unbound.empty()) return out_of_reach(unbound, surface.vertices.size(), settings.reach);
         return DrawnMesh(std::move(bonds));
     });
 }

@@ -10,7 +10,8 @@
 
 namespace weft {
 
-/// Triangles by the cells of a grid that their boxes meet, sorted.
+/// A hierarchy of boxes around triangles, halved by number: it is built in n log^2 n, and a search opens only
+/// boxes that may hold something better.
 class NearestTriangle {
   public:
     /// The view must outlive this.
@@ -21,23 +22,25 @@ class NearestTriangle {
         float second = 0, third = 0;  ///< barycentric coordinates of its last two corners
         float distance = 0;           ///< [m]
     };
-    /// Of those that face as `normal` does, or of all where none of these is within reach; of several as near
-    /// the first. None: nothing is within reach [m].
+    /// The nearest triangle that faces as `normal` does, or the nearest of all where none of these is within
+    /// reach; the lowest number among equally near ones. None: nothing is within reach [m].
     [[nodiscard]] std::optional<Found> to(const Vector3& point, const Vector3& normal, float reach) const;
 
   private:
-    struct Entry {
-        std::uint64_t cell;
-        std::uint32_t triangle;
-        friend auto operator<=>(const Entry&, const Entry&) = default;
+    /// Children of an inner node are `first` and `first + 1`; a leaf has order_[first, first + count).
+    struct Node {
+        Eigen::AlignedBox3f box;      // of positions [m], widened by rounding
+        Eigen::AlignedBox3f normals;  // of unit normals: a search for triangles that face a way skips others
+        std::uint32_t first, count;   // 0: an inner node
     };
-    /// The better of what was found and the triangles of one cell.
-    void look(std::uint64_t cell, const Vector3& point, const Vector3& normal, std::optional<Found>& facing,
-              std::optional<Found>& any) const;
+    void build(std::vector<std::uint32_t> order);
+    void fit();
+    [[nodiscard]] std::optional<Found> search(const Vector3& point, const Vector3* normal, float reach) const;
 
     const ClothView& cloth_;
-    float cell_ = 1;  // edge of a cell [m]
-    std::vector<Entry> entries_;
+    std::vector<std::uint32_t> order_;  // triangles, by leaves
+    std::vector<Node> nodes_;
+    float rounding_ = 0;  // bounds the error of a distance [m]
 };
 
 }  // namespace weft

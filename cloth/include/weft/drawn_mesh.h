@@ -48,9 +48,10 @@ class WEFT_API DrawnMesh {
   public:
     /// Binds each vertex to the nearest triangle of the cloth as it is now, of those that face as it does if
     /// one is within reach: by barycentric coordinates, and an offset that turns with the triangle. It takes
-    /// 64 bytes a vertex. Errors, with the vertex or triangle: a position that is not finite or out of reach,
-    /// an index out of range, other numbers of texture coordinates or normals than of vertices; a setting out
-    /// of range.
+    /// 64 bytes a vertex, and time in proportion to (vertices + triangles) times the logarithm of triangles.
+    /// Errors, with the vertex or triangle: a position that is not finite, positions out of reach (their
+    /// number, and the first 16), an index out of range, other numbers of texture coordinates or normals than
+    /// of vertices; a setting out of range.
     [[nodiscard]] static Result<DrawnMesh> bind(const ClothView& cloth, const DrawnSurface& surface,
                                                 const DrawnMeshSettings& settings = {});
     DrawnMesh(DrawnMesh&&) noexcept;

@@ -88,7 +88,8 @@ double hinge_weight(const Hinge& hinge) {
         b += q * at[k].y() * at[k].y() / 2;
         c += q * at[k].x() * at[k].y();
     }
-    return 1.04 / std::sqrt(3 * (3 * (a * a + b * b) + 2 * a * b + c * c) / 8);
+    return static_cast<double>(hinge.softening) * 1.04 /
+           std::sqrt(3 * (3 * (a * a + b * b) + 2 * a * b + c * c) / 8);
 }
 
 std::vector<BendingElement> hinges_of_mesh(const ClothModel& model) {

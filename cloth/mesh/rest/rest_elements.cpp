@@ -49,6 +49,7 @@ std::vector<TriangleSide> sides_by_edge(const ClothModel& model) {
 struct RestSide {
     float length, area, cot_start, cot_end;
     std::uint32_t start, end, apex;  ///< particles
+    float factor;                    ///< sliver_factor
 };
 
 RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_t corner) {
@@ -64,7 +65,8 @@ RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_
             .cot_end = side.dot(side - to_apex) / twice_area,
             .start = particles[corner],
             .end = particles[end],
-            .apex = particles[apex]};
+            .apex = particles[apex],
+            .factor = static_cast<float>(sliver_factor(sides))};
 }
 
 /// Where two triangles are wound against each other the second is seen from behind.
@@ -81,7 +83,9 @@ Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const Triangl
                 .length = length,
                 .least_height = 2 * std::min(a.area, b.area) / length,
                 .angle = 0,
-                .weight = 1 / (a.area + b.area)};
+                .weight = 1 / (a.area + b.area),
+                .softening = std::min(a.factor, b.factor)};
+    hinge.weight *= hinge.softening;
     if (model.panel_sides.empty()) {
         std::array<Vector3, 4> x;
         std::ranges::transform(hinge.particles, x.begin(),
@@ -121,6 +125,15 @@ RestSides rest_sides(const ClothModel& model, std::uint32_t triangle) {
     const Vector3 normal = to1.cross(to2).normalized(), along = warp_direction(model, triangle, normal);
     const Vector3 warp = (along - along.dot(normal) * normal).normalized(), weft = normal.cross(warp);
     return {{to1.dot(warp), to1.dot(weft)}, {to2.dot(warp), to2.dot(weft)}};
+}
+
+double sliver_factor(const RestSides& sides) {
+    const Eigen::Vector2d to1 = sides.to1.cast<double>(), to2 = sides.to2.cast<double>();
+    const double twice_area = std::abs(to1.x() * to2.y() - to1.y() * to2.x());
+    const double longest = std::max({to1.squaredNorm(), to2.squaredNorm(), (to2 - to1).squaredNorm()});
+    if (!(twice_area < least_sound_height * longest)) return 1;
+    const double part = twice_area / (least_sound_height * longest);
+    return part * part * part;
 }
 
 Bending bending_elements(const ClothModel& model) {

@@ -21,7 +21,7 @@ double bound_of(const Eigen::Matrix3d& c) {
 
 struct RestStrains {
     std::array<double, 3> lengths;  // of the sides [m]
-    double area;                    // [m^2]
+    double softened_area;           // times sliver_factor: what energies are multiplied by [m^2]
     Eigen::Matrix3d strains;        // M^-1: xx, yy and xy, the engineers' shear, by extensions of the sides
 };
 
@@ -30,7 +30,7 @@ RestStrains rest_strains(const ClothModel& model, std::uint32_t triangle) {
     const Eigen::Vector2d to1 = rest.to1.cast<double>(), to2 = rest.to2.cast<double>();
     const std::array<Eigen::Vector2d, 3> sides{to1, to2 - to1, -to2};
     RestStrains result;
-    result.area = std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2;
+    result.softened_area = sliver_factor(rest) * (std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2);
     Eigen::Matrix3d extensions;
     for (std::size_t k = 0; k < 3; ++k) {
         const double length = result.lengths[k] = sides[k].norm();
@@ -52,7 +52,8 @@ TriangleMembrane triangle_membrane(const ClothModel& model, std::uint32_t triang
         stiffness_at(model, model.triangles[triangle]) * Eigen::Vector3d(static_cast<double>(fabric.warp),
                                                                          static_cast<double>(fabric.weft),
                                                                          static_cast<double>(fabric.shear));
-    const Eigen::Matrix3d c = rest.area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
+    const Eigen::Matrix3d c =
+        rest.softened_area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
     const double scale = std::max(1.0, least_bound * bound_of(c));
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t m = 0; m < 3; ++m)
@@ -69,8 +70,8 @@ TriangleStiffening triangle_stiffening(const ClothModel& model, std::uint32_t tr
     const double stiffening =
         static_cast<double>(fabric.stiffening) * stiffness_at(model, model.triangles[triangle]);
     TriangleStiffening result;
-    result.moduli = {rest.area * stiffening * static_cast<double>(fabric.warp),
-                     rest.area * stiffening * static_cast<double>(fabric.weft)};
+    result.moduli = {rest.softened_area * stiffening * static_cast<double>(fabric.warp),
+                     rest.softened_area * stiffening * static_cast<double>(fabric.weft)};
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t k = 0; k < 3; ++k)
             result.strains[axis][k] =

@@ -93,9 +93,10 @@ TriangleElements::TriangleElements(const ClothModel& model)
         Eigen::Matrix2f shape;
         shape << sides.to1, sides.to2;
         const Eigen::Matrix2f gradients = shape.inverse();  // its rows are dphi_1/dX and dphi_2/dX
-        const float values[] = {gradients(0, 0), gradients(0, 1), gradients(1, 0), gradients(1, 1),
-                                0.5f * std::abs(shape.determinant()) *
-                                    static_cast<float>(stiffness_at(model, model.triangles[t]))};
+        const float values[] = {
+            gradients(0, 0), gradients(0, 1), gradients(1, 0), gradients(1, 1),
+            0.5f * std::abs(shape.determinant()) *
+                static_cast<float>(stiffness_at(model, model.triangles[t]) * sliver_factor(sides))};
         for (std::size_t k = 0; k < 5; ++k) rest[k][t] = values[k];
     }
 }

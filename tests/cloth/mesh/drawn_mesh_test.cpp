@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <limits>
 #include <random>
 
@@ -236,6 +237,51 @@ TEST(DrawnMesh, BindsToTheNearestTriangle) {
             EXPECT_FALSE(DrawnMesh::bind(cage.view, {.vertices = one}, {.reach = least - 0.003f}).ok());
         }
     }
+}
+
+/// A surface that lies on the cloth and is wound the other way, as the inside of a garment: nothing within
+/// reach faces any vertex. Twice the cells a side are four times the triangles.
+TEST(DrawnMesh, BindsToTheBackInALittleMoreThanTheTimeOfTheFront) {
+    const auto seconds = [](std::uint32_t cells, bool back) {
+        const Cage cage(cells, bent);
+        std::vector<Vec3> vertices, normals;
+        for (std::size_t i = 0; i < cage.positions.size(); ++i) {
+            vertices.push_back(to_vec3(xyz(cage.positions[i])));
+            normals.push_back(to_vec3((back ? -1.0f : 1.0f) * xyz(cage.normals[i])));
+        }
+        const std::clock_t begin = std::clock();
+        const auto mesh =
+            DrawnMesh::bind(cage.view, {.vertices = vertices, .normals = normals}, {.reach = 10});
+        EXPECT_TRUE(mesh.ok());
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    EXPECT_LT(seconds(96, true), 20 * seconds(96, false) + 0.1);
+    EXPECT_LT(seconds(96, true), 20 * seconds(48, true) + 0.1);
+}
+
+TEST(DrawnMesh, ReachesFarFromASmallCloth) {
+    const Cage small(8, [](float u, float v) {
+        return PointAndNormal{{0.01f * u, 0.01f * v, 0}, {0, 0, 1}};
+    });
+    const std::vector<Vec3> near_reach(200, Vec3{0, 0, 9.9f}), beyond(200, Vec3{0, 0, 10.1f});
+    const std::clock_t begin = std::clock();
+    EXPECT_TRUE(DrawnMesh::bind(small.view, {.vertices = near_reach}, {.reach = 10}).ok());
+    EXPECT_FALSE(DrawnMesh::bind(small.view, {.vertices = beyond}, {.reach = 10}).ok());
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 0.1);
+}
+
+TEST(DrawnMesh, NamesAllThatIsOutOfReach) {
+    const Cage cage(4, flat);
+    Fine fine(9);
+    for (const std::size_t v : {3u, 40u, 41u}) fine.vertices[v].z = 1;
+    auto mesh = DrawnMesh::bind(cage.view, fine.surface());
+    ASSERT_FALSE(mesh.ok());
+    EXPECT_NE(mesh.error().message.find("3 of the 100 vertices"), std::string::npos) << mesh.error().message;
+    EXPECT_NE(mesh.error().message.find("0.1 m: vertices 3, 40, 41"), std::string::npos);
+    for (Vec3& p : fine.vertices) p.z = 1;
+    mesh = DrawnMesh::bind(cage.view, fine.surface());
+    ASSERT_FALSE(mesh.ok());
+    EXPECT_NE(mesh.error().message.find("14, 15, ..."), std::string::npos) << mesh.error().message;
 }
 
 TEST(DrawnMesh, WritesThePartThatIsAskedFor) {
