@@ -147,7 +147,7 @@ std::vector<Surface> plain_surfaces() {
     constexpr float turn = 6.28318531f;
     std::vector<Surface> all;
     for (std::uint32_t around = 4; around <= 26; around += 2)
-        for (std::uint32_t rows = 3; rows <= 12; rows += 3) {
+        for (std::uint32_t rows = 3; rows <= 12; rows += 5) {
             const auto ring = [](float u, float radius, float y) {
                 return Vec4{radius * std::cos(turn * u), y, radius * std::sin(turn * u), 0};
             };
