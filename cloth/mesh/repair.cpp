@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "cloth/mesh/mesh_limits.h"
+#include "engine/vector.h"
 
 namespace weft {
 
@@ -116,7 +121,129 @@ std::uint32_t count_misoriented(const Topology& topology) {
         topology.edges, [&](const Edge& edge) { return is_misoriented(topology, edge); }));
 }
 
+/// An edge of one triangle, by where it lies. `lower` and `higher` are its vertices at these places.
+struct OpenEdge {
+    std::uint32_t low, high;                ///< places, low < high
+    std::uint32_t lower, higher, opposite;  ///< vertices; the last is the triangle's third
+    bool ascends;                           ///< the triangle runs along it from low to high
+    bool is_matched;
+};
+
+bool has_three_places(const Triangle& t, std::span<const std::uint32_t> places) {
+    return places[t[0]] != places[t[1]] && places[t[1]] != places[t[2]] && places[t[2]] != places[t[0]];
+}
+
+/// Open edges that lie at one place follow one another, by triangles. A triangle with two corners at one
+/// place has no edges: what it joins is joined by that place.
+std::vector<OpenEdge> open_edges(const Mesh& mesh, std::span<const std::uint32_t> places) {
+    std::vector<Triangle> triangles;
+    for (const Triangle& t : mesh.triangles)
+        if (has_three_places(t, places)) triangles.push_back(t);
+    const std::vector<Side> sides = sides_by_edge(triangles);
+    std::vector<OpenEdge> open;
+    for (std::size_t begin = 0; begin < sides.size();) {
+        const std::span<const Side> same = sides_of_edge(sides, begin);
+        begin += same.size();
+        if (same.size() > 1) continue;
+        std::uint32_t lower = same[0].low, higher = same[0].high;
+        if (places[lower] > places[higher]) std::swap(lower, higher);
+        const Triangle& triangle = triangles[same[0].triangle];
+        const std::size_t at =
+            static_cast<std::size_t>(std::ranges::find(triangle, lower) - triangle.begin());
+        open.push_back({places[lower], places[higher], lower, higher, same[0].opposite,
+                        triangle[(at + 1) % 3] == higher, false});
+    }
+    std::ranges::stable_sort(open, {}, [](const OpenEdge& e) { return std::pair(e.low, e.high); });
+    return open;
+}
+
+/// Sets of vertices. Invariant: parents[i] <= i, so that a set's root is its first vertex.
+class VertexSets {
+  public:
+    explicit VertexSets(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), 0u);
+    }
+    [[nodiscard]] std::uint32_t root_of(std::uint32_t i) {
+        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+        return i;
+    }
+    void join(std::uint32_t i, std::uint32_t j) {
+        i = root_of(i);
+        j = root_of(j);
+        parents_[std::max(i, j)] = std::min(i, j);
+    }
+
+  private:
+    std::vector<std::uint32_t> parents_;
+};
+
+/// Whether the triangles of two edges at one place lie on each other: their angle is less than 1e-3.
+bool lie_on_each_other(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
+    const auto at = [&](std::uint32_t i) { return to_vector(mesh.positions[i]).cast<double>().eval(); };
+    const Eigen::Vector3d from = at(a.lower), along = at(a.higher) - from;
+    const Eigen::Vector3d normal = along.cross(at(a.opposite) - from),
+                          other = along.cross(at(b.opposite) - from);
+    return normal.dot(other) > 0 && normal.cross(other).norm() < 1e-3 * normal.norm() * other.norm();
+}
+
+/// A pattern has two places for what a seam joins, however the panels lie.
+bool is_seam(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
+    return !mesh.pattern.empty() || !lie_on_each_other(mesh, a, b);
+}
+
+/// Each edge with the first of the later ones at its place that is free: one that runs the other way, as
+/// across a seam of one surface, before one that runs alike, as where parts are wound against each other.
+void join_matching(const Mesh& mesh, std::span<OpenEdge> same, VertexSets& sets) {
+    for (const bool runs_alike : {false, true}) {
+        for (std::size_t k = 0; k < same.size(); ++k) {
+            OpenEdge& edge = same[k];
+            if (edge.is_matched) continue;
+            const auto other = std::find_if(
+                same.begin() + static_cast<std::ptrdiff_t>(k) + 1, same.end(), [&](const OpenEdge& e) {
+                    return !e.is_matched && (e.ascends == edge.ascends) == runs_alike &&
+                           is_seam(mesh, e, edge);
+                });
+            if (other == same.end()) continue;
+            edge.is_matched = other->is_matched = true;
+            sets.join(edge.lower, other->lower);
+            sets.join(edge.higher, other->higher);
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh) {
+    const std::vector<std::uint32_t> places = weld(mesh.positions);
+    VertexSets sets(places.size());
+    std::vector<OpenEdge> open = open_edges(mesh, places);
+    const auto is_elsewhere = [](const OpenEdge& a, const OpenEdge& b) {
+        return a.low != b.low || a.high != b.high;
+    };
+    for (auto begin = open.begin(); begin != open.end();) {
+        const auto last = std::adjacent_find(begin, open.end(), is_elsewhere);
+        const auto end = last == open.end() ? last : last + 1;
+        join_matching(mesh, {begin, end}, sets);
+        begin = end;
+    }
+
+    std::vector<bool> has_triangle(places.size());
+    for (const Triangle& t : mesh.triangles)
+        if (has_three_places(t, places))
+            for (const std::uint32_t vertex : t) has_triangle[vertex] = true;
+    std::vector<std::uint32_t> first_at(places.size(), Edge::none);
+    for (std::uint32_t i = 0; i < places.size(); ++i) first_at[places[i]] = std::min(first_at[places[i]], i);
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+        if (!has_triangle[i]) sets.join(i, first_at[places[i]]);
+
+    std::vector<std::uint32_t> numbers(places.size());
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+        const std::uint32_t root = sets.root_of(i);
+        numbers[i] = root == i ? next++ : numbers[root];
+    }
+    return numbers;
+}
 
 /// The sides of an edge that begin at `begin`.
 std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin) {

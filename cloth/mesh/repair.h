@@ -1,5 +1,5 @@
 #pragma once
-// What cooking leaves out of a mesh, and what it turns: see CookReport.
+// What cooking welds, leaves out of a mesh, and turns: see CookReport.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +21,14 @@ struct Side {
 [[nodiscard]] std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin);
 /// How many triangles each particle has.
 [[nodiscard]] std::vector<std::uint32_t> triangle_counts(const Topology& topology);
+
+/// One particle number per vertex, ascending by first vertex. Vertices at one position are welded along open
+/// edges: two edges of one triangle each that lie at one place, with triangles that do not lie on each other
+/// unless the mesh has a pattern. So a surface that was split along seams closes, and layers that touch stay
+/// apart. A vertex without triangles joins the first vertex at its position.
+///
+/// Precondition: the mesh's indices are in range.
+[[nodiscard]] std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh);
 
 /// Takes triangle by triangle, as the mesh has them, each only if it finds room. Returns the sides of those
 /// that stay, by edges and in these by triangles: two at most of an edge.

@@ -129,9 +129,9 @@ Result<void> check_welds(const Mesh& mesh) {
     return {};
 }
 
-/// One number per vertex: see weld().
+/// One number per vertex: as Mesh::welds says, or see weld_open_edges().
 std::vector<std::uint32_t> particles_of(const Mesh& mesh) {
-    if (mesh.welds.empty()) return weld(mesh.positions);
+    if (mesh.welds.empty()) return weld_open_edges(mesh);
     std::vector<std::uint32_t> numbers(mesh.welds.size());
     std::uint32_t next = 0;
     for (std::uint32_t i = 0; i < numbers.size(); ++i)

@@ -14,10 +14,11 @@ namespace weft {
 
 using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clockwise seen from the front
 
-/// Any triangle mesh: several components and borders are fine. Vertices at the same position (split for a
-/// renderer at texture seams, say) are welded into one particle, at no other distance. What a cloth cannot
-/// have is left out or turned by the rules of CookReport, which lists it: triangles of no area, doubled ones,
-/// a third one at an edge, parts that are wound against each other.
+/// Any triangle mesh: several components and borders are fine. Vertices at the same position are welded into
+/// one particle along edges that the mesh leaves open (where a renderer split it at texture seams, say), at
+/// no other distance. Layers that touch elsewhere stay apart. What a cloth cannot have is left out or turned
+/// by the rules of CookReport, which lists it: triangles of no area, doubled ones, a third one at an edge,
+/// parts that are wound against each other.
 ///
 /// At most 2^26 vertices and 2^27 triangles. All that reads a mesh takes
 /// time and memory in proportion to it, up to a logarithm.
@@ -40,7 +41,7 @@ struct Mesh {
 
     /// Optional: for each vertex the first of those that are one particle with it, itself if it is that; they
     /// lie at one position. Others at that position are particles of their own, as along a cut (cut_mesh).
-    /// Empty: vertices at the same position are welded.
+    /// Empty: vertices at the same position are welded along open edges.
     std::vector<std::uint32_t> welds{};
 };
 

@@ -3,6 +3,7 @@
 #include <bit>
 #include <utility>
 
+#include "collision/contact/crossings/volume_sign.h"
 #include "collision/contact/pairs/pair_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,52 +18,18 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Six times the volume of a tetrahedron, signed, in double precision. Computed from its corners in ascending
-/// order of their numbers, so that all who ask about the same four get the same answer, rounding included: a
-/// line that runs between two triangles meets one of them at least.
-class Volumes {
-  public:
-    explicit Volumes(const Vec4* positions) : positions_(positions) {}
-
-    [[nodiscard]] double of(std::array<std::uint32_t, 4> corners) const {
-        double sign = 1;
-        const auto order = [&](std::size_t i, std::size_t j) {
-            if (corners[i] <= corners[j]) return;
-            std::swap(corners[i], corners[j]);
-            sign = -sign;
-        };
-        order(0, 1);
-        order(2, 3);
-        order(0, 2);
-        order(1, 3);
-        order(1, 2);
-        double v[3][3];
-        const Vec4& from = positions_[corners[0]];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec4& to = positions_[corners[k + 1]];
-            v[k][0] = double{to.x} - double{from.x};
-            v[k][1] = double{to.y} - double{from.y};
-            v[k][2] = double{to.z} - double{from.z};
-        }
-        return sign * (v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
-                       v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
-                       v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]));
-    }
-
-  private:
-    const Vec4* positions_;
-};
-
-/// An end in the triangle's plane counts as one side's, the same for all edges there; a line through a side
-/// or a corner of the triangle as within it.
-bool crosses(const Volumes& volumes, const Crossing& c) {
+/// Whether the ends of the edge lie strictly on two sides of the triangle's plane, and the line through them
+/// meets the triangle or its border. So an edge that ends on the triangle, or lies in its plane, only
+/// touches.
+bool crosses(const Vec4* positions, const Crossing& c) {
+    const auto sign = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
+        return volume_sign(positions[i], positions[j], positions[k], positions[l]);
+    };
     const auto& [p, q] = c.edge;
-    std::array<std::uint32_t, 3> t = c.triangle;
-    std::ranges::sort(t);
-    if ((volumes.of({t[0], t[1], t[2], p}) >= 0) == (volumes.of({t[0], t[1], t[2], q}) >= 0)) return false;
-    const double ab = volumes.of({p, q, t[0], t[1]}), bc = volumes.of({p, q, t[1], t[2]}),
-                 ca = volumes.of({p, q, t[2], t[0]});
-    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+    const auto& [a, b, d] = c.triangle;
+    if (sign(a, b, d, p) * sign(a, b, d, q) >= 0) return false;
+    const int ab = sign(p, q, a, b), bd = sign(p, q, b, d), da = sign(p, q, d, a);
+    return std::min({ab, bd, da}) >= 0 || std::max({ab, bd, da}) <= 0;
 }
 
 HWY_INLINE Lanes sum_of_absolutes(const Lanes3& v) {
@@ -86,39 +53,48 @@ struct CrossingCollector {
 
     HWY_INLINE CrossingCollector(const PairSearch& s, Found<Crossing>& f) : search(s), found(f) {}
 
-    /// Both ends are surely on one side of the plane: by more than rounding can be, which is some units in
-    /// the last place of each product that makes up a volume.
+    /// A plane across one of five axes separates edge and triangle, by more than rounding can feign: the
+    /// triangle's normal, or, within its plane, what is across its sides and across the edge. So the features
+    /// of flat pieces, which no sign of a volume tells apart, need no volumes.
     HWY_INLINE hn::Mask<Tag> surely_apart(std::uint32_t k) const {
         const auto point = [&](std::uint32_t c)
                                HWY_ATTR { return gather_rows(search.positions, candidates.corners[c] + k); };
-        const Lanes3 a = point(2), ab = point(3) - a, ac = point(4) - a;
-        const Lanes3 ap = point(0) - a, aq = point(1) - a, across = cross(ab, ac);
-        const Lanes p = dot(across, ap), q = dot(across, aq);
-        const Lanes size = hn::Mul(hn::Mul(sum_of_absolutes(ab), sum_of_absolutes(ac)),
-                                   hn::Max(sum_of_absolutes(ap), sum_of_absolutes(aq)));
-        const Lanes rounding = hn::Mul(set(1e-6f), size);
-        return hn::Or(hn::Gt(hn::Min(p, q), rounding), hn::Lt(hn::Max(p, q), hn::Neg(rounding)));
-    }
-
-    /// Of candidate `first` + `lane`: rounding can make what is in one plane cross from afar.
-    HWY_INLINE bool boxes_overlap(std::uint32_t first, std::uint32_t lane) const {
-        const BoxLanes edge = placed_box(search, candidates.corners, 0, 2, first, 0);
-        const BoxLanes triangle = placed_box(search, candidates.corners, 2, 5, first, 0);
-        return (bits_of(overlap(edge, triangle)) >> lane & 1) != 0;
+        const Lanes3 a = point(2), b = point(3) - a, c = point(4) - a, p = point(0) - a, q = point(1) - a;
+        const Lanes3 normal = cross(b, c);
+        // Some units in the last place of each product that makes up a value along an axis.
+        const Lanes width = hn::Max(hn::Max(sum_of_absolutes(b), sum_of_absolutes(c)),
+                                    hn::Max(sum_of_absolutes(p), sum_of_absolutes(q)));
+        const auto rounding = [&](Lanes axis) HWY_ATTR {
+            return hn::MulAdd(set(1e-6f), hn::Mul(axis, width), set(1e-36f));
+        };
+        const Lanes of_normal = hn::Mul(sum_of_absolutes(b), sum_of_absolutes(c));
+        const Lanes zero = set(0);
+        const auto apart_along = [&](const Lanes3& axis, Lanes size) HWY_ATTR {
+            const Lanes at_b = dot(axis, b), at_c = dot(axis, c), at_p = dot(axis, p), at_q = dot(axis, q);
+            const Lanes above = hn::Sub(hn::Min(at_p, at_q), hn::Max(zero, hn::Max(at_b, at_c)));
+            const Lanes below = hn::Sub(hn::Min(zero, hn::Min(at_b, at_c)), hn::Max(at_p, at_q));
+            return hn::Gt(hn::Max(above, below), rounding(size));
+        };
+        auto apart = apart_along(normal, of_normal);
+        for (const Lanes3& along : {q - p, b, c, c - b}) {
+            if (hn::AllTrue(Tag(), apart)) break;
+            const Lanes size = hn::Mul(set(4), hn::Mul(of_normal, sum_of_absolutes(along)));
+            apart = hn::Or(apart, apart_along(cross(normal, along), size));
+        }
+        return apart;
     }
 
     HWY_NOINLINE void test_all() {
         if (candidates.count == 0) return;
         for (auto& corner : candidates.corners)
             for (std::uint32_t k = 0; k < part_lanes; ++k) corner[candidates.count + k] = corner[0];
-        const Volumes volumes(search.positions);
         const auto& c = candidates.corners;
         for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
             const auto unsure = hn::AndNot(surely_apart(k), hn::FirstN(Tag(), candidates.count - k));
             for (std::uint32_t rest = bits_of(unsure); rest != 0; rest &= rest - 1) {
                 const auto i = k + static_cast<std::uint32_t>(std::countr_zero(rest));
                 const Crossing crossing{{c[0][i], c[1][i]}, {c[2][i], c[3][i], c[4][i]}};
-                if (crosses(volumes, crossing) && boxes_overlap(k, i - k)) found.add(crossing);
+                if (crosses(search.positions, crossing)) found.add(crossing);
             }
         }
         candidates.count = 0;

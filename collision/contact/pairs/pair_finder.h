@@ -61,8 +61,9 @@ class PairFinder {
                     std::span<const Vec4> motions, std::span<const Vec4> before, PairList& found);
 
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
-    /// edge's ends are on different sides of the triangle's plane, and the line through them meets the
-    /// triangle. An edge in the plane crosses nothing. Otherwise as find().
+    /// edge's ends are strictly on different sides of the triangle's plane, and the line through them meets
+    /// the triangle. Exact: no rounding adds or hides a crossing. An edge that ends on the triangle or lies
+    /// in its plane touches it and crosses nothing. Otherwise as find().
     void find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
                         std::span<const Vec4> positions, CrossingList& found);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -132,6 +133,51 @@ TEST(Topology, WeldComparesByValueAndNothingLess) {
     const std::vector<Vec3> positions{{0, 1, 0},    {1, 0, 0}, {-0.0f, 1, -0.0f},
                                       {next, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_EQ(weld(positions), (std::vector<std::uint32_t>{0, 1, 0, 2, 1, 0}));
+}
+
+/// A sheet of rows x columns vertices as a plain mesh; place(column, row) in space. Row 4 is its middle.
+Mesh placed_sheet(std::uint32_t rows, std::uint32_t columns, const std::function<Vec3(float, float)>& place) {
+    Mesh mesh = test::loose_sheet(rows, columns);
+    mesh.texcoords.clear();
+    for (std::uint32_t i = 0; i < rows * columns; ++i)
+        mesh.positions[i] = place(float(i % columns), float(i / columns));
+    return mesh;
+}
+
+TEST(Topology, LayersOfAFoldedSheetStayApart) {
+    const Mesh folded = placed_sheet(9, 5, [](float c, float r) { return Vec3{c, 0, std::abs(r - 4)}; });
+    EXPECT_EQ(test::must(build_topology(folded)).particle_count(), 45u);
+    const Mesh pleated = placed_sheet(13, 5, [](float c, float r) {
+        return Vec3{c, 0, r < 4 ? r : r < 8 ? 8 - r : r - 8};
+    });
+    EXPECT_EQ(test::must(build_topology(pleated)).particle_count(), 65u);
+}
+
+TEST(Topology, SheetsAtOnePlaceStayApart) {
+    Mesh sheet = placed_sheet(5, 5, [](float c, float r) { return Vec3{c, 0.1f * r, r}; });
+    const std::vector<Vec3> positions = sheet.positions;
+    const std::vector<Triangle> triangles = sheet.triangles;
+    for (std::uint32_t copy = 1; copy < 4; ++copy) {
+        sheet.positions.insert(sheet.positions.end(), positions.begin(), positions.end());
+        for (const auto& [a, b, c] : triangles)
+            sheet.triangles.push_back({a + 25 * copy, b + 25 * copy, c + 25 * copy});
+    }
+    const Topology topology = test::must(build_topology(sheet));
+    EXPECT_EQ(topology.particle_count(), 100u);
+    EXPECT_TRUE(topology.dropped.empty());
+}
+
+TEST(Topology, SeamsAreWeldedHoweverTheSurfaceIsSplit) {
+    Mesh soup;  // each triangle has vertices of its own
+    const Mesh ball = test::sphere(1);
+    for (const Triangle& t : ball.triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.positions.size());
+        for (const std::uint32_t i : t) soup.positions.push_back(ball.positions[i]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    const Topology topology = test::must(build_topology(soup));
+    EXPECT_EQ(topology.particle_count(), test::must(build_topology(ball)).particle_count());
+    EXPECT_EQ(topology.border_edges, 0u);
 }
 
 TEST(Topology, GridKeepsItsNumbers) {
