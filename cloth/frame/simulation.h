@@ -216,6 +216,7 @@ struct Simulation {
     [[nodiscard]] std::size_t number_of(BodyId id) const;
     void prepare_for_bodies(Cloth& cloth) const;
     void begin_bodies(const Substep& substep);
+    void limit_bodies();
     void load_bodies();
     [[nodiscard]] bool may_meet_bodies(const Cloth& cloth, float h) const;
     void take_bodies(std::span<Cloth* const> cloths, float h);
@@ -247,6 +248,7 @@ struct Simulation {
     /// Over a substep of that length; `starts`: as weft::collide() has them. Returns the particles that
     /// touch.
     [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
+    void hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth, float h);
     void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
                                                                                Cloth& cloth);

@@ -361,7 +361,8 @@ std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& 
                                              : std::span<const ColliderMotion>();
 }
 
-// Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may.
+// Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may. Whatever
+// stage wrote a velocity last, max_speed is enforced here.
 void Simulation::guard(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::guard);
     const auto look = [&] {
@@ -370,9 +371,10 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
     };
     cloth.extent = look();
     cloth.restored = std::exchange(cloth.solver_failed, false) || !cloth.extent.sound;
-    if (!cloth.restored) return;
-    cloth.restore_start_of_step();
-    cloth.extent = look();
+    if (cloth.restored) cloth.restore_start_of_step();
+    const bool is_too_fast = cloth.extent.peak_speed_squared > settings.max_speed * settings.max_speed;
+    if (is_too_fast) limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
+    if (cloth.restored || is_too_fast) cloth.extent = look();
 }
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {

@@ -57,7 +57,7 @@ bool is_finite(const Vector6& impulse) {
 
 /// The end of a part: where the body is, and how it moves with what cloth gave it.
 void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
-    const Vector6 after = body.drift + body.root * (body.root.transpose() * given);
+    const Vector6 after = body.limited(body.drift + body.root * (body.root.transpose() * given));
     if (!is_solved_for) {
         body.now = after;
         body.find_end();
@@ -85,6 +85,7 @@ void Simulation::begin_bodies(const Substep& substep) {
         }
         ++k;
     });
+    limit_bodies();
     load_bodies();
     take_bodies({}, substep.h);
     for (Cloth* cloth : present_) {
@@ -95,14 +96,28 @@ void Simulation::begin_bodies(const Substep& substep) {
     }
 }
 
+/// How fast bodies may be: attached particles, too, keep to max_speed.
+void Simulation::limit_bodies() {
+    for (MovingBody& body : bodies_->moving) {
+        body.fastest = static_cast<double>(settings.max_speed);
+        body.reach = 0;
+    }
+    for (const Cloth* cloth : present_)
+        for (const Attachment& attached : cloth->attached) {
+            MovingBody& body = bodies_->moving[number_of(attached.id)];
+            body.reach = std::max(body.reach, static_cast<double>(attached.own.norm()));
+        }
+}
+
 /// Where the substep begins.
 void Simulation::load_bodies() {
     std::size_t k = 0;
     state.bodies.for_each([&](BodyId, const BodySlot& slot) {
-        BodyStage::Begin& begin = bodies_->begins[k++];
+        BodyStage::Begin& begin = bodies_->begins[k];
         begin.pose = pose_of(slot.state);
         begin.velocity << to_vector(slot.state.velocity).cast<double>(),
             to_vector(slot.state.angular_velocity).cast<double>();
+        begin.velocity = bodies_->moving[k++].limited(begin.velocity);
     });
 }
 
@@ -364,8 +379,7 @@ void Simulation::end_bodies(const Substep& substep) {
     std::size_t k = 0;
     state.bodies.for_each([&](BodyId, BodySlot& slot) {
         const MovingBody& body = stage.moving[k];
-        Vector6 velocity = body.velocity;
-        limit_length(velocity.head<3>(), static_cast<double>(settings.max_speed));
+        Vector6 velocity = body.limited(body.velocity);
         limit_length(velocity.tail<3>(), 1e4);
         if (substep.is_last()) {
             const Vector6 given = is_finite(stage.given[k]) ? stage.given[k] : Vector6(Vector6::Zero());

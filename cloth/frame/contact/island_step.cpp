@@ -276,13 +276,18 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
     counts = space.settle(worker.parallel, touches_colliders(cloths));
     if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
-        space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
-                        cloths[k]->state.velocities.span());
+        hand_back(worker, space, k, *cloths[k], substep.h);
         if (space.uses_zones()) keep_out_of_colliders(worker, *cloths[k], substep.h);
-        limit_speeds(worker.parallel, settings.max_speed, cloths[k]->state.velocities.span());
         remember_tangles(space, k, cloths[k]->state);
     }
     if (reports_contacts() && !space.uses_zones()) log_pairs(worker, space, cloths);
+}
+
+/// Writes a body's settled motion to its cloth.
+void Simulation::hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth,
+                           float h) {
+    space.hand_back(worker.parallel, body, h, cloth.state.positions.span(), cloth.state.velocities.span());
+    limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 
 // Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
@@ -350,9 +355,7 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
     sum.pin_lag = std::max(sum.pin_lag, counts.pin_lag);
     sum.overflowed |= counts.overflowed;
     if constexpr (looks_for_new_crossings) sum.crossed |= space.crosses_anew(worker.parallel);
-    for (std::size_t k = 0; k < cloths.size(); ++k)
-        space.hand_back(worker.parallel, k, substep.h, cloths[k]->state.positions.span(),
-                        cloths[k]->state.velocities.span());
+    for (std::size_t k = 0; k < cloths.size(); ++k) hand_back(worker, space, k, *cloths[k], substep.h);
 }
 
 // Where it is made anew there is room for an eighth more, of such cloths as there are: so of n that are added

@@ -43,6 +43,8 @@ struct MovingBody {
     double inverse_mass = 0;                                    ///< [1/kg]
     Eigen::Vector3d inverse_inertia = Eigen::Vector3d::Zero();  ///< [1/(kg m^2)]
     float h = 0, gamma = 0;                                     ///< of the part, of its equation [s]
+    double fastest = 1e9;  ///< neither it nor what is attached to it is faster [m/s]
+    double reach = 0;      ///< from the centre of mass to the farthest particle attached to it [m]
     BodyPose start;                                             ///< of the part
     Vector6 velocity = Vector6::Zero();                         ///< likewise
     Vector6 drift = Vector6::Zero();                            ///< at its end, if cloth gave it nothing
@@ -74,14 +76,20 @@ struct MovingBody {
         const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
         return axes * inverse_inertia.asDiagonal() * axes.transpose();
     }
+    /// A velocity, or a way in `time` seconds, scaled down to what `fastest` allows.
+    [[nodiscard]] Vector6 limited(const Vector6& way, double time = 1) const {
+        const double most = time * fastest, length = way.head<3>().norm() + reach * way.tail<3>().norm();
+        return length > most ? Vector6(way * (most / length)) : way;
+    }
     /// As particles go that a collider holds: x + (h - gamma) v + gamma v', see History. What nothing touches
     /// turns at the mean of both ends, so that it keeps its energy.
     void find_end() {
-        const Vector6 way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
+        Vector6 way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
+        way.tail<3>() = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
+                        static_cast<double>(gamma) * (now - drift).tail<3>();
+        way = limited(way, static_cast<double>(h));
         end.position = start.position + way.head<3>().cast<float>();
-        const Eigen::Vector3d turn = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
-                                     static_cast<double>(gamma) * (now - drift).tail<3>();
-        end.rotation = turned(start.rotation, turn.cast<float>());
+        end.rotation = turned(start.rotation, way.tail<3>().cast<float>());
     }
     /// Of an uneven body with this momentum, if nothing touches it: the implicit midpoint rule.
     void turn_freely() {
