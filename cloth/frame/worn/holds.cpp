@@ -63,7 +63,7 @@ RigidMotion fit(const ClothState& state, std::span<const Hold> holds) {
     }
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     for (const Hold& hold : holds) products += share * (hold.at - after) * (from(hold) - before).transpose();
-    const double open = 1e-4 * products.norm() + std::numeric_limits<double>::min();
+    const double open = 1e-6 * products.norm() + std::numeric_limits<double>::min();
     products += open * Vector3d(1, 2, 1).asDiagonal().toDenseMatrix();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const double mirror = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;

@@ -251,17 +251,19 @@ std::vector<std::uint64_t> hashes_of(bool is_grid, const NamedCall& a, const Nam
 
 TEST_P(Detours, BetweenAnyTwoCallsChangeNothing) {
     const std::vector<NamedCall> all = calls();
-    for (const NamedCall& a : all) {
-        for (const NamedCall& b : all) {
+    for (std::size_t i = 0; i < all.size() && !HasFailure(); ++i) {
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            const NamedCall &a = all[i], &b = all[j];
             Bytes recorded;
-            const auto direct = hashes_of(GetParam(), a, b, false, &recorded);
+            const bool is_replayed = (i + j) % 4 == 0;  // each call, in a quarter of the pairs
+            const auto direct = hashes_of(GetParam(), a, b, false, is_replayed ? &recorded : nullptr);
             EXPECT_EQ(hashes_of(GetParam(), a, b, true), direct)
                 << a.name << ", save and restore, " << b.name;
+            if (!is_replayed) continue;
             const auto again = replay(recorded, {.threads = 1});
             ASSERT_TRUE(again) << again.error().message;
             EXPECT_FALSE(again->difference) << "replay of " << a.name << ", " << b.name;
             EXPECT_TRUE(again->is_whole);
-            if (HasFailure()) break;
         }
     }
 }

@@ -123,7 +123,7 @@ TEST(Holds, TheFirstSkinBringsClothThere) {
         for (const Vec4& x : hung.positions()) places.push_back(moved(turned, x));
         ASSERT_TRUE(hung.world.set_skin(hung.id, places, {}));
         for (std::size_t v = 0; v < places.size(); ++v)
-            EXPECT_LT(distance(places[v], hung.positions()[v]), 1e-4f);
+            EXPECT_LT(distance(places[v], hung.positions()[v]), 1e-5f);
         for (int k = 0; k < 20; ++k) EXPECT_LT(hung.world.step(h).peak_speed, 3) << pinned;
     }
 }
