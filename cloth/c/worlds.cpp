@@ -106,7 +106,8 @@ WeftResult weft_world_step(WeftWorld* world, float dt) {
                     "dt is out of range; it must be 1e-6 to 1 s, as 1/60 s");
     if (has(flags, weft::StepFlags::step_under_way))
         return fail(weft::ErrorCode::invalid_argument,
-                    "step: a step was begun, and has to end first; call end_step");
+                    "step: a step was begun, and has to end first; call end_step; or another thread takes "
+                    "one: make the World's calls one after the other");
     return WEFT_OK;
 }
 

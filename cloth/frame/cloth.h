@@ -255,6 +255,7 @@ struct Cloth {
     bool solver_failed = false;           ///< in one of its substeps
     bool unsolved = false;                ///< beyond what its method tolerates, in one of them
     bool restored = false;                ///< by its guard
+    bool pins_limited = false;            ///< they were to go faster than WorldSettings::max_speed
     float residual = 0;                   ///< as last measured
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of its last substep
@@ -279,6 +280,10 @@ struct Cloth {
     }
     /// It goes no further to where its last step ended.
     void land() noexcept;
+    /// Coefficients of its next step, or part of one, of h seconds.
+    [[nodiscard]] Bdf bdf_of(float h, float least_gamma = 0) const {
+        return bdf_after(history ? state.record.h : 0, h, least_gamma);
+    }
     [[nodiscard]] BudgetBuffers make_budget(bool on) const;
     void take_budget(BudgetBuffers&& made) noexcept;
 

@@ -59,6 +59,10 @@ struct Substep {
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
+/// What pins do that the host has not moved when their cloth goes to what holds it: they hold it back, or go
+/// along.
+enum class StillPins : std::uint8_t { stay, go_along };
+
 /// Settings are validated before they get here. Calls that can run out of memory change nothing then.
 struct Simulation {
     explicit Simulation(const WorldSettings& settings);
@@ -103,6 +107,12 @@ struct Simulation {
     void set_frame(Cloth& cloth, const Transform& pose);
     /// Teleports a cloth; or all, with all else. What is moved is checked beforehand.
     void move(Cloth& cloth, const RigidMotion& by);
+    /// The rigid motion that brings a cloth to what holds it: pins, bodies, and the skin that limits are
+    /// measured from. None if it is there. Error: a vertex would be out of reach.
+    [[nodiscard]] Result<std::optional<RigidMotion>> motion_to_holds(Cloth& cloth, const SkinState& skin,
+                                                                     StillPins pins);
+    /// Teleports it by that, then each held particle to its place.
+    void go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins);
     void shift_origin(const Vec3& to);
     /// Frees what the rest does not need.
     void cloth_has_gone() noexcept;
@@ -234,7 +244,7 @@ struct Simulation {
     void move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const;
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
-    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h);
+    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf);
     [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);

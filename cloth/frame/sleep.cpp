@@ -200,8 +200,7 @@ void Cloth::set_enabled(bool on) noexcept {
     // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
     if (features) state.may_cross = 1;
     if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
-    std::ranges::copy(std::as_const(state.skin.target_places).span(), state.skin.places.data());
-    std::ranges::copy(std::as_const(state.skin.target_normals).span(), state.skin.normals.data());
+    state.skin.stand_still();
 }
 
 // It stays where it is drawn, and when it wakes it begins from rest.

@@ -71,13 +71,14 @@ struct DetailState {
 /// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
 struct FrameState {
     Transform pose, target;
-    Vec3 velocity{}, velocity_change{};  ///< [m/s]
+    Vec3 velocity{}, velocity_change{};  ///< [m/s]; the change in the last part of the last step
 };
 
 /// What a cloth gave a body [N s, N m s].
 struct BodyShare {
     std::array<float, 6> last{};  ///< in the last substep
-    std::array<float, 6> echo{};  ///< in its last equation, of which BDF2 gives another third in the next
+    std::array<float, 6>
+        echo{};  ///< in its last equation, of which BDF2 gives a part more in the next, see Bdf
 };
 
 /// One cloth's. Loose and pinned particles have inverse mass 0.

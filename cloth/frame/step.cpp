@@ -13,10 +13,6 @@ namespace weft {
 
 namespace {
 
-float gamma_of(const Cloth& cloth, float h) {
-    return cloth.history && cloth.state.record.h == h ? History::gamma(h) : h;
-}
-
 Vector3 limited(const Vector3& velocity, float max_speed) {
     const float squared = velocity.squaredNorm();
     return squared > max_speed * max_speed ? Vector3(velocity * (max_speed / std::sqrt(squared))) : velocity;
@@ -115,6 +111,7 @@ void Simulation::begin(float dt) {
         cloth->was_stepped = true;
         cloth->nanoseconds = 0;
         cloth->unsolved = false;
+        cloth->pins_limited = false;
         cloth->contact_count = 0;
     }
     plan_carries(dt);
@@ -124,8 +121,10 @@ void Simulation::begin(float dt) {
 /// A pin goes along a straight line to its target, all through the step.
 void Simulation::move_pins(Cloth& cloth, float dt) const {
     for (const Pin& pin : cloth.state.pins) {
-        const Vector3 velocity = (pin.target - xyz(cloth.state.positions[pin.particle])) / dt;
-        set_xyz(cloth.state.velocities[pin.particle], limited(velocity, settings.max_speed));
+        const Vector3 wanted = (pin.target - xyz(cloth.state.positions[pin.particle])) / dt;
+        const Vector3 velocity = limited(wanted, settings.max_speed);
+        cloth.pins_limited |= velocity != wanted;
+        set_xyz(cloth.state.velocities[pin.particle], velocity);
     }
 }
 
@@ -134,7 +133,7 @@ void Simulation::move_pins(Cloth& cloth, float dt) const {
 void Simulation::predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
     if (substep.is_first()) {
         if (cloth.carried) {
-            carry(worker.parallel, *cloth.carried, dt, cloth.state);
+            carry(worker.parallel, *cloth.carried, cloth.state);
             limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
         }
         move_pins(cloth, dt);
@@ -156,11 +155,12 @@ void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& su
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         const Substep part = substep.part(k, parts, dt);
-        if (with_bodies) start_part_of_bodies(alone, part.h, gamma_of(cloth, part.h));
+        const Bdf bdf = cloth.bdf_of(part.h);
+        if (with_bodies) start_part_of_bodies(alone, part.h, bdf.gamma);
         see_colliders(worker, cloth, part);
         if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
         if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
-        StepEquation equation = equation_of(worker, cloth, part.h);
+        StepEquation equation = equation_of(worker, cloth, part.h, bdf);
         begin_contacts(worker, cloth, part);
         if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
             join_features(worker, *cloth.features, 0, cloth, equation);
@@ -215,18 +215,16 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
 }
 
-StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
+StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf) {
     const ClothState& now = cloth.state;
-    // BDF2 needs a step of the same length before this one; the first is of backward Euler.
-    const float gamma = gamma_of(cloth, h);
-    const bool second_order = gamma != h;
+    const bool second_order = bdf.is_second_order();
     if (second_order) {
         const auto timer = timed(Stage::assemble);
-        cloth.history->begin(worker.parallel, now);
+        cloth.history->begin(worker.parallel, now, bdf.divisor);
     }
     return {.settings = cloth.settings,
             .h = h,
-            .gamma = gamma,
+            .gamma = bdf.gamma,
             .positions = now.positions.span(),
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
@@ -234,7 +232,8 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h) {
             .external = {.gravity = to_vector(settings.gravity),
                          .air_damping = cloth.settings.air_damping,
                          .air = std::as_const(cloth.air.forces).span()},
-            .contacts = cloth.contacts ? &*cloth.contacts : nullptr};
+            .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
+            .divisor = bdf.divisor};
 }
 
 // Of finite elements it takes a quarter of a step, so it is measured in one step of 32.
@@ -258,7 +257,7 @@ void Simulation::take_result(Worker& worker, Cloth& cloth, const SolveResult& re
     if (cloth.contacts) cloth.contacts->finish(worker.parallel, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
     cloth.unsolved |= result.unsolved;
-    if (has_residual) cloth.residual = result.residual;
+    if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
 }
 
 // The step's first substep writes the new positions over the previous ones and swaps the two, so that the
@@ -388,7 +387,8 @@ void Simulation::end(float dt) {
     for (Cloth* cloth : present_) {
         count_still_time(*cloth, dt);
         add_to_report(report_of(*cloth));
-        if (cloth->state.frame) arrive(*cloth->state.frame, dt, settings.max_speed);
+        const bool in_one_part = !cloth->history || cloth->state.record.h == dt;
+        if (cloth->state.frame) arrive(*cloth->state.frame, dt, in_one_part, settings.max_speed);
     }
     report.cloths += report.sleeping_cloths;
     if (reports_contacts()) report_contacts();

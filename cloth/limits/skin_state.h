@@ -1,7 +1,9 @@
 #pragma once
 // What of limits changes from step to step.
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "engine/memory/aligned_buffer.h"
 #include "weft/types.h"
@@ -14,6 +16,11 @@ struct SkinState {
     AlignedBuffer<Vec4> normals, target_normals;  ///< of unit length, w 0; empty without backstops
     std::uint32_t known = 0;                      ///< whether the host has said where it is
 
+    /// It is where it was to go.
+    void stand_still() noexcept {
+        std::ranges::copy(std::as_const(target_places).span(), places.data());
+        std::ranges::copy(std::as_const(target_normals).span(), normals.data());
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return places.bytes() + target_places.bytes() + normals.bytes() + target_normals.bytes();
     }

@@ -24,9 +24,10 @@ struct ExternalForces {
 ///     M (v - v_base) = gamma f(x_base + gamma v, v)
 ///
 /// Backward Euler: gamma = h, the bases are the present positions and velocities. BDF2 (Curtiss and
-/// Hirschfelder 1952) is the same equation with gamma = 2h/3, x_base = (4 x_n - x_n-1) / 3, v_base = (4 v_n -
-/// v_n-1) / 3. A pinned particle's base is such that x_base + gamma v is where it will be. The air's force is
-/// that at `velocities`, with its slope.
+/// Hirschfelder 1952) is the same equation with gamma = 2h/3, x_base = x_n + (x_n - x_n-1) / 3, v_base = v_n
+/// + (v_n - v_n-1) / 3; after a step of another length with other coefficients, see Bdf. A pinned particle's
+/// base is such that x_base + gamma v is where it will be. The air's force is that at `velocities`, with its
+/// slope.
 struct StepEquation {
     const ClothSettings& settings;
     float h;                               ///< [s]
@@ -41,6 +42,7 @@ struct StepEquation {
     std::uint32_t first = 0;         ///< the cloth's first particle among these bodies'
     BodyCoupling* bodies = nullptr;  ///< rigid ones that the cloth may move, or null
     std::span<const Vec4> velocity_changes{};  ///< that BDF2 goes on with; empty: none
+    float divisor = 3;                         ///< of these in v_base
 };
 
 /// What acts on one particle besides fabric and contacts.

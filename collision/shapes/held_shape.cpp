@@ -145,10 +145,11 @@ bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
 Result<void> HeldShape::deform(std::span<const Vec3> vertices, std::uint64_t step) {
     auto* const tree = std::get_if<TriangleTree>(&data_);
     if (tree == nullptr || convex_) return invalid("the shape is no TriangleMesh; only those deform");
+    if (auto valid = tree->validate_deform("TriangleMesh", vertices); !valid) return valid;
     std::vector<Vec3> before;
     if (original_.empty()) before.assign(tree->vertices().begin(), tree->vertices().end());
     if (tree->is_closed()) outside_.reserve();
-    if (auto done = tree->deform("TriangleMesh", vertices, deforms_in_ == step); !done) return done;
+    tree->deform(vertices, deforms_in_ == step);
     if (original_.empty()) original_ = std::move(before);
     if (tree->is_closed()) outside_.find(*tree);
     deforms_in_ = step;

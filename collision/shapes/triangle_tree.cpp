@@ -205,13 +205,17 @@ Vector3 TriangleTree::pseudo_normal(std::uint32_t triangle, const std::array<flo
     return face;
 }
 
-Result<void> TriangleTree::deform(const char* name, std::span<const Vec3> vertices, bool again) {
+Result<void> TriangleTree::validate_deform(const char* name, std::span<const Vec3> vertices) const {
     if (vertices.size() != vertices_.size())
         return invalid(name, "'s vertices are " + std::to_string(vertices.size()) + "; the mesh has " +
                                  std::to_string(vertices_.size()));
     if (auto valid = validate_vertices(name, vertices); !valid) return valid;
     if (closed_ && !(volume_of(vertices, triangles_) > 0))
         return invalid(name, "'s vertices turn the mesh inside out");
+    return {};
+}
+
+void TriangleTree::deform(std::span<const Vec3> vertices, bool again) {
     displacements_.resize(vertices_.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const Vec3& to = vertices[representative_[v]];
@@ -221,7 +225,6 @@ Result<void> TriangleTree::deform(const char* name, std::span<const Vec3> vertic
     }
     fit();
     find_normals();
-    return {};
 }
 
 void TriangleTree::put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements) {

@@ -29,9 +29,11 @@ class TriangleTree {
     [[nodiscard]] static Result<TriangleTree> make(const char* name, std::span<const Vec3> vertices,
                                                    std::span<const Corners> triangles, bool closed);
 
-    /// As many vertices as it was made of, elsewhere. What they moved by is kept as `displacements`, together
-    /// with what was kept before if it is moved `again`. Error: as above; nothing changes.
-    Result<void> deform(const char* name, std::span<const Vec3> vertices, bool again);
+    /// Error: as above, or another number of vertices than it was made of. `name` begins messages.
+    [[nodiscard]] Result<void> validate_deform(const char* name, std::span<const Vec3> vertices) const;
+    /// Moves the vertices. Their displacements are kept, added to those kept before if it is moved `again`.
+    /// Precondition: validate_deform().
+    void deform(std::span<const Vec3> vertices, bool again);
     /// Takes over vertices, and what they moved by, that it had before; once there is room, it takes no
     /// memory.
     void reserve_displacements() { displacements_.reserve(vertices_.size()); }

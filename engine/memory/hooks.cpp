@@ -90,6 +90,21 @@ void end_zone(const char* name) noexcept {
     if (the_hooks.end_zone != nullptr) the_hooks.end_zone(the_hooks.user, name);
 }
 
+namespace detail {
+
+void fail_value(const Error& error) noexcept {
+    std::array<char, 512> line{};
+    std::snprintf(line.data(), line.size(), "the value of a Result was read that holds an Error: %s",
+                  error.message.c_str());
+    fail_assertion(line.data(), "weft/error.h", 0);
+}
+
+void fail_error() noexcept {
+    fail_assertion("the error of a Result was read that holds none", "weft/error.h", 0);
+}
+
+}  // namespace detail
+
 void fail_assertion(const char* condition, const char* file, int line) noexcept {
     if (the_hooks.failed_assertion != nullptr)
         the_hooks.failed_assertion(the_hooks.user, condition, file, line);

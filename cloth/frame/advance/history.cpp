@@ -1,5 +1,6 @@
 #include "cloth/frame/advance/history.h"
 
+#include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -27,11 +28,11 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-// Curtiss and Hirschfelder 1952: x_base = (4 x_n - x_n-1) / 3 = x_n + (x_n - x_n-1) / 3, and v likewise. A
-// pinned particle's bases are such that x_base + gamma v is x_n + h v.
-void make_bases(const BaseRows& rows, const BlockRange& range, float h) {
+// x_base = x_n + (x_n - x_n-1) / divisor, and v likewise. A pinned particle's bases are such that x_base +
+// gamma v is x_n + h v. `last` is the length of the recorded step.
+void make_bases(const BaseRows& rows, const BlockRange& range, float last, float divisor) {
     const Tag d;
-    const Lanes third = hn::Set(d, 1.0f / 3.0f), zero = hn::Zero(d);
+    const Lanes kept = hn::Set(d, 1.0f / divisor), zero = hn::Zero(d);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes4 position = load_rows(rows.positions + i);
         const Lanes3 x = xyz(position), v = xyz(load_rows(rows.velocities + i)),
@@ -41,10 +42,10 @@ void make_bases(const BaseRows& rows, const BlockRange& range, float h) {
             hn::And(is_free,
                     hn::And(hn::Eq(x.x, arrival.x), hn::And(hn::Eq(x.y, arrival.y), hn::Eq(x.z, arrival.z))));
         const Lanes3 displacement =
-            either(went_on, xyz(load_rows(rows.displacements + i)), hn::Set(d, h) * v);
+            either(went_on, xyz(load_rows(rows.displacements + i)), hn::Set(d, last) * v);
         const Lanes3 change = keep_where(is_free, xyz(load_rows(rows.velocity_changes + i)));
-        store_rows(mul_add(third, displacement, x), position.w, rows.base_positions + i);
-        store_rows(mul_add(third, change, v), zero, rows.base_velocities + i);
+        store_rows(mul_add(kept, displacement, x), position.w, rows.base_positions + i);
+        store_rows(mul_add(kept, change, v), zero, rows.base_velocities + i);
     }
 }
 
@@ -59,20 +60,39 @@ HWY_EXPORT(make_bases);
 
 namespace {
 
-/// What a collider holds was stopped by it along the normal: a change that the next step must not go on with.
-/// Along the surface it slides on as it did.
-void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange& range) {
+/// A collider has stopped the particles that it holds along its normal: a change that the next step must not
+/// go on with. Along the surface they slide on as they did.
+void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange& range, float divisor) {
     if (state.held.touching.size() == 0) return;
     for (std::uint32_t i = range.begin; i < range.end && i < state.size(); ++i) {
         if (state.held.touching[i / Stencil::lanes] == 0 || xyz(state.held.normals[i]).isZero(0)) continue;
         const Vector3 v = xyz(state.velocities[i]), n = xyz(state.held.normals[i]);
         const Vector3 change = xyz(state.record.velocity_changes[i]);
-        set_xyz(rows.base_positions[i], xyz(state.positions[i]) + state.record.h / 3 * v);
-        set_xyz(rows.base_velocities[i], v + (change - n.dot(change) * n) / 3);
+        set_xyz(rows.base_positions[i], xyz(state.positions[i]) + state.record.h / divisor * v);
+        set_xyz(rows.base_velocities[i], v + (change - n.dot(change) * n) / divisor);
     }
 }
 
+/// A longer step after a shorter one is extrapolated from it by this ratio at most. Growth by 1 + sqrt(2) a
+/// step, for ever, is where variable-step BDF2 stops being zero-stable (Grigorieff 1983).
+constexpr double greatest_ratio = 2;
+
 }  // namespace
+
+// Variable-step BDF2 (Grigorieff 1983; Hairer, Norsett, Wanner 1993, III.5), r = h / last:
+//     x_base = x_n + r^2 / (1 + 2r) (x_n - x_n-1),   gamma = h (1 + r) / (1 + 2r).
+// Beyond the greatest ratio x_n - x_n-1 keeps the factor that it has there, and gamma is what straight motion
+// asks for: the shorter the last step was, the nearer to backward Euler.
+Bdf bdf_after(float last, float h, float least_gamma) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (!(last > 0)) return {h, infinity};
+    const double r = static_cast<double>(h) / static_cast<double>(last);
+    const double clamped = std::min(r, greatest_ratio);
+    const double divisor = (1 + 2 * clamped) / (clamped * clamped);
+    const float gamma = h * static_cast<float>(1 - 1 / (divisor * r));
+    if (gamma >= least_gamma) return {gamma, static_cast<float>(divisor)};
+    return {least_gamma, least_gamma < h ? last / (h - least_gamma) : infinity};
+}
 
 void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state) {
     if (state.record.velocity_changes.size() == 0 || rows.empty()) return;
@@ -106,7 +126,7 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
     });
 }
 
-void History::begin(Parallel& parallel, const ClothState& state) {
+void History::begin(Parallel& parallel, const ClothState& state, float divisor) {
     const BaseRows rows{.positions = state.positions.data(),
                         .velocities = state.velocities.data(),
                         .displacements = state.record.displacements.data(),
@@ -115,8 +135,8 @@ void History::begin(Parallel& parallel, const ClothState& state) {
                         .base_positions = base_positions_.data(),
                         .base_velocities = base_velocities_.data()};
     parallel.ranges(state.size(), [&](const BlockRange& range) {
-        HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, state.record.h);
-        forget_held(state, rows, range);
+        HWY_DYNAMIC_DISPATCH(make_bases)(rows, range, state.record.h, divisor);
+        forget_held(state, rows, range, divisor);
     });
 }
 

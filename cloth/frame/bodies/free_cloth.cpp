@@ -108,7 +108,8 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
             m * (solved - wide(equation.base_velocities[i]));
         outside += impulse;
         torque += ratio * there.cross(impulse);
-        if (!equation.velocity_changes.empty()) echo += m / 3 * wide(equation.velocity_changes[i]);
+        if (!equation.velocity_changes.empty())
+            echo += m / static_cast<double>(equation.divisor) * wide(equation.velocity_changes[i]);
         centre += m * there;
         mass += m;
     });

@@ -236,7 +236,8 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
             if (is_other) continue;
             CollectedShare& collected = cloth->collected[k];
             collected.in_part.setZero();
-            if (gamma != h) collected.in_part = to_vector6(share.echo) / 3;
+            if (const Bdf bdf = cloth->bdf_of(h, gamma); bdf.is_second_order())
+                collected.in_part = to_vector6(share.echo) / static_cast<double>(bdf.divisor);
             echo += collected.in_part;
         }
         const auto moved_by = [&](const Vector6& impulse) -> Vector6 {

@@ -70,9 +70,11 @@ bool touches_colliders(std::span<Cloth* const> cloths) {
         cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
 }
 
-/// BDF2's first step is one of backward Euler, with another gamma.
-bool takes_second_order_step(const Cloth& cloth, float h) {
-    return cloth.history && cloth.state.record.h == h;
+/// Of cloths that take their next step by one equation, which has one gamma: the largest of theirs.
+float common_gamma(std::span<Cloth* const> cloths, float h) {
+    float most = 0;
+    for (const Cloth* cloth : cloths) most = std::max(most, cloth->bdf_of(h).gamma);
+    return most;
 }
 
 /// Calm cloth costs nothing.
@@ -189,25 +191,29 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
     };
     const auto first = std::ranges::find_if(island, [&](const Cloth* cloth) { return can_join(*cloth); });
     const auto is_member = [&](const Cloth& cloth) {
+        // A cloth whose path broke takes a step of backward Euler: it would make that of all of them.
         return first != island.end() && can_join(cloth) &&
-               takes_second_order_step(cloth, substep.h) == takes_second_order_step(**first, substep.h);
+               cloth.bdf_of(substep.h).is_second_order() == (*first)->bdf_of(substep.h).is_second_order();
     };
-    for (std::size_t k = 0; k < island.size(); ++k) {
-        Cloth& cloth = *island[k];
-        if (is_member(cloth)) continue;
-        solve(worker, cloth, dt, substep);
-        space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
-    }
+    // Decided before any of them is solved: a solve changes what the next step of a cloth will be.
     joined_.clear();
     for (Cloth* cloth : island)
         if (is_member(*cloth)) joined_.push_back(cloth);
+    const auto is_joined = [&](const Cloth* cloth) {
+        return std::ranges::find(joined_, cloth) != joined_.end();
+    };
+    for (std::size_t k = 0; k < island.size(); ++k) {
+        Cloth& cloth = *island[k];
+        if (is_joined(&cloth)) continue;
+        solve(worker, cloth, dt, substep);
+        space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
+    }
     const bool with_bodies = meets_bodies(joined_);
+    const float gamma = common_gamma(joined_, substep.h);
     if (with_bodies) {
         for (Cloth* cloth : joined_) cloth->meets_bodies = true;
         take_bodies(joined_, substep.h);
-        start_part_of_bodies(
-            joined_, substep.h,
-            takes_second_order_step(*joined_.front(), substep.h) ? History::gamma(substep.h) : substep.h);
+        start_part_of_bodies(joined_, substep.h, gamma);
     }
     std::uint32_t mask = 0;
     for (const Cloth* cloth : island) mask |= cloth->settings.collider_mask;
@@ -218,8 +224,9 @@ void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, 
     members_.clear();
     for (std::size_t k = 0; k < island.size(); ++k) {
         Cloth& cloth = *island[k];
-        if (!is_member(cloth)) continue;
-        StepEquation& equation = equations_.emplace_back(equation_of(worker, cloth, substep.h));
+        if (!is_joined(&cloth)) continue;
+        StepEquation& equation =
+            equations_.emplace_back(equation_of(worker, cloth, substep.h, cloth.bdf_of(substep.h, gamma)));
         if (cloth.carried) see_colliders(worker, cloth, substep);
         begin_contacts(worker, cloth, substep);
         join_features(worker, space, k, cloth, equation);

@@ -34,7 +34,8 @@ ClothView view_of(const Cloth& cloth, bool in_step) {
 
 Result<const ClothView&> World::cloth(ClothId id) const {
     const Simulation& simulation = impl_->simulation;
-    return with_cloth(simulation, id, [&](const Cloth& cloth) {
+    return with_cloth(simulation, id, [&](const Cloth& cloth) -> Result<const ClothView&> {
+        if (auto ready = impl_->refuse_beside_step("cloth"); !ready) return ready.error();
         ClothView& view = *simulation.views[id.index];
         view = view_of(cloth, impl_->is_in_step());
         return Result<const ClothView&>(view);
@@ -44,6 +45,7 @@ Result<const ClothView&> World::cloth(ClothId id) const {
 Result<void> World::write_vertices(ClothId id, const VertexStreams& to, std::size_t first,
                                    std::size_t count) const {
     return with_cloth(impl_->simulation, id, [&](const Cloth& cloth) -> Result<void> {
+        if (auto ready = impl_->refuse_beside_step("write_vertices"); !ready) return ready;
         const ClothView view = view_of(cloth, impl_->is_in_step());
         if (auto valid = check_streams(view, to); !valid) return valid;
         const std::size_t vertices = view.vertex_to_particle.size(), begin = std::min(first, vertices);

@@ -16,7 +16,8 @@ StepFlags flags_of(const Cloth& cloth, float max_speed) {
         if (raised) flags = flags | flag;
     };
     raise(cloth.restored, StepFlags::state_restored);
-    raise(std::sqrt(cloth.extent.peak_speed_squared) > 0.999f * max_speed, StepFlags::speed_limited);
+    raise(cloth.pins_limited || std::sqrt(cloth.extent.peak_speed_squared) > 0.999f * max_speed,
+          StepFlags::speed_limited);
     raise(cloth.unsolved, StepFlags::unsolved);
     raise(cloth.feature_counts.pin_lag > 0, StepFlags::pins_stopped);
     raise(cloth.feature_counts.crossed, StepFlags::crossed);

@@ -66,6 +66,21 @@ Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const 
     });
 }
 
+/// Calls `apply`, which switches the cloth on or off. Where it comes on it goes to what holds it, which has
+/// moved meanwhile. Error: it cannot; then nothing has changed.
+template <class Apply>
+Result<void> enable(Simulation& simulation, Cloth& cloth, bool on, const Apply& apply) {
+    std::optional<RigidMotion> motion;
+    if (on && !cloth.settings.enabled) {
+        auto found = simulation.motion_to_holds(cloth, cloth.state.skin, StillPins::stay);
+        if (!found) return found.error();
+        motion = *found;
+    }
+    apply();
+    if (motion) simulation.parallel.lend([&] { simulation.go_to_holds(cloth, *motion, StillPins::stay); });
+    return {};
+}
+
 }  // namespace
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -130,8 +145,7 @@ Result<void> World::set_enabled(ClothId id, bool on) {
     return impl_->change(Call::set_enabled, id, on)([&] {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
             if (!on) impl_->simulation.wake_near(cloth);
-            cloth.set_enabled(on);
-            return {};
+            return enable(impl_->simulation, cloth, on, [&] { cloth.set_enabled(on); });
         });
     });
 }
@@ -164,8 +178,8 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
             if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
-            impl_->simulation.apply(cloth, settings);
-            return {};
+            return enable(impl_->simulation, cloth, settings.enabled,
+                          [&] { impl_->simulation.apply(cloth, settings); });
         });
     });
 }

@@ -17,8 +17,9 @@
 
 namespace weft {
 
-/// Where a step that was begun is.
-enum class StepPhase : std::uint32_t { none, begun, working, done };
+/// Who has the World: nobody, one call of step() or begin_step(), or a step that was begun, and where that
+/// is.
+enum class StepPhase : std::uint32_t { none, stepping, begun, working, done };
 
 struct WEFT_LOCAL World::Impl {
     explicit Impl(const WorldSettings& settings) : simulation(settings) {}
@@ -27,17 +28,25 @@ struct WEFT_LOCAL World::Impl {
     bool has_changed = false;            ///< since the World was made
 
     std::atomic<StepPhase> phase = StepPhase::none;
-    float dt = 0;                        ///< of the step that was begun
-    StepFlags logged = StepFlags::none;  ///< those of the last step
-    StepReport last, refused;            ///< while one is: of the one before; step()'s answer
+    float dt = 0;                                            ///< of the step that was begun
+    StepFlags logged = StepFlags::none;                      ///< those of the last step
+    StepReport last;                                         ///< while one is: of the one before
+    StepReport refused{.flags = StepFlags::step_under_way};  ///< step()'s answer meanwhile
 
     [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
-    /// Error: a step was begun.
-    [[nodiscard]] Result<void> refuse_in_step(const char* call) const {
-        if (!is_in_step()) return {};
-        return Error{ErrorCode::invalid_argument, std::string(call) +
-                                                      ": a step was begun, and has to end "
-                                                      "first; call end_step"};
+    /// Error: a step was begun, or another thread takes one.
+    [[nodiscard]] static Result<void> refuse_in(StepPhase phase, const char* call) {
+        if (phase == StepPhase::none) return {};
+        const char* const why = phase == StepPhase::stepping
+                                    ? ": another thread takes a step of the World; make its calls one after "
+                                      "the other"
+                                    : ": a step was begun, and has to end first; call end_step";
+        return Error{ErrorCode::invalid_argument, call + std::string(why)};
+    }
+    [[nodiscard]] Result<void> refuse_in_step(const char* call) const { return refuse_in(phase, call); }
+    /// What can be read while a step that was begun is taken cannot beside step().
+    [[nodiscard]] Result<void> refuse_beside_step(const char* call) const {
+        return phase == StepPhase::stepping ? refuse_in(StepPhase::stepping, call) : Result<void>();
     }
 
     /// change(call, what it is given)(act) makes a call that changes the World, and writes it down if it

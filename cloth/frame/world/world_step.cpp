@@ -41,7 +41,6 @@ void World::Impl::begin_step(float step) {
     last = simulation.report;
     refused = {.flags = StepFlags::step_under_way, .step = last.step};
     dt = step;
-    phase = StepPhase::begun;
 }
 
 void World::Impl::take_step() noexcept {
@@ -55,7 +54,8 @@ void World::Impl::end_step() noexcept {
 }
 
 const StepReport& World::step(float dt) noexcept {
-    if (impl_->is_in_step()) return impl_->refused;
+    StepPhase before = StepPhase::none;
+    if (!impl_->phase.compare_exchange_strong(before, StepPhase::stepping)) return impl_->refused;
     StepReport& report = impl_->simulation.report;
     if (is_step(dt)) {
         impl_->dt = dt;
@@ -65,11 +65,15 @@ const StepReport& World::step(float dt) noexcept {
         impl_->simulation.clear_contacts();
         report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
     }
+    impl_->phase = StepPhase::none;
     return report;
 }
 
 Result<void> World::begin_step(float dt) {
-    return impl_->read("begin_step", [&]() -> Result<void> {
+    StepPhase before = StepPhase::none;
+    if (!impl_->phase.compare_exchange_strong(before, StepPhase::stepping))
+        return without_exceptions([&] { return Impl::refuse_in(before, "begin_step"); });
+    auto begun = without_exceptions([&]() -> Result<void> {
         if (!is_step(dt))
             return out_of_range("dt", static_cast<double>(dt),
                                 "from " + number_text(static_cast<double>(least_step)) + " to " +
@@ -77,13 +81,15 @@ Result<void> World::begin_step(float dt) {
         impl_->begin_step(dt);
         return {};
     });
+    impl_->phase = begun ? StepPhase::begun : StepPhase::none;
+    return begun;
 }
 
 Result<void> World::work() {
     return without_exceptions([&]() -> Result<void> {
         StepPhase begun = StepPhase::begun;
         if (!impl_->phase.compare_exchange_strong(begun, StepPhase::working))
-            return Error{ErrorCode::invalid_argument, begun == StepPhase::none
+            return Error{ErrorCode::invalid_argument, begun == StepPhase::none || begun == StepPhase::stepping
                                                           ? "work: no step was begun; call begin_step first"
                                                           : "work: the step was taken; call end_step"};
         impl_->take_step();
@@ -94,19 +100,16 @@ Result<void> World::work() {
 
 Result<void> World::end_step() {
     return without_exceptions([&]() -> Result<void> {
-        switch (impl_->phase) {
-            case StepPhase::none:
-                return Error{ErrorCode::invalid_argument,
-                             "end_step: no step was begun; call begin_step first"};
-            case StepPhase::working:
-                return Error{ErrorCode::invalid_argument,
-                             "end_step: work has not returned; wait for the task that called it"};
-            case StepPhase::begun:
-                impl_->take_step();
-                break;
-            case StepPhase::done:
-                break;
-        }
+        // The first of several threads that get here ends it.
+        StepPhase before = StepPhase::begun;
+        if (impl_->phase.compare_exchange_strong(before, StepPhase::working))
+            impl_->take_step();
+        else if (before != StepPhase::done ||
+                 !impl_->phase.compare_exchange_strong(before, StepPhase::working))
+            return Error{ErrorCode::invalid_argument,
+                         before == StepPhase::working
+                             ? "end_step: work has not returned; wait for the task that called it"
+                             : "end_step: no step was begun; call begin_step first"};
         impl_->end_step();
         impl_->phase = StepPhase::none;
         return {};
@@ -114,7 +117,9 @@ Result<void> World::end_step() {
 }
 
 const StepReport& World::report() const noexcept {
-    return impl_->is_in_step() ? impl_->last : impl_->simulation.report;
+    const StepPhase phase = impl_->phase;
+    if (phase == StepPhase::none) return impl_->simulation.report;
+    return phase == StepPhase::stepping ? impl_->refused : impl_->last;
 }
 
 Result<ClothReport> World::cloth_report(ClothId id) const {

@@ -46,13 +46,26 @@ void kick_outwards(const Carried& carried, const BlockRange& range, ClothState& 
     }
 }
 
-/// What the cloth is, without where it is to go.
-void move_present(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+/// The cloth itself, without its velocities.
+void move_cloth(const RigidMotion& by, const BlockRange& range, ClothState& state) {
     move_points(state.positions.span(), range, by);
     move_points(state.record.arrivals.span(), range, by);
+    turn_vectors(state.held.normals.span(), range, by);
+}
+
+/// The cloth and its present skin, without where they are to go.
+void move_present(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+    move_cloth(by, range, state);
     move_points(state.skin.places.span(), range, by);
     turn_vectors(state.skin.normals.span(), range, by);
-    turn_vectors(state.held.normals.span(), range, by);
+}
+
+/// Velocities and what is read of the last step.
+void move_past(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+    move_points(state.previous_positions.span(), range, by);
+    for (AlignedBuffer<Vec4>* vectors :
+         {&state.velocities, &state.normals, &state.record.displacements, &state.record.velocity_changes})
+        turn_vectors(vectors->span(), range, by);
 }
 
 }  // namespace
@@ -78,17 +91,15 @@ std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& ine
     return carried;
 }
 
-void carry(Parallel& parallel, const Carried& carried, float dt, ClothState& state) {
+void carry(Parallel& parallel, const Carried& carried, ClothState& state) {
     StepRecord& record = state.record;
     const Eigen::Vector3d way = static_cast<double>(record.h) * carried.velocity;
-    // What the frame changed by is in the last record, unless that is of a part of the step.
-    const Eigen::Vector3d change = record.h == dt ? carried.change : Eigen::Vector3d::Zero();
     parallel.ranges(state.size(), [&](const BlockRange& range) {
         if (carried.moves) {
             move_present(carried.by, range, state);
             turn_about(state.velocities.span(), range, carried.by, carried.velocity);
             turn_about(record.displacements.span(), range, carried.by, way);
-            turn_about(record.velocity_changes.span(), range, carried.by, change);
+            turn_about(record.velocity_changes.span(), range, carried.by, carried.change);
         }
         if (carried.outwards != 0) kick_outwards(carried, range, state);
     });
@@ -102,11 +113,13 @@ void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& 
     });
 }
 
-void arrive(FrameState& frame, float dt, float max_speed) noexcept {
+void arrive(FrameState& frame, float dt, bool in_one_part, float max_speed) noexcept {
     const Eigen::Vector3d way = wide(frame.target.translation) - wide(frame.pose.translation);
     const double speed = way.norm() / static_cast<double>(dt), most = static_cast<double>(max_speed);
     const Eigen::Vector3d velocity = way / static_cast<double>(dt) * (speed > most ? most / speed : 1);
-    frame.velocity_change = narrow(velocity - wide(frame.velocity));
+    // Pins change their velocity in the first part of a step. The last part's record has that change if it is
+    // the only one.
+    frame.velocity_change = in_one_part ? narrow(velocity - wide(frame.velocity)) : Vec3{};
     frame.velocity = narrow(velocity);
     frame.pose = frame.target;
 }
@@ -114,11 +127,9 @@ void arrive(FrameState& frame, float dt, float max_speed) noexcept {
 void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state) {
     parallel.ranges(state.size(), [&](const BlockRange& range) {
         move_present(by, range, state);
-        move_points(state.previous_positions.span(), range, by);
+        move_past(by, range, state);
         move_points(state.skin.target_places.span(), range, by);
-        for (AlignedBuffer<Vec4>* vectors : {&state.velocities, &state.normals, &state.record.displacements,
-                                             &state.record.velocity_changes, &state.skin.target_normals})
-            turn_vectors(vectors->span(), range, by);
+        turn_vectors(state.skin.target_normals.span(), range, by);
     });
     for (Pin& pin : state.pins) pin.target = by.point(pin.target);
     if (!state.frame) return;
@@ -127,6 +138,13 @@ void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state) {
     frame.target = moved(frame.target, by);
     frame.velocity = to_vec3(by.vector(to_vector(frame.velocity)));
     frame.velocity_change = to_vec3(by.vector(to_vector(frame.velocity_change)));
+}
+
+void move_alone(Parallel& parallel, const RigidMotion& by, ClothState& state) {
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        move_cloth(by, range, state);
+        move_past(by, range, state);
+    });
 }
 
 Collider moved(const Collider& collider, const RigidMotion& by) {

@@ -33,16 +33,19 @@ struct Carried {
 
 /// What a step of dt seconds begins with; none if nothing is to be done.
 [[nodiscard]] std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt);
-/// Does it to a cloth before a step of dt seconds.
-void carry(Parallel& parallel, const Carried& carried, float dt, ClothState& state);
+/// Does it to a cloth before a step.
+void carry(Parallel& parallel, const Carried& carried, ClothState& state);
 /// At its end: puts where it began back to where the last one had ended.
 void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& state);
-/// The step has ended: the frame is where it was to be. Nothing it carries counts as faster than max_speed.
-void arrive(FrameState& frame, float dt, float max_speed) noexcept;
+/// A step of dt seconds has ended, taken by the cloth in one part or in several: the frame is where it was to
+/// be. Nothing it carries counts as faster than max_speed.
+void arrive(FrameState& frame, float dt, bool in_one_part, float max_speed) noexcept;
 
 [[nodiscard]] Collider moved(const Collider& collider, const RigidMotion& by);
 
 /// A teleport of all that a cloth's state holds.
 void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state);
+/// A teleport of the cloth, while its pins' targets, its skin and its frame stay.
+void move_alone(Parallel& parallel, const RigidMotion& by, ClothState& state);
 
 }  // namespace weft

@@ -104,17 +104,28 @@ Result<void> validate_skin(const Cloth& cloth, std::span<const Vec3> places, std
     return {};
 }
 
-void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3> normals) noexcept {
-    SkinState& skin = cloth.state.skin;
-    const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle;
+void take_skin(SkinState& skin, std::span<const std::uint32_t> particles, std::span<const Vec3> places,
+               std::span<const Vec3> normals) noexcept {
     const bool has_normals = skin.target_normals.size() > 0;
     for (std::size_t v = 0; v < particles.size(); ++v) {
         skin.target_places[particles[v]] = to_vec4(to_vector(places[v]), 0);
         if (has_normals) skin.target_normals[particles[v]] = to_vec4(to_vector(normals[v]).normalized(), 0);
     }
-    if (std::exchange(skin.known, 1u) != 0) return;
-    std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());
-    std::ranges::copy(std::as_const(skin.target_normals).span(), skin.normals.data());
+    if (std::exchange(skin.known, 1u) == 0) skin.stand_still();
+}
+
+/// By the first skin of a cloth that is stepped: where it is worn, the cloth is at once.
+Result<void> take_first_skin(Simulation& simulation, Cloth& cloth, std::span<const Vec3> places,
+                             std::span<const Vec3> normals) {
+    SkinState skin = cloth.state.skin;
+    take_skin(skin, cloth.model.vertex_to_particle, places, normals);
+    const auto motion = simulation.motion_to_holds(cloth, skin, StillPins::go_along);
+    if (!motion) return motion.error();
+    take_skin(cloth.state.skin, cloth.model.vertex_to_particle, places, normals);
+    if (!*motion) return {};
+    simulation.wake_near(cloth);
+    simulation.parallel.lend([&] { simulation.go_to_holds(cloth, **motion, StillPins::go_along); });
+    return {};
 }
 
 }  // namespace
@@ -186,7 +197,9 @@ Result<void> World::set_skin(ClothId id, std::span<const Vec3> places, std::span
     return impl_->change(Call::set_skin, id, places, normals)([&] {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
             if (auto valid = validate_skin(cloth, places, normals); !valid) return valid;
-            take_skin(cloth, places, normals);
+            if (cloth.state.skin.known == 0 && cloth.settings.enabled)
+                return take_first_skin(impl_->simulation, cloth, places, normals);
+            take_skin(cloth.state.skin, cloth.model.vertex_to_particle, places, normals);
             return {};
         });
     });

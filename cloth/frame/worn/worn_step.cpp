@@ -136,10 +136,7 @@ void Simulation::end_worn(Worker& worker, Cloth& cloth) {
     if (cloth.worn.is_holding() && cloth.features && !cloth.restored)
         cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
     SkinState& skin = cloth.state.skin;
-    if (skin.known != 0) {
-        std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());
-        std::ranges::copy(std::as_const(skin.target_normals).span(), skin.normals.data());
-    }
+    if (skin.known != 0) skin.stand_still();
     if (cloth.carried) leave_start_behind(worker.parallel, *cloth.carried, cloth.state);
 }
 

@@ -26,8 +26,9 @@ enum class StepFlags : std::uint32_t {
     /// one common way, or nowhere where it is pinned; nothing crosses. By impact zones, those that the list
     /// has no room for are let through. Lower SelfCollision::distance.
     contacts_dropped = 1u << 2,
-    /// Particles were held to WorldSettings::max_speed. Raise it if they should be faster; otherwise look for
-    /// a pin or a collider that jumps.
+    /// Particles were held to WorldSettings::max_speed; pins, too, that were to go faster: they get to their
+    /// targets, but cloth follows at that speed. Raise it if they should be faster; otherwise look for a pin
+    /// or a collider that jumps.
     speed_limited = 1u << 3,
     /// The method left more of a cloth's equation unsolved than Multilevel::tolerance: the cloth may stretch
     /// or lag. Raise ClothSettings::substeps, or Multilevel::passes;
@@ -39,7 +40,8 @@ enum class StepFlags : std::uint32_t {
     /// By contact, something crosses that did not when the step began: a fault of Weft, please report it.
     /// Only builds with assertions look for it, since that takes as long as a search.
     crossed = 1u << 6,
-    /// By step(): World::begin_step() began a step that has not ended. Nothing was done; call end_step().
+    /// By step(): World::begin_step() began a step that has not ended, or another thread is in step().
+    /// Nothing was done. Call end_step(); make calls of one World one after the other.
     step_under_way = 1u << 7,
 };
 constexpr StepFlags operator|(StepFlags a, StepFlags b) {
@@ -87,7 +89,8 @@ struct StepReport {
     /// 0.25 and garments below 0.6, but for single steps. Where it stays above that the cloth is softer, or
     /// slower, than its settings say: give the method more iterations or passes, or the cloth substeps.
     /// Explicit and positional methods are measured by backward Euler's equation, which they approach as
-    /// their iterations or substeps grow: with few, about 1 is what they have.
+    /// their iterations or substeps grow: with few, about 1 is what they have. So has cloth whose velocities
+    /// are no numbers, and that was put back (StepFlags::state_restored).
     float residual = 0;
     float milliseconds = 0;  ///< the whole step
 };

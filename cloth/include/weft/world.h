@@ -99,8 +99,8 @@ class WEFT_API World {
                                                        std::span<StrainedEdge> to) const;
     [[nodiscard]] Result<ClothSettings> cloth_settings(ClothId id) const;
     Result<void> set_cloth_settings(ClothId id, const ClothSettings& settings);
-    /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, the cloth goes on from rest
-    /// where it was left, and finds its way out of what has moved into it.
+    /// ClothSettings::enabled, at no cost: for what is out of sight. Switched on, cloth begins from rest
+    /// where it was left, or where its pins, bodies and skin are now, and finds its way out of what is there.
     Result<void> set_enabled(ClothId id, bool on);
     /// See ClothSettings::sleep_speed.
     [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
@@ -127,7 +127,7 @@ class WEFT_API World {
     /// measures the cloth anew: pin many in one call.
     Result<void> pin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> pin(ClothId id, std::uint32_t vertex) { return pin(id, {&vertex, 1}); }
-    /// The pinned vertex moves to `target` [m] along a straight line over the next step.
+    /// The pinned vertex moves to `target` [m] straight over the next step; where the cloth is off, at once.
     Result<void> move_pin(ClothId id, std::uint32_t vertex, const Vec3& target);
     /// Each vertex to the target of its number: all of them or, with an error, none. For what an animation
     /// holds; it takes no memory.
@@ -165,9 +165,9 @@ class WEFT_API World {
     /// begins beyond the leash.
     Result<void> set_map(ClothId id, Map map, std::span<const float> values);
     /// Where each vertex would be if it were part of what the cloth is worn on, and the normal there, out of
-    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is; by
-    /// each later one it goes there over the next step. Of vertices that were welded the last counts. Normals
-    /// are needed by backstops only, else may be none. It takes no memory.
+    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is, and
+    /// cloth beyond its limits is teleported there as a whole; by later ones it goes there over the next step.
+    /// Of welded vertices the last counts. Normals are needed by backstops only. Later calls take no memory.
     ///
     /// A step ends with every free particle within its leash and out of its backstop, but for rounding; both
     /// are smooth. They are in the equation of implicit methods, as colliders are, and come after colliders.
@@ -244,9 +244,9 @@ class WEFT_API World {
     /// add_body() or remove_body(). What a cloth gave that was put back to the start of the step is in it.
     [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept;
 
-    /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt; a game passes the
-    /// same dt at every call. It never allocates, and prepares nothing: what a change needs is made by the
-    /// call that changes it.
+    /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt. Steps may differ in
+    /// length: the time scheme keeps its order. It never allocates, and prepares nothing: what a change needs
+    /// is made by the call that changes it. Beside another thread's: StepFlags::step_under_way.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
     /// What the cloth had of the last step; which cloth raised which flag.

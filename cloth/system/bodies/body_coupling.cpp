@@ -25,7 +25,8 @@ Eigen::Vector3d velocity_at(const Vector6& velocity, const Vector3& arm) {
 
 Vector3 forgotten(const StepEquation& equation, std::uint32_t i) {
     if (equation.velocity_changes.empty()) return Vector3::Zero();
-    const Vector3 went_on = xyz(equation.velocities[i]) + xyz(equation.velocity_changes[i]) / 3;
+    const Vector3 went_on =
+        xyz(equation.velocities[i]) + xyz(equation.velocity_changes[i]) / equation.divisor;
     return (xyz(equation.base_velocities[i]) - went_on) / equation.positions[i].w;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "weft/export.h"
+
 namespace weft {
 
 enum class ErrorCode : std::uint8_t {
@@ -25,7 +27,16 @@ struct Error {
     std::string message;
 };
 
+namespace detail {
+/// Ends the process, in release builds too, once Hooks::failed_assertion or standard error has the error's
+/// message: whoever reads the value of a Result that holds an Error would go on with none.
+[[noreturn]] WEFT_API void fail_value(const Error& error) noexcept;
+/// The same for the error of a Result that holds none.
+[[noreturn]] WEFT_API void fail_error() noexcept;
+}  // namespace detail
+
 /// A T or an Error. Test it before use: `if (!result) report(result.error().message);`
+/// Reading the value of an Error ends the process with the error's message.
 ///
 /// Name a Result before a loop over what it holds: in `for (auto& p : make_sheet()->positions)` C++20 ends
 /// the life of the Result before the loop begins. value() and * are sound there, since they hand the T over.
@@ -39,9 +50,9 @@ class [[nodiscard]] Result {
     explicit operator bool() const noexcept { return ok(); }
 
     /// Precondition: ok().
-    [[nodiscard]] T& value() & noexcept { return *std::get_if<0>(&content_); }
-    [[nodiscard]] const T& value() const& noexcept { return *std::get_if<0>(&content_); }
-    [[nodiscard]] T value() && { return std::move(*std::get_if<0>(&content_)); }
+    [[nodiscard]] T& value() & noexcept { return *checked(std::get_if<0>(&content_)); }
+    [[nodiscard]] const T& value() const& noexcept { return *checked(std::get_if<0>(&content_)); }
+    [[nodiscard]] T value() && { return std::move(*checked(std::get_if<0>(&content_))); }
     T& operator*() & noexcept { return value(); }
     const T& operator*() const& noexcept { return value(); }
     T operator*() && { return std::move(*this).value(); }
@@ -49,9 +60,18 @@ class [[nodiscard]] Result {
     const T* operator->() const noexcept { return &value(); }
 
     /// Precondition: !ok().
-    [[nodiscard]] const Error& error() const noexcept { return *std::get_if<1>(&content_); }
+    [[nodiscard]] const Error& error() const noexcept {
+        const Error* const error = std::get_if<1>(&content_);
+        if (error == nullptr) detail::fail_error();
+        return *error;
+    }
 
   private:
+    template <class Value>
+    Value* checked(Value* value) const noexcept {
+        if (value == nullptr) detail::fail_value(error());
+        return value;
+    }
     std::variant<T, Error> content_;
 };
 
@@ -66,12 +86,18 @@ class [[nodiscard]] Result<T&> {
     explicit operator bool() const noexcept { return ok(); }
 
     /// Precondition: ok().
-    [[nodiscard]] T& value() const noexcept { return *value_; }
-    T& operator*() const noexcept { return *value_; }
-    T* operator->() const noexcept { return value_; }
+    [[nodiscard]] T& value() const noexcept {
+        if (!ok()) detail::fail_value(error_);
+        return *value_;
+    }
+    T& operator*() const noexcept { return value(); }
+    T* operator->() const noexcept { return &value(); }
 
     /// Precondition: !ok().
-    [[nodiscard]] const Error& error() const noexcept { return error_; }
+    [[nodiscard]] const Error& error() const noexcept {
+        if (ok()) detail::fail_error();
+        return error_;
+    }
 
   private:
     T* value_ = nullptr;
@@ -89,7 +115,10 @@ class [[nodiscard]] Result<void> {
     explicit operator bool() const noexcept { return ok_; }
 
     /// Precondition: !ok().
-    [[nodiscard]] const Error& error() const noexcept { return error_; }
+    [[nodiscard]] const Error& error() const noexcept {
+        if (ok_) detail::fail_error();
+        return error_;
+    }
 
   private:
     Error error_;

@@ -27,8 +27,9 @@ struct Hooks {
     /// What somebody may want to look at: which flags a step raised that the one before did not, and which
     /// cloth first; what was left out of a mesh or turned. One line, without a line break.
     void (*log)(void* user, LogLevel level, const char* line) = nullptr;
-    /// An assertion of Weft's failed: a fault of Weft. Builds with NDEBUG have none. Then the process is
-    /// aborted, unless it does not return.
+    /// An assertion failed: a fault of Weft, which builds with NDEBUG do not look for. In all builds: the
+    /// host read the value of a Result that holds an Error, whose message is in the condition. Then the
+    /// process is aborted, unless this does not return.
     void (*failed_assertion)(void* user, const char* condition, const char* file, int line) = nullptr;
 
     /// Stages of a step begin and end, on the thread that takes them, one within the other: see

@@ -278,6 +278,46 @@ TEST(StepApart, TakesItsMemoryFromTheFirstOnAndStepNone) {
     ASSERT_TRUE(world.end_step());
 }
 
+#ifndef WEFT_WITHOUT_THREADS
+// Two threads that call at once would wait for each other for ever.
+TEST(StepApart, CallsBesideStepAreRefusedByName) {
+    struct Held {
+        std::atomic<bool> has_begun = false, may_go_on = false;
+    } held;
+    WorldSettings settings;
+    settings.executor = {.run =
+                             [](void* user, std::uint32_t count, Executor::Body body, void* context) {
+                                 Held& held_up = *static_cast<Held*>(user);
+                                 held_up.has_begun = true;
+                                 while (!held_up.may_go_on) std::this_thread::yield();
+                                 for (std::uint32_t i = 0; i < count; ++i) body(context, i);
+                             },
+                         .user = &held,
+                         .width = 2};
+    World world = World::create(settings).value();
+    const ClothId cloth = world.add_cloth(small_sheet(1)).value();
+    std::thread stepping([&] { EXPECT_EQ(world.step(h).step, 1u); });
+    while (!held.has_begun) std::this_thread::yield();
+    EXPECT_EQ(world.step(h).flags, StepFlags::step_under_way);
+    EXPECT_EQ(world.report().flags, StepFlags::step_under_way);
+    const auto says = [](const auto& answer, const char* call) {
+        return !answer && answer.error().message.find(std::string(call) + ": another thread") == 0;
+    };
+    EXPECT_TRUE(says(world.pin(cloth, 0), "pin"));
+    EXPECT_TRUE(says(world.cloth(cloth), "cloth"));
+    EXPECT_TRUE(says(world.write_vertices(cloth, {}), "write_vertices"));
+    EXPECT_TRUE(says(world.begin_step(h), "begin_step"));
+    EXPECT_FALSE(world.work());
+    EXPECT_FALSE(world.end_step());
+    EXPECT_EQ(world.state_hash(), 0u);
+    held.may_go_on = true;
+    stepping.join();
+    EXPECT_TRUE(world.pin(cloth, 0));
+    EXPECT_EQ(world.step(h).step, 2u);
+    EXPECT_EQ(world.report().step, 2u);
+}
+#endif
+
 TEST(StepApart, IsRecordedAsAStep) {
     Bytes bytes;
     Game game(1);
