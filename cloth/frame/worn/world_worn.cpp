@@ -115,6 +115,7 @@ void take_skin(Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3>
     if (std::exchange(skin.known, 1u) != 0) return;
     std::ranges::copy(std::as_const(skin.target_places).span(), skin.places.data());
     std::ranges::copy(std::as_const(skin.target_normals).span(), skin.normals.data());
+    cloth.wake();  // its leashes and backstops hold from here on
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ struct MovingBody {
     Vector6 now = Vector6::Zero();       ///< velocity at its end, as far as it is known
     BodyPose end;                        ///< likewise
 
+    /// Whether an impulse changes how it moves.
+    [[nodiscard]] bool gives_way() const { return inverse_mass > 0 || inverse_inertia.maxCoeff() > 0; }
     /// With its axes turned so.
     void set_root(const Eigen::Quaternionf& rotation) {
         const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
