@@ -127,8 +127,8 @@ void Simulation::wake_disturbed(bool is_gusty) {
         if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
-/// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that are
-/// near a body, or near a collider that changes in this step.
+/// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that
+/// are near a body, or near a collider that changes in this step.
 void Simulation::find_disturbed(float dt) {
     const auto for_all = [&](const auto& disturbed) {
         for (Cloth* cloth : present_)

@@ -57,8 +57,8 @@ struct BodyStage {
     BodyCoupling coupling;
     Islands sharing;                          ///< cloths that may meet one body, which gives way to them
     std::vector<std::uint32_t> first_cloths;  ///< the first that may meet each body, while these are found
-    float h = 0;              ///< of what a cloth takes them along for [s]
-    bool were_taken = false;  ///< in this substep
+    float h = 0;                              ///< of what a cloth takes them along for [s]
+    bool were_taken = false;                  ///< in this substep
 };
 
 }  // namespace weft

@@ -175,7 +175,7 @@ bool Simulation::is_near_bodies(const Cloth& cloth, float dt) const {
 void Simulation::add_carried_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
                                      const Substep& substep) const {
     bodies_->carried.clear();
-    for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
+    const auto add = [&](std::size_t k) {
         const MovingBody& body = bodies_->moving[k];
         state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
             if (slot.own.is_trigger || (slot.own.layers & mask) == 0) return;
@@ -191,14 +191,17 @@ void Simulation::add_carried_motions(std::vector<ColliderMotion>& motions, std::
             body.move(slot.own, motion);
             motion.body = static_cast<std::int32_t>(k);
         });
-    }
+    };
+    for (const bool gives_way : {false, true})  // see Contacts::carry()
+        for (std::size_t k = 0; k < bodies_->moving.size(); ++k)
+            if (bodies_->moving[k].gives_way() == gives_way) add(k);
     bodies_->coupling.begin(bodies_->moving, bodies_->carried, motions);
 }
 
 /// The equation of a cloth that may meet bodies has them.
 void Simulation::carry_bodies(Cloth& cloth, StepEquation& equation) {
     if (!cloth.contacts) return;
-    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.body_buffers);
+    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.model.rest_area.span(), cloth.body_buffers);
     equation.velocity_changes = equation.gamma != equation.h
                                     ? std::as_const(cloth.state.record.velocity_changes).span()
                                     : std::span<const Vec4>();
@@ -244,6 +247,7 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
             if (is_other) continue;
             CollectedShare& collected = cloth->collected[k];
             collected.in_part.setZero();
+            collected.by_stops.setZero();
             if (gamma != h) collected.in_part = to_vector6(share.echo) / 3;
             echo += collected.in_part;
         }
@@ -280,11 +284,20 @@ void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equatio
         const Vector3 given = cloth.contacts->of_colliders(i, v) + forgotten(equation, i);
         cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
     }
+    for (const BodyStop& stop : cloth.contacts->stops()) {
+        const MovingBody& body = bodies_->moving[stop.body];
+        const Vector3 change = body.velocity_at(body.end.position + stop.arm) - stop.velocity;
+        const Vector3 given = stop.impulse + stop.response * change;
+        cloth.collected[stop.body].by_stops -= wrench(stop.arm.cast<double>(), given.cast<double>());
+    }
+    for (CollectedShare& share : cloth.collected) share.in_part += share.by_stops;
     keep_momentum_with_bodies(cloth, equation, bodies_->moving);
     bodies_->coupling.move_colliders();
-    for (std::size_t k = 0; k < cloth.collected.size(); ++k)
+    for (std::size_t k = 0; k < cloth.collected.size(); ++k) {
+        const CollectedShare& share = cloth.collected[k];
         cloth.state.shares[k].echo =
-            cloth.history ? to_floats(cloth.collected[k].in_part) : std::array<float, 6>{};
+            cloth.history ? to_floats(share.in_part - share.by_stops) : std::array<float, 6>{};
+    }
 }
 
 /// A particle's velocity was changed since a body is where it is.
@@ -326,9 +339,9 @@ std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, floa
     return touching;
 }
 
-/// Puts attached particles where their bodies are. A body and what is attached to it, of all these cloths, get
-/// the velocity at which their momentum is what it was: a body that gave way alone would fly where they are
-/// heavier than it is.
+/// Puts attached particles where their bodies are. A body and what is attached to it, of all these cloths,
+/// get the velocity at which their momentum is what it was: a body that gave way alone would fly where they
+/// are heavier than it is.
 void Simulation::place_attached(std::span<Cloth* const> cloths) {
     const auto has_any = [](const Cloth* cloth) { return cloth->meets_bodies && !cloth->attached.empty(); };
     if (std::ranges::none_of(cloths, has_any)) return;

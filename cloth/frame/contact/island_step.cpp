@@ -64,7 +64,8 @@ bool can_be_together(const Cloth& cloth) {
 /// Parts of a substep, by their settings, that the island's cloths take together: those of the first that can
 /// be in one equation with others.
 int substeps_of(std::span<Cloth* const> island) {
-    const auto first = std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
+    const auto first =
+        std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
     return first != island.end() ? (*first)->settings.substeps : 1;
 }
 
@@ -195,8 +196,8 @@ void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, fl
     count_halved_steps(featured, cut_much);
 }
 
-// Cloths that cannot be in an equation with others go before, alone. Those without features are an equation of
-// their own, since pairs have no rows for them. Whoever has gone is for the others where it then is.
+// Cloths that cannot be in an equation with others go before, alone. Those without features are an equation
+// of their own, since pairs have no rows for them. Whoever has gone is for the others where it then is.
 void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, float dt,
                                 const Substep& substep) {
     const std::span<Cloth* const> featured = featured_;
@@ -238,8 +239,8 @@ std::size_t Simulation::choose_joined(std::span<Cloth* const> island, float h) {
     return plain;
 }
 
-/// Solves cloths as one equation and moves them; then sees to it that features, of these and of others, do not
-/// cross.
+/// Solves cloths as one equation and moves them; then sees to it that features, of these and of others, do
+/// not cross.
 void Simulation::solve_joined(Worker& worker, std::span<Cloth* const> cloths,
                               std::span<Cloth* const> featured, const Substep& substep) {
     if (cloths.empty() && featured.empty()) return;
@@ -283,8 +284,7 @@ void Simulation::make_equations(Worker& worker, std::span<Cloth* const> cloths,
                           .velocities = cloth->next_velocities.span()});
         members_.push_back({static_cast<MultilevelSolver*>(cloth->solver.get()), &steps_.back()});
     }
-    if (!cloths.empty() && !featured.empty())
-        together_->make_rows(worker.parallel, equations_.front().gamma);
+    if (!cloths.empty() && !featured.empty()) together_->make_rows(worker.parallel, equations_.front().gamma);
 }
 
 void Simulation::solve_equations(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {

@@ -1,6 +1,6 @@
 #pragma once
-// Islands: the cloths that are solved together in a substep, since they may touch or share a body, directly or
-// by way of others.
+// Islands: the cloths that are solved together in a substep, since they may touch or share a body, directly
+// or by way of others.
 
 #include <algorithm>
 #include <cstdint>
