@@ -76,7 +76,8 @@ void Contacts::find_stops(const StepEquation& equation, std::span<const Vec4> ve
         for (std::uint32_t k = 0; k < size && !any; ++k) any = does_not_give_way(begin + k);
         if (!any) continue;
         ClothSide side = side_of(equation.settings);
-        if (own_ != nullptr) side.factors = own_->thickness_factors({begin, begin + size});
+        if (own_ != nullptr)
+            side.factors = own_->thickness_factors({begin, begin + size, begin / block_size});
         NearSurfaces near;
         std::array<std::int32_t, block_size> bodies;
         if (!find_near_surfaces(giving_way, side, equation.h, 0, equation.positions.subspan(begin, size),
