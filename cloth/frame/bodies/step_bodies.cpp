@@ -291,7 +291,8 @@ void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equatio
         cloth.collected[stop.body].by_stops -= wrench(stop.arm.cast<double>(), given.cast<double>());
     }
     for (CollectedShare& share : cloth.collected) share.in_part += share.by_stops;
-    keep_momentum_with_bodies(cloth, equation, bodies_->moving);
+    // A body that other cloths hold, too, is not this one's to move.
+    if (bodies_->coupling.cloths() < 2) keep_momentum_with_bodies(cloth, equation, bodies_->moving);
     bodies_->coupling.move_colliders();
     for (std::size_t k = 0; k < cloth.collected.size(); ++k) {
         const CollectedShare& share = cloth.collected[k];
