@@ -70,6 +70,7 @@ struct ColliderBuffers {
 /// What a cloth gives a body while it takes it along [N s, N m s].
 struct CollectedShare {
     Vector6 in_part = Vector6::Zero(), sum = Vector6::Zero();
+    Vector6 by_stops = Vector6::Zero();  ///< what of in_part BDF2 is not to give again
 };
 
 /// Memory for features that meet.

@@ -198,6 +198,7 @@ void Simulation::reserve_cloth() {
     islands_.reserve(count);
     finder_.reserve(count);
     solved_with_.reserve(count);
+    featured_.reserve(count);
     joined_.reserve(count);
     equations_.reserve(count);
     steps_.reserve(count);

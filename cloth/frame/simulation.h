@@ -137,10 +137,14 @@ struct Simulation {
     /// Memory for contact between cloths, besides that of each.
     [[nodiscard]] std::size_t bytes_together() const noexcept { return together_ ? together_->bytes() : 0; }
 
-    /// Sleeping cloths: all, those that the collider is near, those that lay on a cloth.
+    /// Wakes all cloths; those near a collider; those that may touch a cloth. A cloth that is awake stays so
+    /// for a while.
     void wake_all() noexcept;
     void wake_near(const Collider& collider) noexcept;
     void wake_near(const Cloth& gone) noexcept;
+    /// The same in two calls, around a change of the cloth that may fail.
+    void mark_near(const Cloth& changing) noexcept;
+    void wake_marked() noexcept;
 
     /// The air's velocities at points [m/s]; both have room for whole groups of 16.
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
@@ -205,15 +209,22 @@ struct Simulation {
                        StepEquation& equation);
     void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
     void solve_together(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
-    /// Of the substep that they have just taken.
-    [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> island);
+    /// Those of the cloths that have features. Valid until the next call.
+    [[nodiscard]] std::span<Cloth* const> with_features(std::span<Cloth* const> cloths);
+    /// Whether contact between features cut much of the substep that they have just taken.
+    [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> featured);
     /// In how many parts they take a substep, so that less of their motion is cut.
     [[nodiscard]] static int parts_of_step(std::span<Cloth* const> island);
     /// By its pins, its skin or its frame.
     [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
     static void count_halved_steps(std::span<Cloth* const> island, bool cut_much);
-    void solve_joined(Worker& worker, const Substep& substep);
-    void find_joined_impulses(Worker& worker);
+    [[nodiscard]] std::size_t choose_joined(std::span<Cloth* const> island, float h);
+    void solve_joined(Worker& worker, std::span<Cloth* const> cloths, std::span<Cloth* const> featured,
+                      const Substep& substep);
+    void make_equations(Worker& worker, std::span<Cloth* const> cloths, std::span<Cloth* const> featured,
+                        const Substep& substep, float gamma);
+    void solve_equations(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
+    void find_joined_impulses(Worker& worker, std::span<Cloth* const> cloths);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                          const Substep& substep);
     void part_strays(const Substep& substep);
@@ -228,7 +239,9 @@ struct Simulation {
     void begin_bodies(const Substep& substep);
     void limit_bodies();
     void load_bodies();
-    [[nodiscard]] bool may_meet_bodies(const Cloth& cloth, float h) const;
+    template <class Visit>
+    void for_each_body_near(const Cloth& cloth, float h, const Visit& visit) const;
+    void find_cloths_of_bodies(float h);
     void take_bodies(std::span<Cloth* const> cloths, float h);
     void start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma);
     void carry_bodies(Cloth& cloth, StepEquation& equation);
@@ -236,8 +249,8 @@ struct Simulation {
     void collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t particle, const Vector3& change);
     [[nodiscard]] std::uint32_t collide_with_bodies(Worker& worker, Cloth& cloth, float h,
                                                     std::span<const Vec4> starts);
-    void place_attached(Cloth& cloth);
-    void join_attached(Cloth& cloth, std::uint32_t number);
+    void place_attached(std::span<Cloth* const> cloths);
+    void join_attached(std::span<Cloth* const> cloths, std::uint32_t number);
     void finish_part_of_bodies(std::span<Cloth* const> cloths);
     void end_bodies(const Substep& substep);
     /// Those that a cloth of this mask meets, but for those that bodies carry.
@@ -308,8 +321,9 @@ struct Simulation {
     // Of islands, which are solved one after the other.
     std::unique_ptr<FeatureContact> together_;  // null: no two cloths have features
     std::vector<std::uint32_t> solved_with_;    // of each cloth the first of its island
-    std::vector<Cloth*> joined_;                // those that are in one equation
-    std::vector<StepEquation> equations_;       // of each of these, as what follows
+    std::vector<Cloth*> featured_;              // see with_features()
+    std::vector<Cloth*> joined_;                // see choose_joined()
+    std::vector<StepEquation> equations_;       // of each cloth of one equation, as what follows
     std::vector<SolverStep> steps_;
     std::vector<PassMember> members_;
     std::vector<float> residuals_;

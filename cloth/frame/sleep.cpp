@@ -47,23 +47,47 @@ float farthest_way(const ClothState& state) {
     return std::sqrt(squared);
 }
 
+/// Whether a cloth meets the collider, as it is at the end of the motion, on the way or where that ends.
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     const Collider& collider = motion.end;
     if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
     return with_shapes(motion, [&](const auto& start, const auto& end) {
         return may_meet(start, end, Pace{dt, max_speed},
-                        Reach{cloth.settings.thickness + motion.end.thickness, wakes_within},
+                        Reach{cloth.settings.thickness + collider.thickness, wakes_within},
                         BlockPaths{box_of(cloth), 0})
             .has_value();
     });
 }
 
-bool moves(const ColliderMotion& motion) {
-    const auto differs = [&]<class Shape>(const Shape& end) {
+bool is_near(const Collider& collider, const HeldShape* held, const Cloth& cloth) {
+    ColliderMotion motion{collider, collider, 0};
+    motion.held = held;
+    return is_near(motion, cloth, 1, 0);
+}
+
+bool have_same_shape(const Collider& a, const Collider& b) {
+    const auto is_same = [&]<class Shape>(const Shape& of_b) {
         static_assert(std::is_trivially_copyable_v<Shape>);
-        return std::memcmp(&end, std::get_if<Shape>(&motion.start.shape), sizeof end) != 0;
+        const auto* const of_a = std::get_if<Shape>(&a.shape);
+        return of_a != nullptr && std::memcmp(&of_b, of_a, sizeof of_b) == 0;
     };
-    return motion.rate > 0 || std::visit(differs, motion.end.shape);
+    return std::visit(is_same, b.shape);
+}
+
+/// Whether resting cloth feels no difference but that of the shape.
+bool have_same_surface(const Collider& a, const Collider& b) {
+    return a.friction == b.friction && a.thickness == b.thickness && a.restitution == b.restitution &&
+           a.layers == b.layers && a.is_trigger == b.is_trigger;
+}
+
+/// Ball around the vertices of a deforming shape's instance, as they are before they move.
+Sphere ball_before(const PlacedShape& placed, const HeldShape& held) {
+    const HeldShape::Deformation deformation = held.deformation();
+    Eigen::AlignedBox3f box;
+    for (std::size_t v = 0; v < deformation.vertices.size(); ++v)
+        box.extend(to_vector(deformation.vertices[v]) - to_vector(deformation.displacements[v]));
+    const Vector3 centre = to_vector(placed.position) + unit(placed.rotation) * box.center();
+    return {to_vec3(centre), 0.5f * box.diagonal().norm()};
 }
 
 }  // namespace
@@ -103,8 +127,8 @@ void Simulation::wake_disturbed(bool is_gusty) {
         if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
-/// Of those that may sleep or take long steps, which the host moves, or have near them a collider that moves
-/// in this step.
+/// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that
+/// are near a body, or near a collider that changes in this step.
 void Simulation::find_disturbed(float dt) {
     const auto for_all = [&](const auto& disturbed) {
         for (Cloth* cloth : present_)
@@ -114,12 +138,23 @@ void Simulation::find_disturbed(float dt) {
     for (Cloth* cloth : present_) cloth->is_disturbed = false;
     for_all(is_moved_by_host);
     if (bodies_) for_all([&](const Cloth& cloth) { return is_near_bodies(cloth, dt); });
-    Worker worker{serial_, motions_[0], contact_reports_.of_thread(0)};
-    move_colliders(worker, ~0u, Substep{0, 1, dt});
-    for (const ColliderMotion& motion : worker.motions) {
-        if (!moves(motion)) continue;
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        const HeldShape* const held = held_by(slot.target);
+        const bool deforms = held != nullptr && held->deforms_in(state.steps);
+        if (!deforms && have_same_shape(slot.current, slot.target) &&
+            have_same_surface(slot.current, slot.target))
+            return;
+        // Support leaves from where the collider was, with the surface that it had there.
+        for_all([&](const Cloth& cloth) { return is_near(slot.current, held, cloth); });
+        Collider before = slot.current;
+        if (deforms) {
+            before.shape = ball_before(*std::get_if<PlacedShape>(&slot.current.shape), *held);
+            for_all([&](const Cloth& cloth) { return is_near(before, nullptr, cloth); });
+        }
+        ColliderMotion motion{slot.current, slot.target, settings.max_speed};
+        motion.held = held;
         for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, settings.max_speed); });
-    }
+    });
 }
 
 // Cloths that may touch sleep together and wake together, so that none lies on what only seems to be still.
@@ -159,24 +194,29 @@ void Simulation::wake_all() noexcept {
 }
 
 void Simulation::wake_near(const Collider& collider) noexcept {
-    ColliderMotion motion{collider, collider, settings.max_speed};
-    motion.held = held_by(collider);
+    const HeldShape* const held = held_by(collider);
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        if (cloth->is_asleep() && is_near(motion, *cloth, 1, settings.max_speed)) cloth->wake();
+        if (cloth->state.rest && is_near(collider, held, *cloth)) cloth->wake();
     });
 }
 
 void Simulation::wake_near(const Cloth& gone) noexcept {
-    if (!gone.features) return;
-    const Bounds bounds = reach_of(gone, Vector3::Zero(), 0);
+    mark_near(gone);
+    wake_marked();
+}
+
+void Simulation::mark_near(const Cloth& changing) noexcept {
+    const Bounds bounds = reach_of(changing, Vector3::Zero(), 0);
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        if (!cloth->features || !cloth->is_asleep()) return;
-        const Bounds other = reach_of(*cloth, Vector3::Zero(), 0);
-        const auto meet = [](float a, float b, float c, float d) { return a <= d && c <= b; };
-        if (meet(bounds.lower.x, bounds.upper.x, other.lower.x, other.upper.x) &&
-            meet(bounds.lower.y, bounds.upper.y, other.lower.y, other.upper.y) &&
-            meet(bounds.lower.z, bounds.upper.z, other.lower.z, other.upper.z))
-            cloth->wake();
+        cloth->is_disturbed = cloth.get() != &changing && changing.features && cloth->features &&
+                              may_meet(changing, *cloth) &&
+                              overlap(bounds, reach_of(*cloth, Vector3::Zero(), 0));
+    });
+}
+
+void Simulation::wake_marked() noexcept {
+    cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->is_disturbed) cloth->wake();
     });
 }
 

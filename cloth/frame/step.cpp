@@ -209,7 +209,8 @@ void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     avoid_self_collision(worker, cloth, part.h);
     collide_with_colliders(worker, cloth, part);
     hold_worn(worker, cloth);
-    place_attached(cloth);
+    Cloth* const self = &cloth;
+    place_attached({&self, 1});
     if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 ||
         cloth.collider_contacts > 0 || !cloth.attached.empty())
         limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());

@@ -139,8 +139,6 @@ HWY_EXPORT(press_group);
 
 namespace {
 
-// Somewhat more than a free step falls: what may come into contact is nearer than this [m].
-constexpr float reach = 4e-3f;
 // A particle presses its own weight a fiftieth of a free step's fall into the collider. Part 3 of
 // tests/bench/MEASUREMENTS.md says why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
@@ -193,10 +191,12 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     bool near =
         find_near_surfaces(colliders_, side, equation.h, reach, equation.positions.subspan(range.begin, size),
                            equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
+    if (near && equation.bodies != nullptr)
+        find_squeezed(equation, velocities, range, side, surfaces, pressed);
     if (own_ != nullptr) {
         near = own_->adjust(range, reach, near, surfaces);
         for (std::uint32_t i = 0; i < pressed.size(); ++i)
-            if (own_->holds(range.begin + i)) pressed[i] = -1;
+            if (own_->holds(range.begin + i)) pressed[i] = BodyBuffers::none;
     }
     alignas(64) std::array<float, block_size> of_bodies;
     for (std::uint32_t i = 0; body_buffers_ != nullptr && i < block_size; ++i) {
@@ -252,7 +252,7 @@ void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> 
         of_colliders()[i] = to_vec4(spring * v + spring / gamma * away, 0);
         held_->normals[i] = {};
         held_->rubbed[i] = 0;
-        body_buffers_->pressed[i] = -1;
+        body_buffers_->pressed[i] = BodyBuffers::none;
     }
 }
 

@@ -64,13 +64,20 @@ struct ContactRows {
 /// What contacts of a cloth need besides where it may meet bodies.
 struct BodyBuffers {
     BodyBuffers() = default;
-    explicit BodyBuffers(std::uint32_t particles) : pressed(particles) { pushes.reserve(particles); }
+    explicit BodyBuffers(std::uint32_t particles) : pressed(particles) {
+        pushes.reserve(particles);
+        stops.reserve(particles);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return pressed.bytes() + pushes.capacity() * sizeof(BodyPush);
+        return pressed.bytes() + pushes.capacity() * sizeof(BodyPush) + stops.capacity() * sizeof(BodyStop);
     }
 
-    AlignedBuffer<std::int32_t> pressed;  ///< the body that each particle is nearest to, -1: none
-    std::vector<BodyPush> pushes;         ///< as last linearised, ascending, those attached last
+    static constexpr std::int32_t none = -1, squeezed = -2;
+    /// The body that each particle is nearest to; none; or squeezed, where a body presses the particle onto a
+    /// collider that does not give way.
+    AlignedBuffer<std::int32_t> pressed;
+    std::vector<BodyStop> stops;   ///< as last linearised
+    std::vector<BodyPush> pushes;  ///< as last linearised, ascending, those attached last
 };
 
 /// What a cloth has of its own beside colliders: limits of its particles, and what these differ in.
@@ -110,13 +117,10 @@ class Contacts {
         attached_ = {};
     }
     /// Then: some of the colliders are of these bodies, and these particles, ascending, are attached to them.
+    /// Colliders of bodies that give way come last. `areas`: the rest area of each particle, 0 for loose
+    /// ones.
     void carry(std::span<const MovingBody> bodies, std::span<const Attachment> attached,
-               BodyBuffers& buffers) {
-        bodies_ = bodies;
-        attached_ = attached;
-        body_buffers_ = &buffers;
-        buffers.pushes.clear();
-    }
+               std::span<const float> areas, BodyBuffers& buffers);
     /// Then: its rows are to hold these pairs, too, in which the cloth's particles are numbered from `first`
     /// on, a multiple of 16. Whoever has another linearisation begin linearises the pairs before.
     void join(const PairRows& pairs, std::uint32_t first) {
@@ -141,6 +145,12 @@ class Contacts {
 
     /// What presses on bodies, and is attached to them, in a linearisation at these velocities.
     void find_pushes(const StepEquation& equation, std::span<const Vec4> velocities);
+    /// Where bodies meet particles that do not give way: pinned or squeezed ones.
+    void find_stops(const StepEquation& equation, std::span<const Vec4> velocities);
+    [[nodiscard]] std::span<const BodyStop> stops() const noexcept {
+        return body_buffers_ != nullptr ? std::span<const BodyStop>(body_buffers_->stops)
+                                        : std::span<const BodyStop>();
+    }
     [[nodiscard]] std::span<BodyPush> pushes() const noexcept {
         return body_buffers_ != nullptr ? std::span<BodyPush>(body_buffers_->pushes) : std::span<BodyPush>();
     }
@@ -183,6 +193,11 @@ class Contacts {
     void add_pairs(const BlockRange& range);
     void attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
                       const BlockRange& range);
+    void find_squeezed(const StepEquation& equation, std::span<const Vec4> velocities,
+                       const BlockRange& range, const ClothSide& side, NearSurfaces& near,
+                       std::span<std::int32_t> pressed) const;
+    void add_stop(const StepEquation& equation, const NearSurfaces& near, std::uint32_t k,
+                  const Vector3& velocity, std::uint32_t body);
     /// Impulses of colliders alone.
     [[nodiscard]] AlignedBuffer<Vec4>& of_colliders() noexcept {
         return has_pairs() ? of_colliders_ : rows_.impulses;
@@ -200,6 +215,11 @@ class Contacts {
     BodyBuffers* body_buffers_ = nullptr;  // null: no bodies
     std::span<const MovingBody> bodies_;
     std::span<const Attachment> attached_;
+    std::span<const float> areas_;
+    std::size_t firm_ = 0;  // colliders that do not give way, the first
+
+    // Somewhat more than a free step falls: what may come into contact is nearer than this [m].
+    static constexpr float reach = 4e-3f;
 };
 
 }  // namespace weft

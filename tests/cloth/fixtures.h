@@ -180,7 +180,7 @@ inline DenseSystem dense(ImplicitSystem& system) {
 inline DenseSystem dense_coupled(ImplicitSystem& system) {
     Parallel serial(1);
     return {matrix_of(system,
-                      [&](auto unit, auto column) { system.multiply_coupled(serial, unit, unit, column); }),
+                      [&](auto unit, auto column) { system.multiply_coupled(serial, {}, unit, column); }),
             flat(system.right_side().span())};
 }
 /// D^-1, which relaxation multiplies by.

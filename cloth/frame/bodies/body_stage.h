@@ -1,14 +1,16 @@
 #pragma once
 // What the steps of a World that has bodies need; each body has a number, its place in the order of ids.
 //
-// Within a substep each cloth, or island, that may meet bodies takes them along in turn: from where they were
-// when it began, with gravity, what the other cloths give in it as far as that is known, and what this one
-// gives. The last to take them brings them where they go on.
+// Cloths that may meet the same body are an island, and those of its cloths whose method can have bodies as
+// unknowns are one equation with them. Within a substep each equation takes the bodies along in turn: from
+// where they were when it began, with gravity, what the other equations' cloths gave last, and what its own
+// give. The last to take them brings them where they go on.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "cloth/frame/contact/islands.h"
 #include "cloth/system/bodies/body_coupling.h"
 #include "cloth/system/bodies/moving_body.h"
 #include "weft/body.h"
@@ -23,10 +25,12 @@ struct BodyStage {
         settings.resize(bodies);
         given.resize(bodies);
         impulses.resize(bodies);
+        first_cloths.resize(bodies);
         reserve(cloths, colliders);
     }
     void reserve(std::size_t cloths, std::size_t colliders) {
         coupling.reserve(moving.size(), cloths);
+        sharing.reserve(cloths);
         carried.reserve(colliders);
     }
 
@@ -36,6 +40,7 @@ struct BodyStage {
         settings.pop_back();
         given.pop_back();
         impulses.pop_back();
+        first_cloths.pop_back();
     }
 
     struct Begin {
@@ -50,8 +55,10 @@ struct BodyStage {
     std::vector<BodyImpulse> impulses;  ///< of the last step
     std::vector<CarriedCollider> carried;
     BodyCoupling coupling;
-    float h = 0;              ///< of what a cloth takes them along for [s]
-    bool were_taken = false;  ///< in this substep
+    Islands sharing;                          ///< cloths that may meet one body, which gives way to them
+    std::vector<std::uint32_t> first_cloths;  ///< the first that may meet each body, while these are found
+    float h = 0;                              ///< of what a cloth takes them along for [s]
+    bool were_taken = false;                  ///< in this substep
 };
 
 }  // namespace weft

@@ -17,6 +17,7 @@ bool takes_part(const Cloth& cloth, std::size_t body) {
 
 bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation,
                             std::span<const MovingBody> bodies) {
+    if (!cloth.contacts->stops().empty()) return false;
     if (!cloth.state.pins.empty() || equation.pairs != nullptr || cloth.model.component_offsets.size() != 2)
         return false;
     bool any = false;

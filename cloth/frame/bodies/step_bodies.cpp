@@ -88,12 +88,31 @@ void Simulation::begin_bodies(const Substep& substep) {
     limit_bodies();
     load_bodies();
     take_bodies({}, substep.h);
-    for (Cloth* cloth : present_) {
+    for (Cloth* cloth : present_)
         for (Attachment& attached : cloth->attached)
             attached.body = static_cast<std::uint32_t>(number_of(attached.id));
-        cloth->meets_bodies = may_meet_bodies(*cloth, substep.h);
-        if (!cloth->meets_bodies) std::ranges::fill(cloth->state.shares, BodyShare{});
+    find_cloths_of_bodies(substep.h);
+}
+
+/// Finds the cloths that may meet bodies in the substep, and which of them share one that gives way.
+void Simulation::find_cloths_of_bodies(float h) {
+    BodyStage& stage = *bodies_;
+    constexpr std::uint32_t none = ~0u;
+    stage.first_cloths.assign(stage.moving.size(), none);
+    stage.sharing.begin(present_.size());
+    for (std::uint32_t i = 0; i < present_.size(); ++i) {
+        Cloth& cloth = *present_[i];
+        cloth.meets_bodies = false;
+        for_each_body_near(cloth, h, [&](std::size_t k) {
+            cloth.meets_bodies = true;
+            if (!stage.moving[k].gives_way()) return;
+            std::uint32_t& first = stage.first_cloths[k];
+            if (first == none) first = i;
+            stage.sharing.join(first, i);
+        });
+        if (!cloth.meets_bodies) std::ranges::fill(cloth.state.shares, BodyShare{});
     }
+    stage.sharing.end();
 }
 
 /// How fast bodies may be: attached particles, too, keep to max_speed.
@@ -121,26 +140,30 @@ void Simulation::load_bodies() {
     });
 }
 
-// Whatever can come near in the substep, and more: in it all others leave bodies alone.
-bool Simulation::may_meet_bodies(const Cloth& cloth, float h) const {
-    if (!cloth.attached.empty() || std::ranges::any_of(cloth.state.shares, is_still_heard)) return true;
-    if (!meets_in_equation(cloth.settings)) return false;
+/// Visits the numbers of the bodies that the cloth is attached to, or that can come near it in the substep,
+/// each at least once. In that substep all others leave it alone.
+template <class Visit>
+void Simulation::for_each_body_near(const Cloth& cloth, float h, const Visit& visit) const {
+    for (const Attachment& attached : cloth.attached) visit(attached.body);
+    for (std::size_t k = 0; k < cloth.state.shares.size(); ++k)
+        if (is_still_heard(cloth.state.shares[k])) visit(k);
+    if (!meets_in_equation(cloth.settings)) return;
     float fastest = std::sqrt(cloth.extent.peak_speed_squared);
     for (const Pin& pin : cloth.state.pins)
         fastest = std::max(fastest, xyz(cloth.state.velocities[pin.particle]).norm());
     constexpr float about = 0.05f;
     const Bounds box =
         grown({cloth.extent.lower, cloth.extent.upper}, cloth.settings.thickness + 2 * h * fastest + about);
-    bool any = false;
     state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        if (any || state.bodies.find(slot.body) == nullptr) return;
+        if (state.bodies.find(slot.body) == nullptr) return;
         if (slot.own.is_trigger || (slot.own.layers & cloth.settings.collider_mask) == 0) return;
-        const MovingBody& body = bodies_->moving[number_of(slot.body)];
+        const std::size_t k = number_of(slot.body);
+        const MovingBody& body = bodies_->moving[k];
         const float way = 2 * h * body.now.head<3>().cast<float>().norm();
-        any = overlap(box, grown(box_of(carried(slot.own, body.start), held_by(slot.own)), way)) ||
-              overlap(box, grown(box_of(carried(slot.own, body.end), held_by(slot.own)), way));
+        if (overlap(box, grown(box_of(carried(slot.own, body.start), held_by(slot.own)), way)) ||
+            overlap(box, grown(box_of(carried(slot.own, body.end), held_by(slot.own)), way)))
+            visit(k);
     });
-    return any;
 }
 
 /// Before a step: whether it is attached to one, or one may come near it.
@@ -167,7 +190,7 @@ bool Simulation::is_near_bodies(const Cloth& cloth, float dt) const {
 void Simulation::add_carried_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
                                      const Substep& substep) const {
     bodies_->carried.clear();
-    for (std::size_t k = 0; k < bodies_->moving.size(); ++k) {
+    const auto add = [&](std::size_t k) {
         const MovingBody& body = bodies_->moving[k];
         state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
             if (slot.own.is_trigger || (slot.own.layers & mask) == 0) return;
@@ -183,14 +206,17 @@ void Simulation::add_carried_motions(std::vector<ColliderMotion>& motions, std::
             body.move(slot.own, motion);
             motion.body = static_cast<std::int32_t>(k);
         });
-    }
+    };
+    for (const bool gives_way : {false, true})  // see Contacts::carry()
+        for (std::size_t k = 0; k < bodies_->moving.size(); ++k)
+            if (bodies_->moving[k].gives_way() == gives_way) add(k);
     bodies_->coupling.begin(bodies_->moving, bodies_->carried, motions);
 }
 
 /// The equation of a cloth that may meet bodies has them.
 void Simulation::carry_bodies(Cloth& cloth, StepEquation& equation) {
     if (!cloth.contacts) return;
-    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.body_buffers);
+    cloth.contacts->carry(bodies_->moving, cloth.attached, cloth.model.rest_area.span(), cloth.body_buffers);
     equation.velocity_changes = equation.gamma != equation.h
                                     ? std::as_const(cloth.state.record.velocity_changes).span()
                                     : std::span<const Vec4>();
@@ -236,6 +262,7 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
             if (is_other) continue;
             CollectedShare& collected = cloth->collected[k];
             collected.in_part.setZero();
+            collected.by_stops.setZero();
             if (const Bdf bdf = cloth->bdf_of(h, gamma); bdf.is_second_order())
                 collected.in_part = to_vector6(share.echo) / static_cast<double>(bdf.divisor);
             echo += collected.in_part;
@@ -273,11 +300,21 @@ void Simulation::collect_from_equation(Cloth& cloth, const StepEquation& equatio
         const Vector3 given = cloth.contacts->of_colliders(i, v) + forgotten(equation, i);
         cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
     }
-    keep_momentum_with_bodies(cloth, equation, bodies_->moving);
+    for (const BodyStop& stop : cloth.contacts->stops()) {
+        const MovingBody& body = bodies_->moving[stop.body];
+        const Vector3 change = body.velocity_at(body.end.position + stop.arm) - stop.velocity;
+        const Vector3 given = stop.impulse + stop.response * change;
+        cloth.collected[stop.body].by_stops -= wrench(stop.arm.cast<double>(), given.cast<double>());
+    }
+    for (CollectedShare& share : cloth.collected) share.in_part += share.by_stops;
+    // A body that other cloths hold, too, is not this one's to move.
+    if (bodies_->coupling.cloths() < 2) keep_momentum_with_bodies(cloth, equation, bodies_->moving);
     bodies_->coupling.move_colliders();
-    for (std::size_t k = 0; k < cloth.collected.size(); ++k)
+    for (std::size_t k = 0; k < cloth.collected.size(); ++k) {
+        const CollectedShare& share = cloth.collected[k];
         cloth.state.shares[k].echo =
-            cloth.history ? to_floats(cloth.collected[k].in_part) : std::array<float, 6>{};
+            cloth.history ? to_floats(share.in_part - share.by_stops) : std::array<float, 6>{};
+    }
 }
 
 /// A particle's velocity was changed since a body is where it is.
@@ -319,16 +356,18 @@ std::uint32_t Simulation::collide_with_bodies(Worker& worker, Cloth& cloth, floa
     return touching;
 }
 
-/// Attached particles are where their bodies are. Both get the velocity at which their momentum is what it
-/// was: were the body alone to give way it would fly where they are heavier than it is.
-void Simulation::place_attached(Cloth& cloth) {
-    if (!cloth.meets_bodies || cloth.attached.empty()) return;
-    for (std::uint32_t body = 0; body < bodies_->moving.size(); ++body) join_attached(cloth, body);
+/// Puts attached particles where their bodies are. A body and what is attached to it, of all these cloths,
+/// get the velocity at which their momentum is what it was: a body that gave way alone would fly where they
+/// are heavier than it is.
+void Simulation::place_attached(std::span<Cloth* const> cloths) {
+    const auto has_any = [](const Cloth* cloth) { return cloth->meets_bodies && !cloth->attached.empty(); };
+    if (std::ranges::none_of(cloths, has_any)) return;
+    for (std::uint32_t body = 0; body < bodies_->moving.size(); ++body) join_attached(cloths, body);
 }
 
-void Simulation::join_attached(Cloth& cloth, std::uint32_t number) {
+void Simulation::join_attached(std::span<Cloth* const> cloths, std::uint32_t number) {
     MovingBody& body = bodies_->moving[number];
-    const auto for_each_free = [&](const auto& visit) {
+    const auto for_each_free = [&](Cloth& cloth, const auto& visit) {
         for (const Attachment& attached : cloth.attached) {
             const Vec4& position = cloth.state.positions[attached.particle];
             if (attached.body == number && position.w > 0)
@@ -337,21 +376,30 @@ void Simulation::join_attached(Cloth& cloth, std::uint32_t number) {
     };
     Matrix6 inertia = Matrix6::Zero();
     Vector6 lacking = Vector6::Zero();
-    for_each_free([&](std::uint32_t i, const Vector3& place, float mass) {
-        const Eigen::Vector3d arm = (place - body.end.position).cast<double>();
-        inertia += at_arm(arm, static_cast<double>(mass) * Eigen::Matrix3d::Identity());
-        const Vector3 lacks = mass * (xyz(cloth.state.velocities[i]) - body.velocity_at(place));
-        lacking += wrench(arm, lacks.cast<double>());
-    });
+    const auto weigh = [&](Cloth& cloth) {
+        for_each_free(cloth, [&](std::uint32_t i, const Vector3& place, float mass) {
+            const Eigen::Vector3d arm = (place - body.end.position).cast<double>();
+            inertia += at_arm(arm, static_cast<double>(mass) * Eigen::Matrix3d::Identity());
+            const Vector3 lacks = mass * (xyz(cloth.state.velocities[i]) - body.velocity_at(place));
+            lacking += wrench(arm, lacks.cast<double>());
+        });
+    };
+    for (Cloth* cloth : cloths) weigh(*cloth);
     const Matrix6 joint = Matrix6::Identity() + body.root.transpose() * inertia * body.root;
     const Vector6 along_root = joint.ldlt().solve(Vector6(body.root.transpose() * lacking));
     const Vector6 change = body.root * along_root;
+    for (Cloth* cloth : cloths) {
+        inertia.setZero();
+        lacking.setZero();
+        weigh(*cloth);
+        cloth->collected[number].in_part += lacking - inertia * change;
+    }
     body.now += change;
-    cloth.collected[number].in_part += lacking - inertia * change;
-    for_each_free([&](std::uint32_t i, const Vector3& place, float /*mass*/) {
-        set_xyz(cloth.state.positions[i], place);
-        set_xyz(cloth.state.velocities[i], body.velocity_at(place));
-    });
+    for (Cloth* cloth : cloths)
+        for_each_free(*cloth, [&](std::uint32_t i, const Vector3& place, float /*mass*/) {
+            set_xyz(cloth->state.positions[i], place);
+            set_xyz(cloth->state.velocities[i], body.velocity_at(place));
+        });
 }
 
 void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {

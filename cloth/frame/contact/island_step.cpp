@@ -56,9 +56,17 @@ Bounds swept_box(const Cloth& cloth) {
     return box.grown_by(cloth.as_body().floor);
 }
 
-/// Whether its features can be in the equation of an island: it takes whole substeps by a method that can.
+/// Whether it can be in one equation with other cloths.
 bool can_be_together(const Cloth& cloth) {
-    return cloth.solver->joins() && cloth.settings.substeps == 1 && !has_zones(cloth.settings.self_collision);
+    return cloth.solver->joins() && !has_zones(cloth.settings.self_collision);
+}
+
+/// Parts of a substep, by their settings, that the island's cloths take together: those of the first that can
+/// be in one equation with others.
+int substeps_of(std::span<Cloth* const> island) {
+    const auto first =
+        std::ranges::find_if(island, [](const Cloth* cloth) { return can_be_together(*cloth); });
+    return first != island.end() ? (*first)->settings.substeps : 1;
 }
 
 bool meets_bodies(std::span<Cloth* const> cloths) {
@@ -88,11 +96,12 @@ void remember_tangles(const FeatureContact& space, std::size_t body, ClothState&
 
 // Where layers come together by many distances in a step there are more pairs than a list holds, and what is
 // cut leaves knots. Half the motion has half as many.
-bool Simulation::was_cut_much(std::span<Cloth* const> island) {
+bool Simulation::was_cut_much(std::span<Cloth* const> featured) {
+    if (featured.empty()) return false;
     constexpr std::uint32_t most = 400;  // of so many particles one may have been
     std::uint32_t particles = 0;
-    for (const Cloth* cloth : island) particles += cloth->state.size();
-    const FeatureCounts& counts = island.front()->feature_counts;
+    for (const Cloth* cloth : featured) particles += cloth->state.size();
+    const FeatureCounts& counts = featured.front()->feature_counts;
     if (counts.unresolved > 0) return false;  // by zones, which cut nothing
     // What comes apart would be pushed twice a step, and fly.
     const bool is_tangled = counts.tangles.crossings > 0;
@@ -111,7 +120,7 @@ void Simulation::count_halved_steps(std::span<Cloth* const> island, bool cut_muc
     }
 }
 
-// Which cloths may touch: those whose boxes over the substep overlap.
+// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body.
 void Simulation::meet(const Substep& substep) {
     boxes_.clear();
     for (Cloth* cloth : present_) {
@@ -121,6 +130,7 @@ void Simulation::meet(const Substep& substep) {
     }
     finder_.find(boxes_,
                  [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
+    if (bodies_) finder_.join(bodies_->sharing.first_of());
     islands_.plan(present_, finder_.first_of(), parallel.width());
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
@@ -159,111 +169,146 @@ void Simulation::join_features(Worker& worker, FeatureContact& space, std::size_
     cloth.contacts->join(*equation.pairs, equation.first);
 }
 
+std::span<Cloth* const> Simulation::with_features(std::span<Cloth* const> cloths) {
+    featured_.clear();
+    for (Cloth* cloth : cloths)
+        if (cloth->features) featured_.push_back(cloth);
+    return featured_;
+}
+
 void Simulation::solve_island(Worker& worker, std::span<Cloth* const> island, float dt,
                               const Substep& substep) {
-    int parts = parts_of_step(island);
-    if (meets_bodies(island)) take_bodies(island, substep.h);
-    for (Cloth* cloth : island) parts = std::max(parts, parts_to_meet(worker, *cloth, substep));
+    const std::span<Cloth* const> featured = with_features(island);
     const bool with_bodies = meets_bodies(island);
+    int parts = parts_of_step(island);
+    if (with_bodies) take_bodies(island, substep.h);
+    for (Cloth* cloth : island) parts = std::max(parts, parts_to_meet(worker, *cloth, substep));
+    parts *= substeps_of(island);
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         if (k > 0 && air_is_on())
             for (Cloth* cloth : island) air_forces(worker, *cloth, true);
         solve_together(worker, island, dt, substep.part(k, parts, dt));
-        cut_much |= was_cut_much(island);
+        cut_much |= was_cut_much(featured);
         if (with_bodies)  // the next part goes on from there
             for (std::size_t b = 0; b < bodies_->moving.size(); ++b)
                 bodies_->begins[b] = {bodies_->moving[b].start, bodies_->moving[b].velocity};
     }
     if (with_bodies) load_bodies();
-    count_halved_steps(island, cut_much);
+    count_halved_steps(featured, cut_much);
 }
 
-// Cloths that cannot be in the equation with the first that can go before, alone, and are for the others
-// where they then are.
+// Cloths that cannot be in an equation with others go before, alone. Those without features are an equation
+// of their own, since pairs have no rows for them. Whoever has gone is for the others where it then is.
 void Simulation::solve_together(Worker& worker, std::span<Cloth* const> island, float dt,
                                 const Substep& substep) {
-    FeatureContact& space = *together_;
-    find_features(worker, space, island, substep.h);
+    const std::span<Cloth* const> featured = featured_;
+    const bool features_meet = featured.size() > 1;
+    if (features_meet) find_features(worker, *together_, featured, substep.h);
+    const std::size_t plain = choose_joined(island, substep.h);
+    const auto is_joined = [&](Cloth* cloth) { return std::ranges::find(joined_, cloth) != joined_.end(); };
+    for (Cloth* cloth : island)
+        if (!is_joined(cloth)) solve(worker, *cloth, dt, substep);
+    const std::span<Cloth* const> joined = joined_;
+    solve_joined(worker, joined.first(plain), {}, substep);
+    if (!features_meet) return;
+    for (std::size_t k = 0; k < featured.size(); ++k)
+        if (!is_joined(featured[k]))
+            together_->set_fixed_base(worker.parallel, k, featured[k]->state.positions.span());
+    solve_joined(worker, joined.subspan(plain), featured, substep);
+}
+
+/// Fills joined_ with the island's cloths that are solved as one equation with others: first those without
+/// features, whose number is returned, then those with features.
+std::size_t Simulation::choose_joined(std::span<Cloth* const> island, float h) {
+    const int substeps = substeps_of(island);
     // There is one list of colliders with which bodies move.
     const auto can_join = [&](const Cloth& cloth) {
-        return can_be_together(cloth) && !(bodies_ && cloth.carried);
+        return can_be_together(cloth) && cloth.settings.substeps == substeps && !(bodies_ && cloth.carried);
     };
     const auto first = std::ranges::find_if(island, [&](const Cloth* cloth) { return can_join(*cloth); });
-    const auto is_member = [&](const Cloth& cloth) {
-        // A cloth whose path broke takes a step of backward Euler: it would make that of all of them.
-        return first != island.end() && can_join(cloth) &&
-               cloth.bdf_of(substep.h).is_second_order() == (*first)->bdf_of(substep.h).is_second_order();
+    const auto add = [&](bool with_features) {
+        for (Cloth* cloth : island)
+            if (cloth->features.has_value() == with_features && can_join(*cloth) &&
+                cloth->bdf_of(h).is_second_order() == (*first)->bdf_of(h).is_second_order())
+                joined_.push_back(cloth);
     };
-    // Decided before any of them is solved: a solve changes what the next step of a cloth will be.
     joined_.clear();
-    for (Cloth* cloth : island)
-        if (is_member(*cloth)) joined_.push_back(cloth);
-    const auto is_joined = [&](const Cloth* cloth) {
-        return std::ranges::find(joined_, cloth) != joined_.end();
-    };
-    for (std::size_t k = 0; k < island.size(); ++k) {
-        Cloth& cloth = *island[k];
-        if (is_joined(&cloth)) continue;
-        solve(worker, cloth, dt, substep);
-        space.set_fixed_base(worker.parallel, k, cloth.state.positions.span());
-    }
-    const bool with_bodies = meets_bodies(joined_);
-    const float gamma = common_gamma(joined_, substep.h);
+    add(false);
+    if (joined_.size() == 1) joined_.clear();
+    const std::size_t plain = joined_.size();
+    if (featured_.size() > 1) add(true);
+    return plain;
+}
+
+/// Solves cloths as one equation and moves them; then sees to it that features, of these and of others, do
+/// not cross.
+void Simulation::solve_joined(Worker& worker, std::span<Cloth* const> cloths,
+                              std::span<Cloth* const> featured, const Substep& substep) {
+    if (cloths.empty() && featured.empty()) return;
+    const bool with_bodies = meets_bodies(cloths);
+    const float gamma = common_gamma(cloths, substep.h);
     if (with_bodies) {
-        for (Cloth* cloth : joined_) cloth->meets_bodies = true;
-        take_bodies(joined_, substep.h);
-        start_part_of_bodies(joined_, substep.h, gamma);
+        for (Cloth* cloth : cloths) cloth->meets_bodies = true;
+        take_bodies(cloths, substep.h);
+        start_part_of_bodies(cloths, substep.h, gamma);
     }
     std::uint32_t mask = 0;
-    for (const Cloth* cloth : island) mask |= cloth->settings.collider_mask;
+    for (const Cloth* cloth : cloths) mask |= cloth->settings.collider_mask;
+    for (const Cloth* cloth : featured) mask |= cloth->settings.collider_mask;
     move_colliders(worker, mask, substep);
     if (with_bodies) add_carried_motions(worker.motions, mask, substep);
+    make_equations(worker, cloths, featured, substep, gamma);
+    if (!cloths.empty()) solve_equations(worker, cloths, substep);
+    if (!featured.empty()) settle_features(worker, *together_, featured, substep);
+    if (with_bodies) finish_part_of_bodies(cloths);
+}
+
+void Simulation::make_equations(Worker& worker, std::span<Cloth* const> cloths,
+                                std::span<Cloth* const> featured, const Substep& substep, float gamma) {
     equations_.clear();
     steps_.clear();
     members_.clear();
-    for (std::size_t k = 0; k < island.size(); ++k) {
-        Cloth& cloth = *island[k];
-        if (!is_joined(&cloth)) continue;
+    for (Cloth* cloth : cloths) {
         StepEquation& equation =
-            equations_.emplace_back(equation_of(worker, cloth, substep.h, cloth.bdf_of(substep.h, gamma)));
-        if (cloth.carried) see_colliders(worker, cloth, substep);
-        begin_contacts(worker, cloth, substep);
-        join_features(worker, space, k, cloth, equation);
-        if (with_bodies) carry_bodies(cloth, equation);
+            equations_.emplace_back(equation_of(worker, *cloth, substep.h, cloth->bdf_of(substep.h, gamma)));
+        if (cloth->carried) see_colliders(worker, *cloth, substep);
+        begin_contacts(worker, *cloth, substep);
+        if (const auto at = std::ranges::find(featured, cloth); at != featured.end())
+            join_features(worker, *together_, static_cast<std::size_t>(at - featured.begin()), *cloth,
+                          equation);
+        if (cloth->meets_bodies) carry_bodies(*cloth, equation);
         steps_.push_back({.parallel = worker.parallel,
                           .profiler = profiler,
-                          .model = cloth.model,
-                          .settings = cloth.stepped_settings(),
+                          .model = cloth->model,
+                          .settings = cloth->stepped_settings(),
                           .equation = equation,
-                          .velocities = cloth.next_velocities.span()});
-        members_.push_back(static_cast<MultilevelSolver&>(*cloth.solver).member(steps_.back()));
+                           .velocities = cloth->next_velocities.span()});
+        members_.push_back(static_cast<MultilevelSolver&>(*cloth->solver).member(steps_.back()));
     }
-    solve_joined(worker, substep);
-    settle_features(worker, space, island, substep);
-    if (with_bodies) finish_part_of_bodies(joined_);
+    if (!cloths.empty() && !featured.empty()) together_->make_rows(worker.parallel, equations_.front().gamma);
 }
 
-void Simulation::solve_joined(Worker& worker, const Substep& substep) {
-    if (joined_.empty()) return;
-    together_->make_rows(worker.parallel, equations_.front().gamma);
+void Simulation::solve_equations(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
     residuals_.assign(members_.size(), 0.0f);
     const SolveResult result = solve_by_passes(members_, residuals_);
-    if (reports_contacts()) find_joined_impulses(worker);
-    for (std::size_t m = 0; m < joined_.size(); ++m) {
-        Cloth& cloth = *joined_[m];
+    if (reports_contacts()) find_joined_impulses(worker, cloths);
+    for (std::size_t m = 0; m < cloths.size(); ++m) {
+        Cloth& cloth = *cloths[m];
         take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
         collect_from_equation(cloth, equations_[m]);
         advance(worker, cloth, equations_[m], substep.is_first());
         settle(worker, cloth, substep);
     }
+    if (cloths.front()->meets_bodies) place_attached(cloths);
 }
 
-void Simulation::find_joined_impulses(Worker& worker) {
-    for (std::size_t m = 0; m < joined_.size(); ++m) {
+void Simulation::find_joined_impulses(Worker& worker, std::span<Cloth* const> cloths) {
+    for (std::size_t m = 0; m < cloths.size(); ++m) {
+        if (equations_[m].pairs == nullptr) continue;
         equations_[m].pairs->take(worker.parallel, equations_[m].first,
-                                  std::as_const(joined_[m]->next_velocities).span());
-        find_missing_impulses(steps_[m], *joined_[m]);
+                                  std::as_const(cloths[m]->next_velocities).span());
+        find_missing_impulses(steps_[m], *cloths[m]);
     }
 }
 
@@ -323,7 +368,8 @@ void Simulation::part_strays(const Substep& substep) {
         islands_.plan(present_, solved_with_, 1);
         Worker all{parallel, motions_[0], contact_reports_.of_thread(0)};
         for (const Schedule::Group& group : islands_.in_turn())
-            if (group.cloths.size() > 1) cut_strays(all, group.cloths, substep);
+            if (const auto featured = with_features(group.cloths); featured.size() > 1)
+                cut_strays(all, featured, substep);
     }
 }
 

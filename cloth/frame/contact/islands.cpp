@@ -10,9 +10,12 @@ void Islands::reserve(std::size_t cloths) {
     parents_.reserve(cloths);
 }
 
-void Islands::begin(std::span<const Bounds> boxes) {
-    parents_.resize(boxes.size());
+void Islands::begin(std::size_t cloths) {
+    parents_.resize(cloths);
     std::iota(parents_.begin(), parents_.end(), 0u);
+}
+
+void Islands::sort(std::span<const Bounds> boxes) {
     order_.clear();
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         if (boxes[i].lower.x <= boxes[i].upper.x) order_.push_back(i);
@@ -27,6 +30,11 @@ std::uint32_t Islands::root(std::uint32_t cloth) {
 void Islands::join(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t a = root(i), b = root(j);
     parents_[std::max(a, b)] = std::min(a, b);
+}
+
+void Islands::join(std::span<const std::uint32_t> first_of) {
+    for (std::uint32_t i = 0; i < first_of.size(); ++i) join(first_of[i], i);
+    end();
 }
 
 void Islands::end() {

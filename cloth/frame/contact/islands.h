@@ -1,6 +1,6 @@
 #pragma once
-// Which cloths may touch in a substep: those whose boxes overlap, directly or by way of others, are an
-// island.
+// Islands: the cloths that are solved together in a substep, since they may touch or share a body, directly
+// or by way of others.
 
 #include <algorithm>
 #include <cstdint>
@@ -21,7 +21,8 @@ class Islands {
     /// simulation of non-penetrating rigid bodies").
     template <class MayTouch>
     void find(std::span<const Bounds> boxes, const MayTouch& may_touch) {
-        begin(boxes);
+        begin(boxes.size());
+        sort(boxes);
         for (std::size_t k = 0; k < order_.size(); ++k) {
             const std::uint32_t i = order_[k];
             for (std::size_t next = k + 1; next < order_.size(); ++next) {
@@ -34,6 +35,13 @@ class Islands {
         end();
     }
 
+    /// In place of find(): begin, pairs of cloths that are in one island, end.
+    void begin(std::size_t cloths);
+    void join(std::uint32_t i, std::uint32_t j);
+    void end();
+    /// Joins the islands that `first_of` has of the same cloths to those that were found.
+    void join(std::span<const std::uint32_t> first_of);
+
     /// Of each cloth, the first cloth of its island.
     [[nodiscard]] std::span<const std::uint32_t> first_of() const { return parents_; }
 
@@ -42,10 +50,8 @@ class Islands {
         return a.lower.y <= b.upper.y && b.lower.y <= a.upper.y && a.lower.z <= b.upper.z &&
                b.lower.z <= a.upper.z;
     }
-    void begin(std::span<const Bounds> boxes);
+    void sort(std::span<const Bounds> boxes);
     std::uint32_t root(std::uint32_t cloth);
-    void join(std::uint32_t i, std::uint32_t j);
-    void end();
 
     std::vector<std::uint32_t> order_;    // by where boxes begin along x
     std::vector<std::uint32_t> parents_;  // a forest; a parent comes before its children

@@ -178,8 +178,11 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
             if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
-            return enable(impl_->simulation, cloth, settings.enabled,
-                          [&] { impl_->simulation.apply(cloth, settings); });
+            impl_->simulation.mark_near(cloth);
+            Result<void> done = enable(impl_->simulation, cloth, settings.enabled,
+                                       [&] { impl_->simulation.apply(cloth, settings); });
+            impl_->simulation.wake_marked();
+            return done;
         });
     });
 }

@@ -25,12 +25,6 @@ bool are_of_one_kind(const Collider& a, const Collider& b) {
     return a.shape.index() == b.shape.index();
 }
 
-/// Whether cloth that lies on it would feel no difference but of the shape.
-bool have_same_surface(const Collider& a, const Collider& b) {
-    return a.friction == b.friction && a.thickness == b.thickness && a.restitution == b.restitution &&
-           a.layers == b.layers && a.is_trigger == b.is_trigger;
-}
-
 /// Calls `use` with the slot of a collider that may become `target`.
 template <class Use>
 Result<void> with_collider(Simulation& simulation, ColliderId id, const Collider& target, const Use& use) {
@@ -108,13 +102,8 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
 
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
     return impl_->change(Call::move_collider, id, target)([&] {
-        return with_collider(impl_->simulation, id, target, [&](ColliderSlot& slot) {
-            if (!have_same_surface(slot.target, target)) {
-                impl_->simulation.wake_near(slot.target);
-                impl_->simulation.wake_near(target);
-            }
-            slot.target = target;
-        });
+        return with_collider(impl_->simulation, id, target,
+                             [&](ColliderSlot& slot) { slot.target = target; });
     });
 }
 

@@ -122,6 +122,7 @@ Result<void> take_first_skin(Simulation& simulation, Cloth& cloth, std::span<con
     const auto motion = simulation.motion_to_holds(cloth, skin, StillPins::go_along);
     if (!motion) return motion.error();
     take_skin(cloth.state.skin, cloth.model.vertex_to_particle, places, normals);
+    cloth.wake();  // its leashes and backstops hold from here on
     if (!*motion) return {};
     simulation.wake_near(cloth);
     simulation.parallel.lend([&] { simulation.go_to_holds(cloth, **motion, StillPins::go_along); });

@@ -1,6 +1,7 @@
 #pragma once
 // Rigid bodies that cloth moves: colliders and vertices are attached to them, and what these give cloth the
-// body gets back. They meet cloth only; what bodies do to one another is the host's.
+// body gets back. They meet cloth only; what bodies do to one another, and to the World's other colliders, is
+// the host's. Cloth that lies on such a collider stops them.
 //
 // Cloth that has attached vertices, or is within 5 cm of a collider that a body carries, never sleeps,
 // however still both are. Cloth in a frame (World::set_frame) meets bodies where they are in the World.

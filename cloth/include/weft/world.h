@@ -208,18 +208,24 @@ class WEFT_API World {
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
     /// A body that cloth moves, and Weft with it: in each step it falls, turns, and gets back what its
-    /// colliders and the vertices attached to it give cloth. A host whose own engine moves it sets the body's
-    /// state before each step, takes body_impulses() after it, and lets its engine do the rest.
+    /// colliders and the vertices attached to it give cloth. A body meets cloth only: what it does on the
+    /// World's other colliders, and to other bodies, is for the host's engine. A host whose engine moves it
+    /// sets the body's state before each step, takes body_impulses() after it, and lets its engine do the
+    /// rest.
     ///
     /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth to
-    /// a hundred times the cloth's mass. With other methods they get what the step gave particles that touch
-    /// them, which holds up little but what is much lighter than these. By ColliderResponse::velocity_filter
-    /// they get nothing. Several cloths on one body are solved in turn, each expecting of the others what
-    /// they gave last. Cloth that only free bodies touch keeps momentum with them to rounding, unless
+    /// a hundred times the cloth's mass. Cloth that is pinned, or that a body presses onto a collider, stops
+    /// the body. With other methods they get what the step gave particles that touch them, which holds up
+    /// little but what is much lighter than these. By ColliderResponse::velocity_filter they get nothing.
+    ///
+    /// Cloths that may meet the same body are solved with it as one equation: those with
+    /// SelfCollisionMethod::contact, and those without it. The two, and cloths of another method, of other
+    /// ClothSettings::substeps, time scheme or in a frame, are solved in turn, each expecting of the others
+    /// what they gave last: that wants a body that is not much lighter than the cloths. Cloth that only free bodies touch keeps momentum with them to rounding, unless
     /// features of it meet others. A body smaller than the cells of the cloth, as stretched, falls through
     /// them.
     ///
-    /// Each gives every cloth 144 bytes; the first of a World also 36 bytes a particle, and what a first
+    /// Each gives every cloth 192 bytes; the first of a World also 100 bytes a particle, and what a first
     /// collider does.
     Result<BodyId> add_body(const BodySettings& settings, const BodyState& state = {});
     /// Its colliders stay where they are, its vertices are let go.

@@ -8,14 +8,6 @@ namespace weft {
 
 namespace {
 
-Eigen::Matrix3d matrix_of(const Symmetric3& g) {
-    Eigen::Matrix3d m;
-    m << static_cast<double>(g.xx), static_cast<double>(g.xy), static_cast<double>(g.xz),
-        static_cast<double>(g.xy), static_cast<double>(g.yy), static_cast<double>(g.yz),
-        static_cast<double>(g.xz), static_cast<double>(g.yz), static_cast<double>(g.zz);
-    return m;
-}
-
 /// Of the body's point at `arm`.
 Eigen::Vector3d velocity_at(const Vector6& velocity, const Vector3& arm) {
     return velocity.head<3>() + Eigen::Vector3d(velocity.tail<3>()).cross(arm.cast<double>());
@@ -61,11 +53,18 @@ void BodyCoupling::gather(std::size_t cloth, std::span<const Vec4> velocities) {
             body.pressed.setZero();
         }
     equation.contacts->find_pushes(equation, velocities);
+    equation.contacts->find_stops(equation, velocities);
+    for (const BodyStop& stop : equation.contacts->stops()) {
+        Eliminated& body = eliminated_[stop.body];
+        const Eigen::Vector3d arm = stop.arm.cast<double>();
+        body.stiffness += at_arm(arm, stop.response.full());
+        body.pressed += wrench(arm, stop.impulse.cast<double>());
+    }
     for_each_push(cloth, [&](const Contacts& contacts, const BodyPush& push) {
         Eliminated& body = eliminated_[push.body];
         const std::uint32_t i = push.particle;
         const Eigen::Vector3d arm = push.arm.cast<double>();
-        body.stiffness += at_arm(arm, matrix_of(contacts.rows().block(i)));
+        body.stiffness += at_arm(arm, contacts.rows().block(i).full());
         body.pressed += wrench(arm, contacts.of_colliders(i, xyz(velocities[i])).cast<double>());
         if (!is_first_) return;
         const Vector6 kept = wrench(arm, forgotten(equation, i).cast<double>());

@@ -6,6 +6,7 @@
 
 #include "collision/colliders/carried.h"
 #include "collision/colliders/collider_contacts.h"
+#include "engine/simd/symmetric3.h"
 #include "engine/vector.h"
 #include "weft/body.h"
 
@@ -55,6 +56,8 @@ struct MovingBody {
     Vector6 now = Vector6::Zero();       ///< velocity at its end, as far as it is known
     BodyPose end;                        ///< likewise
 
+    /// Whether an impulse changes how it moves.
+    [[nodiscard]] bool gives_way() const { return inverse_mass > 0 || inverse_inertia.maxCoeff() > 0; }
     /// With its axes turned so.
     void set_root(const Eigen::Quaternionf& rotation) {
         const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
@@ -145,6 +148,17 @@ struct BodyPush {
     std::uint32_t particle, body;
     Vector3 arm;       ///< from the centre of mass [m]
     Vector3 velocity;  ///< of the particle, where it was linearised [m/s]
+};
+
+/// A body's contact with a particle that does not give way, as last linearised: at the velocity u of the
+/// body's point there the particle would get impulse + response (u - velocity), and the body gets the
+/// opposite.
+struct BodyStop {
+    std::uint32_t body;
+    Vector3 arm;          ///< from the centre of mass [m]
+    Vector3 velocity;     ///< of the body's point, where it was linearised [m/s]
+    Vector3 impulse;      ///< [N s]
+    Symmetric3 response;  ///< [kg]
 };
 
 }  // namespace weft

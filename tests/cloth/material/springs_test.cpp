@@ -198,7 +198,7 @@ TEST(Assembly, CoupledProductIsTheSlopeOfTheResidualOnMeshes) {
     AlignedBuffer<Vec4> v = random_rows(n, 0.1f, 3), x = random_rows(n, 1, 4), product(n), w_x(n);
     v[2] = x[2] = {};
     system->linearise(serial, equation, v.span(), LinearisedAbout::iterate);
-    const Products found = system->multiply_coupled(serial, x.span(), x.span(), product.span());
+    const Products found = system->multiply_coupled(serial, {x.data()}, x.span(), product.span());
     EXPECT_NEAR(found.x_wx / flat(x.span()).dot(flat(product.span())), 1, 1e-4);
     system->multiply(serial, x.span(), w_x.span());
 
