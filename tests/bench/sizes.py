@@ -18,7 +18,7 @@ PARTS = (  # the first that a name matches
     ("bodies", r"\bBod(y|ies)|_bod(y|ies)\b|StepBodies|FreeCloth"),
     ("impact zones", r"ImpactZone|impact_zone|CollisionCluster|[Ll]inear_?[Pp]rogram|general_matrix|gebp|ldlt"),
     ("finite elements", r"Triangle(Element|Matri|System|State|Pass|Row)|[Hh]inge|ElementRow|element_rows|Membrane"),
-    ("multigrid", r"[Mm]ulti(grid|level)|[Cc]oarse|galerkin|ComponentSolver|Effort|Interpolation"),
+    ("multigrid", r"[Mm]ulti(grid|level)|[Cc]oarse|galerkin|ComponentSolver|Passes|FreePieces|Interpolation"),
     ("fibres", r"[Ff]ibre"),
     ("XPBD", r"[Xx]pbd|Displacement|[Cc]olour(ing|ed)"),
     ("Jacobi, Chebyshev, conjugate gradients", r"Jacobi|Chebyshev|ConjugateGradient|[Mm]ean_?[Mm]otion|LinearSolver"),
