@@ -272,6 +272,10 @@ struct Simulation {
     /// touch.
     [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
     void hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth, float h);
+    void keep_cut_out_of_colliders(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                                   float h) const;
+    [[nodiscard]] static bool is_taken_into_colliders(Worker& worker, const FeatureContact& space,
+                                                      std::size_t body, Cloth& cloth, float h);
     void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
     [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
                                                                                Cloth& cloth);

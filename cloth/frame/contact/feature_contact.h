@@ -102,6 +102,22 @@ class FeatureContact {
     FeatureCounts settle(Parallel& parallel, bool is_pushed);
     /// The same without what was detected before: cuts the motion, and does nothing else.
     FeatureCounts cut(Parallel& parallel, bool is_pushed);
+    /// The same again, from the motion that was cut last: what is cut stands still, and goes with no common
+    /// motion.
+    FeatureCounts cut_without_common(Parallel& parallel, bool is_pushed);
+    [[nodiscard]] bool had_common() const noexcept {
+        return settler_.common().kind != CommonMotionKind::none;
+    }
+    /// Displacements of a body's particles [m]: before the last cut, after it.
+    [[nodiscard]] std::span<const Vec4> uncut(std::size_t body) const {
+        return searched_.span().subspan(ranges_[body].first, ranges_[body].count);
+    }
+    [[nodiscard]] std::span<const Vec4> displacements(std::size_t body) const {
+        return displacements_.span().subspan(ranges_[body].first, ranges_[body].count);
+    }
+    [[nodiscard]] std::span<const Vec4> starts(std::size_t body) const {
+        return start_.span().subspan(ranges_[body].first, ranges_[body].count);
+    }
     /// After that, whether anything crosses, where nothing did at the start.
     [[nodiscard]] bool crosses_anew(Parallel& parallel);
     void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
@@ -130,6 +146,8 @@ class FeatureContact {
     /// For as much of the way as there is room for pairs. Returns by how much pins are kept from their places
     /// at most.
     [[nodiscard]] float find_for_part_of_way(Parallel& parallel);
+    [[nodiscard]] SettleResult cut_listed(Parallel& parallel, bool is_pushed);
+    [[nodiscard]] FeatureCounts counts_of(Parallel& parallel, const SettleResult& result);
     FeatureCounts stand_still();
     FeatureCounts settle_by_zones(Parallel& parallel);
     void find_for_zones(Parallel& parallel);
@@ -169,7 +187,8 @@ class FeatureContact {
     float h_ = 0;
     AlignedBuffer<PairLaw> laws_;
     AlignedBuffer<float> wanted_;
-    AlignedBuffer<Vec4> start_, displacements_, base_, searched_;
+    AlignedBuffer<Vec4> start_, displacements_, base_;
+    AlignedBuffer<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     AlignedBuffer<float> partials_;  // by block
     AlignedBuffer<Holder> holders_;  // by block
     ImpactZones zones_;

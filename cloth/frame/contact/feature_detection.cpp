@@ -113,25 +113,39 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
     const float pins_cut = find_for_part_of_way(parallel);
+    can_look_again_ = false;  // the first search's motions make room
+    for (const ParticleRange& range : ranges_)
+        std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
+    const SettleResult result = cut_listed(parallel, is_pushed);
+    FeatureCounts counts =
+        result.draws_pins ? cut_without_common(parallel, is_pushed) : counts_of(parallel, result);
+    counts.pin_lag += pins_cut;
+    return counts;
+}
+
+FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
+    for (const ParticleRange& range : ranges_)
+        std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
+    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::none);
+    find(parallel, settler_.relative(), {&ContactCloth::floor});
+    return counts_of(parallel, cut_listed(parallel, is_pushed));
+}
+
+SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
     float least_floor = cloths_.front().floor;
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
     Island all = island();
     all.is_pinned = holder_ == Holder::pin;
     all.is_free = holder_ == Holder::none && !is_pushed;
-    const auto settle = [&] {
-        return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},
-                               displacements_.span());
-    };
-    SettleResult result = settle();
-    if (result.draws_pins) {
-        settler_.split(parallel, all, displacements_.span(), CommonMotionKind::none);
-        find(parallel, settler_.relative(), {&ContactCloth::floor});
-        result = settle();
-    }
+    return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},
+                           displacements_.span());
+}
+
+FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& result) {
     is_uncertain_ = result.uncertain > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.truncated = result.truncated,
-            .pin_lag = result.pinned_lag + pins_cut,
+            .pin_lag = result.pinned_lag,
             .lost = result.motion_lost,
             .overflowed = result.list_was_incomplete};
 }

@@ -326,6 +326,7 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
     }
     FeatureCounts& counts = cloths.front()->feature_counts;
     counts = space.settle(worker.parallel, touches_colliders(cloths));
+    keep_cut_out_of_colliders(worker, space, cloths, substep.h);
     if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         hand_back(worker, space, k, *cloths[k], substep.h);
