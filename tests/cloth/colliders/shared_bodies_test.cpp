@@ -14,7 +14,7 @@ namespace weft::test::shared_bodies {
 namespace {
 
 constexpr float h = 1.0f / 60;
-constexpr std::uint32_t side = 16;
+constexpr std::uint32_t wall_side = 16;
 
 World make_world(int threads = 1) {
     WorldSettings settings;
@@ -24,7 +24,7 @@ World make_world(int threads = 1) {
 
 std::vector<std::uint32_t> row(std::uint32_t r) {
     std::vector<std::uint32_t> vertices;
-    for (std::uint32_t i = 0; i < side; ++i) vertices.push_back(r * side + i);
+    for (std::uint32_t i = 0; i < wall_side; ++i) vertices.push_back(r * wall_side + i);
     return vertices;
 }
 
@@ -34,8 +34,8 @@ struct Chain {
         : world(make_world(threads)) {
         for (std::uint32_t k = 0; k < count; ++k) {
             const float top = 1 - 0.3f * static_cast<float>(k);
-            const Mesh mesh = make_sheet({.rows = side,
-                                          .columns = side,
+            const Mesh mesh = make_sheet({.rows = wall_side,
+                                          .columns = wall_side,
                                           .origin = {0, top, 0},
                                           .u = {0.3f, 0, 0},
                                           .v = {0, -0.3f, 0}})
@@ -49,7 +49,7 @@ struct Chain {
             bars.push_back(
                 world.add_body({.mass = mass, .inertia = {mass * 1e-4f, i, i}}, {.position = {0.15f, top, 0}})
                     .value());
-            EXPECT_TRUE(world.attach(bars.back(), cloths[k - 1], row(side - 1)));
+            EXPECT_TRUE(world.attach(bars.back(), cloths[k - 1], row(wall_side - 1)));
             EXPECT_TRUE(world.attach(bars.back(), cloths[k], row(0)));
         }
     }
@@ -129,10 +129,12 @@ TEST(SharedBodies, AClothThatComesLaterIsStepped) {
     // Steps of another length than the last are of first order: such cloth takes one step, not two.
     World world = make_world();
     const auto add = [&](float x) {
-        const Mesh mesh =
-            make_sheet(
-                {.rows = side, .columns = side, .origin = {x, 1, 0}, .u = {0.3f, 0, 0}, .v = {0, 0, 0.3f}})
-                .value();
+        const Mesh mesh = make_sheet({.rows = wall_side,
+                                      .columns = wall_side,
+                                      .origin = {x, 1, 0},
+                                      .u = {0.3f, 0, 0},
+                                      .v = {0, 0, 0.3f}})
+                              .value();
         ClothSettings settings = with_contact();
         settings.air_damping = 0;
         return world.add_cloth(mesh, settings).value();

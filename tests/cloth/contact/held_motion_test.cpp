@@ -23,7 +23,7 @@ constexpr std::array<SelfCollision, 4> self_collisions{
     SelfCollision{.enabled = true, .method = SelfCollisionMethod::contact},
     SelfCollision{.enabled = true, .method = SelfCollisionMethod::impact_zones}};
 
-constexpr std::uint32_t side = 9;
+constexpr std::uint32_t sheet_side = 9;
 
 ClothSettings settings_of(const Method& method, const SelfCollision& self_collision) {
     ClothSettings settings;
@@ -34,8 +34,8 @@ ClothSettings settings_of(const Method& method, const SelfCollision& self_collis
 }
 
 Mesh sheet_at(float height, float skew) {
-    return make_sheet({.rows = side,
-                       .columns = side,
+    return make_sheet({.rows = sheet_side,
+                       .columns = sheet_side,
                        .origin = {-0.2f, height, -0.2f},
                        .u = {0.4f, 0, 0},
                        .v = {skew, 0, 0.4f}})
@@ -43,7 +43,7 @@ Mesh sheet_at(float height, float skew) {
 }
 
 std::vector<std::uint32_t> first_row() {
-    std::vector<std::uint32_t> row(side);
+    std::vector<std::uint32_t> row(sheet_side);
     std::iota(row.begin(), row.end(), 0u);
     return row;
 }

@@ -77,7 +77,7 @@ TEST_P(AdvanceKernels, HistoryLeadsToTheNextBases) {
     ASSERT_EQ(now.record.h, h);
     for (std::uint32_t i = 3; i < now.size(); i += 7) now.positions[i].y += 0.01f;
     now.velocities[40] = {1, 2, 3, 0};  // no longer what the substep left
-    substep.history.begin(serial, now);
+    substep.history.begin(serial, now, 3);
     for (std::uint32_t i = 0; i < now.size(); ++i) {
         const Vector3 x = xyz(now.positions[i]), v = xyz(now.velocities[i]);
         const bool pinned = i == 17, moved = i % 7 == 3;

@@ -14,7 +14,7 @@ namespace weft::test::lost_support {
 namespace {
 
 constexpr float h = 1.0f / 60;
-constexpr std::uint32_t side = 13;
+constexpr std::uint32_t sleeper_side = 13;
 
 World make_world() {
     WorldSettings settings;
@@ -32,8 +32,8 @@ ClothSettings that_sleeps(bool contact = false) {
 }
 
 ClothId add_sheet(World& world, float height, const ClothSettings& settings, float size = 0.3f) {
-    const Mesh mesh = make_sheet({.rows = side,
-                                  .columns = side,
+    const Mesh mesh = make_sheet({.rows = sleeper_side,
+                                  .columns = sleeper_side,
                                   .origin = {-size / 2, height, -size / 2},
                                   .u = {size, 0, 0},
                                   .v = {0, 0, size}})
@@ -211,8 +211,9 @@ struct Stack {
         lower = add_sheet(world, 0.02f, that_sleeps(true));
         upper = add_sheet(world, 0.05f, that_sleeps(true), 0.28f);
         std::vector<std::uint32_t> border;
-        for (std::uint32_t i = 0; i < side * side; ++i)
-            if (i / side == 0 || i / side == side - 1 || i % side == 0 || i % side == side - 1)
+        for (std::uint32_t i = 0; i < sleeper_side * sleeper_side; ++i)
+            if (i / sleeper_side == 0 || i / sleeper_side == sleeper_side - 1 || i % sleeper_side == 0 ||
+                i % sleeper_side == sleeper_side - 1)
                 border.push_back(i);
         EXPECT_TRUE(world.pin(lower, border));
         EXPECT_TRUE(falls_asleep(world, upper));
@@ -257,7 +258,8 @@ TEST(LostSupport, WakesByItsOwnHoldsThatAreChanged) {
     const auto hung = [](const char* name, const std::function<void(World&, ClothId)>& change) {
         World world = make_world();
         const ClothId cloth = add_sheet(world, 0, that_sleeps());
-        std::vector<std::uint32_t> corners{0, side - 1, side * (side - 1), side * side - 1};
+        std::vector<std::uint32_t> corners{0, sleeper_side - 1, sleeper_side * (sleeper_side - 1),
+                                           sleeper_side * sleeper_side - 1};
         EXPECT_TRUE(world.pin(cloth, corners));
         EXPECT_TRUE(falls_asleep(world, cloth));
         change(world, cloth);
@@ -285,13 +287,13 @@ TEST(LostSupport, WakesByItsOwnHoldsThatAreChanged) {
 TEST(LostSupport, WakesByItsFirstSkinAndByALeashThatIsTakenAway) {
     World world = make_world();
     const ClothId cloth = add_sheet(world, 0.3f, that_sleeps());
-    ASSERT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, side - 1}));
-    ASSERT_TRUE(world.set_map(cloth, Map::leash, std::vector<float>(side * side, 0.05f)));
+    ASSERT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, sleeper_side - 1}));
+    ASSERT_TRUE(world.set_map(cloth, Map::leash, std::vector<float>(sleeper_side * sleeper_side, 0.05f)));
     ASSERT_TRUE(falls_asleep(world, cloth));
     std::vector<Vec3> places;
-    for (std::uint32_t i = 0; i < side * side; ++i)
-        places.push_back({-0.15f + 0.025f * static_cast<float>(i % side), 0.3f,
-                          -0.15f + 0.025f * static_cast<float>(i / side)});
+    for (std::uint32_t i = 0; i < sleeper_side * sleeper_side; ++i)
+        places.push_back({-0.15f + 0.025f * static_cast<float>(i % sleeper_side), 0.3f,
+                          -0.15f + 0.025f * static_cast<float>(i / sleeper_side)});
     ASSERT_TRUE(world.set_skin(cloth, places, {}));
     world.step(h);
     EXPECT_FALSE(world.is_asleep(cloth).value());

@@ -238,14 +238,18 @@ INSTANTIATE_TEST_SUITE_P(Of, Detours, testing::Values(true, false),
 std::vector<std::uint64_t> hashes_of(bool is_grid, const NamedCall& a, const NamedCall& b, bool detour,
                                      Bytes* recorded = nullptr) {
     Scene scene(is_grid);
-    if (recorded != nullptr) EXPECT_TRUE(scene.world.start_recording(sink_to(*recorded)));
+    if (recorded != nullptr) {
+        EXPECT_TRUE(scene.world.start_recording(sink_to(*recorded)));
+    }
     scene.build();
     scene.step(2);
     a.make(scene);
     if (detour) scene.save_and_restore();
     b.make(scene);
     scene.step(2);
-    if (recorded != nullptr) EXPECT_TRUE(scene.world.stop_recording());
+    if (recorded != nullptr) {
+        EXPECT_TRUE(scene.world.stop_recording());
+    }
     return scene.hashes;
 }
 

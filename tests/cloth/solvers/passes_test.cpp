@@ -132,7 +132,7 @@ struct RandomStiffCloth {
             EXPECT_TRUE(world->pin(id, pinned == 2 ? i * (columns - 1) : i));
     }
     std::uint32_t whole(std::uint32_t least, std::uint32_t most) {
-        return least + random() % (most - least + 1);
+        return least + static_cast<std::uint32_t>(random()) % (most - least + 1);
     }
     float spread(float least, float most) {  // by its logarithm
         const auto unit = static_cast<float>(random()) / 4294967296.0f;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 
 namespace weft::test {
 namespace {
 
-constexpr float h = 1.0f / 60;
-constexpr std::uint32_t side = 9;
+constexpr std::uint32_t side_of_square = 9;
 
 Vec3 moved(const Transform& by, const Vec4& x) {
     const auto& r = by.rotation;
@@ -30,7 +30,9 @@ float distance(const Vec3& a, const Vec4& b) {
 
 struct Hung {
     explicit Hung(const ClothSettings& settings = {}) : world(World::create({.threads = 1}).value()) {
-        id = world.add_cloth(make_sheet({.rows = side, .columns = side}).value(), settings).value();
+        id =
+            world.add_cloth(make_sheet({.rows = side_of_square, .columns = side_of_square}).value(), settings)
+                .value();
     }
     void pin(const std::vector<std::uint32_t>& vertices) {
         pins = vertices;
@@ -62,7 +64,8 @@ const Transform half_turned{{3, 0.5f, -2}, {0, 1, 0, 0}};
 
 // Of pins: one, two, an edge, and some that are on no line.
 TEST(Holds, ClothOffGoesWithItsPinsAsAWhole) {
-    const std::vector<std::vector<std::uint32_t>> cases{{4}, {0, side - 1}, {0, 2, 4, 6, 8}, {0, 8, 76}};
+    const std::vector<std::vector<std::uint32_t>> cases{
+        {4}, {0, side_of_square - 1}, {0, 2, 4, 6, 8}, {0, 8, 76}};
     for (const auto& pins : cases) {
         for (const Transform& by : {far_off, turned, half_turned}) {
             Hung hung;
@@ -90,7 +93,7 @@ TEST(Holds, ClothOffGoesWithItsPinsAsAWhole) {
 
 TEST(Holds, SettingsThatSwitchClothOnDoTheSame) {
     Hung hung;
-    hung.pin({0, side - 1});
+    hung.pin({0, side_of_square - 1});
     for (int k = 0; k < 30; ++k) hung.world.step(h);
     ClothSettings settings = hung.world.cloth_settings(hung.id).value();
     settings.enabled = false;
@@ -104,7 +107,7 @@ TEST(Holds, SettingsThatSwitchClothOnDoTheSame) {
 
 TEST(Holds, ClothWhosePinsStayedIsWhereItWasLeft) {
     Hung hung;
-    hung.pin({0, side - 1});
+    hung.pin({0, side_of_square - 1});
     for (int k = 0; k < 30; ++k) hung.world.step(h);
     ASSERT_TRUE(hung.world.set_enabled(hung.id, false));
     const auto before = hung.positions();
@@ -117,8 +120,9 @@ TEST(Holds, ClothWhosePinsStayedIsWhereItWasLeft) {
 TEST(Holds, TheFirstSkinBringsClothThere) {
     for (const bool pinned : {false, true}) {
         Hung hung;
-        if (pinned) hung.pin({0, side - 1});
-        ASSERT_TRUE(hung.world.set_map(hung.id, Map::leash, std::vector<float>(side * side, 0.1f)));
+        if (pinned) hung.pin({0, side_of_square - 1});
+        ASSERT_TRUE(hung.world.set_map(hung.id, Map::leash,
+                                       std::vector<float>(side_of_square * side_of_square, 0.1f)));
         std::vector<Vec3> places;
         for (const Vec4& x : hung.positions()) places.push_back(moved(turned, x));
         ASSERT_TRUE(hung.world.set_skin(hung.id, places, {}));
@@ -130,7 +134,8 @@ TEST(Holds, TheFirstSkinBringsClothThere) {
 
 TEST(Holds, ClothWithinItsLeashesStaysAtTheFirstSkin) {
     Hung hung;
-    ASSERT_TRUE(hung.world.set_map(hung.id, Map::leash, std::vector<float>(side * side, 0.5f)));
+    ASSERT_TRUE(
+        hung.world.set_map(hung.id, Map::leash, std::vector<float>(side_of_square * side_of_square, 0.5f)));
     std::vector<Vec3> places;
     const auto before = hung.positions();
     for (const Vec4& x : before) places.push_back({x.x + 0.3f, x.y, x.z});
@@ -140,7 +145,8 @@ TEST(Holds, ClothWithinItsLeashesStaysAtTheFirstSkin) {
 
 TEST(Holds, AShapeThatHasChangedEndsWithinItsLeashes) {
     Hung hung;
-    ASSERT_TRUE(hung.world.set_map(hung.id, Map::leash, std::vector<float>(side * side, 0.05f)));
+    ASSERT_TRUE(
+        hung.world.set_map(hung.id, Map::leash, std::vector<float>(side_of_square * side_of_square, 0.05f)));
     std::vector<Vec3> places;
     for (const Vec4& x : hung.positions()) places.push_back({x.x + 3, x.y + 0.3f * std::sin(6 * x.x), x.z});
     ASSERT_TRUE(hung.world.set_skin(hung.id, places, {}));
@@ -152,7 +158,7 @@ TEST(Holds, AShapeThatHasChangedEndsWithinItsLeashes) {
 TEST(Holds, ClothOffGoesWithItsBody) {
     Hung hung;
     const BodyId body = hung.world.add_body({.mass = 0, .gravity_scale = 0}, {}).value();
-    ASSERT_TRUE(hung.world.attach(body, hung.id, std::vector<std::uint32_t>{0, side - 1}));
+    ASSERT_TRUE(hung.world.attach(body, hung.id, std::vector<std::uint32_t>{0, side_of_square - 1}));
     for (int k = 0; k < 30; ++k) hung.world.step(h);
     ASSERT_TRUE(hung.world.set_enabled(hung.id, false));
     ASSERT_TRUE(hung.world.set_body_state(body, {.position = {3, 1, 0}}));
@@ -182,7 +188,7 @@ TEST(Holds, PinsFasterThanAllowedAreTold) {
         WorldSettings slow = hung.world.settings();
         slow.max_speed = 5;
         ASSERT_TRUE(hung.world.set_settings(slow));
-        hung.pin({0, side - 1});
+        hung.pin({0, side_of_square - 1});
         EXPECT_FALSE(has(hung.world.step(h).flags, StepFlags::speed_limited));
         hung.move_pins({{0, 0.5f, 0}, {}});
         EXPECT_TRUE(has(hung.world.step(h).flags, StepFlags::speed_limited));
