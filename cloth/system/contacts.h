@@ -164,16 +164,20 @@ class Contacts {
         const auto at = std::ranges::lower_bound(attached_, particle, {}, &Attachment::particle);
         return at != attached_.end() && at->particle == particle;
     }
-    /// Whether a collider or a body that it is attached to has a hold of it.
+    /// Whether anything outside of the cloth acts on it: a collider, its leash or backstop, or a body that it
+    /// is attached to.
     [[nodiscard]] bool is_held(std::uint32_t particle) const noexcept {
-        return presses_collider(particle) || is_attached(particle);
+        return presses_surface(particle) || is_attached(particle);
     }
 
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
     /// In the last linearisation.
     [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
-        return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0) &&
-               (own_ == nullptr || !own_->holds(particle));
+        return presses_surface(particle) && (own_ == nullptr || !own_->holds(particle));
+    }
+    /// A collider, its leash or its backstop, in the last linearisation.
+    [[nodiscard]] bool presses_surface(std::uint32_t particle) const noexcept {
+        return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
     }
     /// What colliders give such a particle at the velocity v [kg m/s].
     [[nodiscard]] Vector3 of_colliders(std::uint32_t particle, const Vector3& v) const {

@@ -9,9 +9,9 @@ namespace weft {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-/// Thick colliders have at least this radius, in mean edges at rest.
-constexpr float stretched = 2;
+/// Beside edges of a cloth: what is thinner slips through anyway, what is thinner than so many as they are
+/// stretched by what is fast.
+constexpr float stretched = 2, slips_through = 0.4f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
 /// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing
 /// as thin cloth would fall through.
@@ -37,38 +37,13 @@ float thinnest(const TaperedCapsule& shape) {
     return std::min(shape.radius_a, shape.radius_b);
 }
 float thinnest(const Plane&) {
-    return infinity;
+    return std::numeric_limits<float>::infinity();
 }
-float thinnest(const Box& box) {
-    return to_vector(box.half_extents).minCoeff();
+float thinnest(const Box&) {  // at its edges
+    return 0;
 }
-
-/// The triangles of a rigid closed shape whose corners fit into Cores; nullptr for any other.
-const TriangleTree* few_triangles(const HeldShape& shape) {
-    const auto* const tree = std::get_if<TriangleTree>(&shape.data());
-    const bool fits = tree != nullptr && tree->is_closed() && tree->displacements().empty() &&
-                      tree->vertices().size() <= Cores::most_corners;
-    return fits ? tree : nullptr;
-}
-
-/// Half the least width across a face; infinity for a shape that is not convex.
 float thinnest(const HeldInstance& instance) {
-    const TriangleTree* const tree = few_triangles(instance.shape);
-    if (tree == nullptr) return infinity;
-    const float tolerance = 1e-4f * tree->box().diagonal().norm();
-    float least = infinity;
-    for (std::uint32_t t = 0; t < tree->size(); ++t) {
-        const auto corner = [&](int k) { return to_vector(tree->vertices()[tree->triangle(t)[k]]); };
-        const Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
-        float width = 0;
-        for (const Vec3& vertex : tree->vertices()) {
-            const float behind = normal.dot(corner(0) - to_vector(vertex));
-            if (behind < -tolerance) return infinity;
-            width = std::max(width, behind);
-        }
-        if (normal.squaredNorm() > 0) least = std::min(least, width / 2);
-    }
-    return least;
+    return instance.shape.is_convex() ? 0 : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -76,14 +51,12 @@ float thinnest(const HeldInstance& instance) {
 Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
     return with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
         const float thin = thinnest(end) + thickness;
-        // An edge of any body cuts in between particles as it moves; a radius does not.
-        const bool has_cores = std::isfinite(thin), is_thin = thin < stretched * mean_edge;
-        if (!has_cores || !(is_thin || has_edges<Shape>)) return Thinness{};
+        if (!(thin < stretched * mean_edge)) return Thinness::thick;
         const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
-        if (!(sweep.way >= 0) || (has_edges<Shape> && motion.body >= 0)) return Thinness{};
-        if (!has_edges<Shape>) return Thinness{Met::spanning_or_fast, thin};
-        if (sweep.way > least_way * thickness) return Thinness{Met::all, thin};
-        return is_thin ? Thinness{Met::spanning, thin} : Thinness{};
+        if (!(sweep.way >= 0)) return Thinness::thick;
+        if (has_edges<Shape> && motion.body >= 0) return Thinness::thick;
+        if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
+        return thin < slips_through * mean_edge ? Thinness::thin : Thinness::thin_if_fast;
     });
 }
 
@@ -161,8 +134,8 @@ void Cores::add_box(const MovingBox& box) {
 
 // Of faces in one plane the edges between are none of the body's; that they count for some costs time alone.
 void Cores::add_hull(const MovingHeld& held) {
-    const TriangleTree* const tree = few_triangles(*held.shape);
-    if (tree == nullptr) return;
+    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
+    if (tree == nullptr || tree->vertices().size() > most_corners) return;
     take_space(held.space);
     for (const Vec3& corner : tree->vertices()) {
         corners_[corner_count_++] = to_vector(corner);

@@ -24,26 +24,10 @@ struct Core {
     [[nodiscard]] float radius_at(float s) const { return radius + s * wider; }
 };
 
-/// Triangles that a collider meets as a whole.
-enum class Met : std::uint8_t {
-    none,              ///< a thick collider, one that has jumped, one without cores
-    spanning,          ///< those that its radius does not span
-    spanning_or_fast,  ///< all where one is fast, since that stretches them
-    all                ///< an edged collider that moves
-};
-
-struct Thinness {
-    Met met = Met::none;
-    float radius = 0;  ///< half the least width, with the thickness [m]
-
-    /// Whether a triangle with this longest side lets the collider through between its corners. Discs of
-    /// radius R about three points cover their triangle if no side exceeds sqrt(3) R (Jung 1901). A side that
-    /// short, whose ends are kept R from an axis, stays R / 2 from it.
-    [[nodiscard]] bool slips_through(float longest_squared) const {
-        return 3 * radius * radius < longest_squared;
-    }
-};
-/// mean_edge: at rest [m]. Triangles stretched to more than 3.4 of it can let through what counts as thick.
+/// Beside a cloth's edges, of that length at rest. What is thin is thinner than two fifths of one, or a body
+/// with edges that moves; thin if it meets fast what is thinner than two, as far as they are stretched by
+/// that. Thick is also what has jumped.
+enum class Thinness : std::uint8_t { thick, thin_if_fast, thin };
 [[nodiscard]] Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge);
 
 /// The cores of one collider over a substep.
@@ -51,8 +35,7 @@ class Cores {
   public:
     static constexpr std::uint32_t most = 128, most_corners = 32;
 
-    /// Balls, capsules, boxes, hulls, and closed convex meshes that have not been deformed, have cores. Hulls
-    /// and meshes of more than 32 corners have none.
+    /// None of planes, grounds, meshes, distance fields, hulls of more than 32 corners.
     Cores(const ColliderMotion& motion, float h);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }

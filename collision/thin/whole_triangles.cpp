@@ -74,7 +74,7 @@ struct WholeTriangles::Meeting {
     const ClothSide& cloth;
     const CollidingParticles& particles;
     float h, least_gap;
-    Thinness thinness;
+    bool only_fast;
 
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
@@ -93,11 +93,6 @@ struct WholeTriangles::Meeting {
             paths.to[k] = cores.seen(xyz(particles.positions[corners[k]]));
         }
         return paths;
-    }
-    [[nodiscard]] bool slips_through(const Triangle& corners) const {
-        const auto at = [&](std::size_t k) { return xyz(particles.positions[corners[k]]); };
-        return thinness.slips_through(std::max(
-            {(at(1) - at(0)).squaredNorm(), (at(2) - at(1)).squaredNorm(), (at(0) - at(2)).squaredNorm()}));
     }
     void push(const Triangle& corners, const Approach& approach) const;
 };
@@ -183,13 +178,14 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         if (!cloth.meets(motion.end)) continue;
         const float thickness = thickness_of(motion, cloth);
         const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
-        if (thinness.met == Met::none) continue;
+        if (thinness == Thinness::thick) continue;
         if (!has_paths) all = find_paths(parallel, particles);
         has_paths = true;
         if (!may_be_near(motion, h, thickness, all)) continue;
         const Cores cores(motion, h);
         if (cores.empty()) continue;
-        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness};
+        const Meeting meeting{
+            cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness == Thinness::thin_if_fast};
         // What has been pushed draws triangles along that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
@@ -222,8 +218,8 @@ BlockPaths WholeTriangles::joined(std::uint32_t first, std::uint32_t last) const
     return all;
 }
 
-/// Lists triangles that may come near a core, in ascending order, and returns how many. Where one is fast or
-/// lets the collider through, all that were listed count: others beside it are carried already.
+/// Which triangles may come near a core, in ascending order; how many. Where one is as fast as it has to be,
+/// all count: others beside it are carried already.
 std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeting) {
     parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
                     [&](const BlockRange& range) { find_near_in_block(meeting, range); });
@@ -241,11 +237,6 @@ std::uint32_t WholeTriangles::gather_near() {
     return near;
 }
 
-bool WholeTriangles::any_slips_through(const Meeting& meeting, const BlockRange& range) const {
-    return std::ranges::any_of(triangles_.subspan(range.begin, range.end - range.begin),
-                               [&](const Triangle& corners) { return meeting.slips_through(corners); });
-}
-
 void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange& range) {
     std::uint32_t& count = counts_[range.block];
     count = 0;
@@ -254,17 +245,13 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.widest_gap();
     const auto may = may_be_near(meeting.motion, meeting.h, meeting.thickness(), paths);
-    if (!may) return;
-    const Met met = meeting.thinness.met;
-    const bool all = met == Met::all, may_be_fast = met == Met::spanning_or_fast && may->thin > 0;
-    if (!all && !may_be_fast && !any_slips_through(meeting, range)) return;
+    if (!may || (meeting.only_fast && may->thin == 0)) return;
+    const float least_way = meeting.only_fast ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
     const ParticleSides sides(meeting.cores.turning_box(gap), meeting.particles.starts,
                               meeting.particles.positions, span.first, span.last);
     for (std::uint32_t t = range.begin; t < range.end; ++t) {
         if (sides.leave_out(triangles_[t])) continue;
-        const bool slips = all || meeting.slips_through(triangles_[t]);
-        if (!slips && !may_be_fast) continue;
         const CornerPaths corners = meeting.paths(triangles_[t]);
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
@@ -273,7 +260,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
         if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
         near_[range.begin + count++] = t;
-        if (slips || farthest(corners) > may->thin) is_fast_[range.block] = 1;
+        if (farthest(corners) > least_way) is_fast_[range.block] = 1;
     }
 }
 
@@ -295,11 +282,9 @@ std::uint32_t WholeTriangles::push_out(const Meeting& meeting, std::uint32_t nea
 bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t triangle) {
     const Triangle& corners = triangles_[triangle];
     const float gap = meeting.gap(corners);
-    const bool only_from_outside =
-        meeting.thinness.met == Met::spanning_or_fast && !meeting.slips_through(corners);
     bool any = false;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
-        const auto approach = first_approach(meeting.cores, core, paths, {gap, only_from_outside});
+        const auto approach = first_approach(meeting.cores, core, paths, {gap, meeting.only_fast});
         if (!approach) return;
         meeting.push(of, *approach);
         any |= approach->depth > 0.02f * gap;

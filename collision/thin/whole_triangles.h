@@ -24,10 +24,11 @@ class WholeTriangles {
     WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge);
 
     /// After collide() has moved particles: what their triangles' sides and insides have passed of colliders
-    /// whose radius their present sides exceed, or that are sharp, is put back to the side on which it came,
-    /// as far as half the thickness, with velocities as in collide(). Momentum goes to corners by their
-    /// masses. What the axis of a limb goes through when that is done comes off over its end. Returns how
-    /// many sides, insides and triangles were moved. The rest as there; `starts` may not be empty.
+    /// that are thin beside the cloth's edges, or sharp, is put back to the side on which it came, as far as
+    /// half the thickness, with velocities as in collide(). Momentum goes to corners by their masses.
+    /// What the axis of a limb goes through when that is done comes off over its end.
+    /// Returns how many sides, insides and triangles were moved. The rest as there; `starts` may not be
+    /// empty.
     std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
@@ -41,8 +42,6 @@ class WholeTriangles {
         std::uint32_t first, last;
     };
     struct Meeting;
-
-    [[nodiscard]] bool any_slips_through(const Meeting& meeting, const BlockRange& range) const;
 
     void find_owned();
     [[nodiscard]] BlockPaths find_paths(Parallel& parallel, const CollidingParticles& particles);

@@ -73,12 +73,12 @@ struct Collider {
     bool is_trigger = false;
 };
 
-/// What colliders do to cloth. Particles are met on their way. Triangles are met by balls, capsules, boxes,
-/// hulls and closed convex triangle meshes (these two of at most 32 corners, a mesh not deformed) whose half
-/// least width, with the thickness, is below 1/sqrt(3) of the triangle's longest present side; by balls and
-/// capsules below two mean edges that are fast, all triangles. Sides are kept half the thickness outside.
-/// Cloth on what is that thin is held and may not come to rest. Boxes, hulls and meshes that a body carries
-/// meet particles alone, and so do meshes that are open, concave or deformed.
+/// What colliders do to cloth. Particles are met on their way, triangles by what is so thin that it slips
+/// between them: balls and capsules that are, with the thickness, thinner than two fifths of the cloth's mean
+/// edge, or than two edges where they meet it fast, and the edges and corners of boxes and hulls (of at most
+/// 32 corners) while the host moves these. Sides are kept half the thickness outside. Cloth on what is
+/// thinner than two fifths of an edge is held and does not come to rest; over edges of a box that stands
+/// still triangles cut its corners.
 ///
 /// How deep a step finds a particle in a collider when it begins, where it was placed over cloth or cloth was
 /// moved into it, becomes no velocity: it comes out at 0.1 m/s, from more than 5 cm by e^-2 a second. What a
