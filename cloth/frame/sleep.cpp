@@ -74,20 +74,20 @@ bool have_same_shape(const Collider& a, const Collider& b) {
     return std::visit(is_same, b.shape);
 }
 
-/// Whether resting cloth feels no difference but that of the shape.
+/// Resting cloth feels no difference between the two but that of the shape.
 bool have_same_surface(const Collider& a, const Collider& b) {
     return a.friction == b.friction && a.thickness == b.thickness && a.restitution == b.restitution &&
            a.layers == b.layers && a.is_trigger == b.is_trigger;
 }
 
-/// Ball around the vertices of a deforming shape's instance, as they are before they move.
-Sphere ball_before(const PlacedShape& placed, const HeldShape& held) {
+/// Box around the vertices of a deforming shape's instance, as they are before they move.
+Box box_before(const PlacedShape& placed, const HeldShape& held) {
     const HeldShape::Deformation deformation = held.deformation();
     Eigen::AlignedBox3f box;
     for (std::size_t v = 0; v < deformation.vertices.size(); ++v)
         box.extend(to_vector(deformation.vertices[v]) - to_vector(deformation.displacements[v]));
     const Vector3 centre = to_vector(placed.position) + unit(placed.rotation) * box.center();
-    return {to_vec3(centre), 0.5f * box.diagonal().norm()};
+    return {to_vec3(centre), placed.rotation, to_vec3(0.5f * box.diagonal())};
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ void Simulation::find_disturbed(float dt) {
         for_all([&](const Cloth& cloth) { return is_near(slot.current, held, cloth); });
         Collider before = slot.current;
         if (deforms) {
-            before.shape = ball_before(*std::get_if<PlacedShape>(&slot.current.shape), *held);
+            before.shape = box_before(*std::get_if<PlacedShape>(&slot.current.shape), *held);
             for_all([&](const Cloth& cloth) { return is_near(before, nullptr, cloth); });
         }
         ColliderMotion motion{slot.current, slot.target, settings.max_speed};

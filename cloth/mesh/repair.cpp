@@ -234,7 +234,8 @@ std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh) {
     std::vector<std::uint32_t> first_at(places.size(), Edge::none);
     for (const bool with_triangle : {true, false})
         for (std::uint32_t i = 0; i < places.size(); ++i)
-            if (has_triangle[i] == with_triangle && first_at[places[i]] == Edge::none) first_at[places[i]] = i;
+            if (has_triangle[i] == with_triangle && first_at[places[i]] == Edge::none)
+                first_at[places[i]] = i;
     for (std::uint32_t i = 0; i < places.size(); ++i)
         if (!has_triangle[i]) sets.join(i, first_at[places[i]]);
 

@@ -179,9 +179,9 @@ inline DenseSystem dense(ImplicitSystem& system) {
 /// As conjugate gradients see it: with what relaxation leaves out.
 inline DenseSystem dense_coupled(ImplicitSystem& system) {
     Parallel serial(1);
-    return {matrix_of(system,
-                      [&](auto unit, auto column) { system.multiply_coupled(serial, {}, unit, column); }),
-            flat(system.right_side().span())};
+    return {
+        matrix_of(system, [&](auto unit, auto column) { system.multiply_coupled(serial, {}, unit, column); }),
+        flat(system.right_side().span())};
 }
 /// D^-1, which relaxation multiplies by.
 inline Eigen::MatrixXd dense_preconditioner(const ImplicitSystem& system) {

@@ -244,7 +244,21 @@ Player::Answered Player::make(const Operation& operation, const SetMap& call) {
 }
 
 Player::Answered Player::make(const Operation& operation, const SetSkin& call) {
-    return world_.set_skin(*cloths_[operation.cloth], call.places, call.normals);
+    const auto place = [&](std::uint32_t i) {
+        const Vec4& p = world_.cloth(*cloths_[operation.cloth]).value().positions[i];
+        return Vec3{p.x, p.y, p.z};
+    };
+    auto& pins = pins_[operation.cloth];
+    std::vector<std::uint32_t> still;
+    if (world_.cloth(*cloths_[operation.cloth]).ok())
+        for (const auto& [i, target] : pins)
+            if (const Vec3 p = place(i); p.x == target.x && p.y == target.y && p.z == target.z)
+                still.push_back(i);
+    const auto answer = world_.set_skin(*cloths_[operation.cloth], call.places, call.normals);
+    // A first skin may take the whole cloth along, and pins that stand still with it.
+    if (answer)
+        for (const std::uint32_t i : still) pins[i] = place(i);
+    return answer;
 }
 
 Player::Answered Player::make(const Operation&, const ShiftOrigin& call) {

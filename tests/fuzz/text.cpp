@@ -51,8 +51,7 @@ static std::string text_of(const ConjugateGradient& m) {
     return braced("ConjugateGradient", {text_of(m.iterations)});
 }
 static std::string text_of(const Multilevel& m) {
-    return braced("Multilevel",
-                  {text_of(m.passes), text_of(m.tolerance)});
+    return braced("Multilevel", {text_of(m.passes), text_of(m.tolerance)});
 }
 static std::string text_of(const Xpbd& m) {
     return braced("Xpbd", {text_of(m.iterations)});

@@ -123,10 +123,9 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
                                    static_cast<double>(equation.gamma) * bodies[k].velocity.head<3>();
         of_bodies.head<3>() += given.head<3>();
         of_bodies.tail<3>() += given.tail<3>() + at.cross(Eigen::Vector3d(given.head<3>()));
-        if (equation.gamma != equation.h)
-            for (int axis = 0; axis < 3; ++axis)
-                echo[axis] +=
-                    static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) / 3;
+        for (int axis = 0; axis < 3; ++axis)
+            echo[axis] += static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) /
+                          static_cast<double>(equation.divisor);
     }
     const Eigen::Vector3d by_outside = outside + echo;
     torque += centre.cross(by_outside - ratio * outside);

@@ -283,7 +283,7 @@ void Simulation::make_equations(Worker& worker, std::span<Cloth* const> cloths,
                           .model = cloth->model,
                           .settings = cloth->stepped_settings(),
                           .equation = equation,
-                           .velocities = cloth->next_velocities.span()});
+                          .velocities = cloth->next_velocities.span()});
         members_.push_back(static_cast<MultilevelSolver&>(*cloth->solver).member(steps_.back()));
     }
     if (!cloths.empty() && !featured.empty()) together_->make_rows(worker.parallel, equations_.front().gamma);

@@ -1,9 +1,9 @@
 #pragma once
 // How a cloth is stepped: one struct a method, each named after what its paper calls it. The README's table
-// and charts say what each costs and how wrong it is. ClothSettings::substeps = 2 with Multilevel{.passes = 1}
-// costs about 1.5 times as much as the default, for motion that is nearer to the truth by half. For less than
-// half of the default, only Jacobi with tethers is left. TimeScheme says when backward Euler is the better
-// choice.
+// and charts say what each costs and how wrong it is. ClothSettings::substeps = 2 with Multilevel{.passes =
+// 1} costs about 1.5 times as much as the default, for motion that is nearer to the truth by half. For less
+// than half of the default, only Jacobi with tethers is left. TimeScheme says when backward Euler is the
+// better choice.
 
 #include <variant>
 
@@ -43,9 +43,9 @@ struct Multilevel {
     /// Linearisations, 1 to 100000. Two more are taken where much is left, so that more passes matter for
     /// cloth that swings; 3 bring a sheet of 65 x 65 to 18 mm from the truth after half a second, 1 to 22.
     int passes = 3;
-    /// What may be left in the last pass, as the error of acceleration that would do the same work [m/s^2],
-    /// rms over the cloth's mass, 0 to 1e9: with more, StepFlags::unsolved is set. From a seventh of it on
-    /// passes are added. The default, four gravities, is what an impact leaves in its first step.
+    /// Error that the last pass may leave, as the acceleration that would do the same work [m/s^2], rms over
+    /// the cloth's mass, 0 to 1e9: with more, StepFlags::unsolved is set. From a seventh of it on passes are
+    /// added. The default, four gravities, is what an impact leaves in its first step.
     float tolerance = 40.0f;
     friend bool operator==(const Multilevel&, const Multilevel&) = default;
 };

@@ -106,7 +106,8 @@ struct ClothSettings {
     /// Cloth of which no particle has been faster for half a second [m/s], 0 to 1000, falls asleep: it stands
     /// still and costs next to nothing, until a pin moves, a collider near it moves, leaves or changes, what
     /// it lies on does, awake cloth comes near, the wind, gravity or its settings change, or World::wake.
-    /// Cloths that may touch sleep together. Gusts let none. A hundredth is little to see; 0: it never sleeps.
+    /// Cloths that may touch sleep together. Gusts let none. A hundredth is little to see; 0: it never
+    /// sleeps.
     float sleep_speed = 0;
     FrameInertia frame_inertia{};
     /// What an error of its motion counts, 0 to 1e6, over view_distance, where WorldSettings::budget is not

@@ -165,9 +165,10 @@ class WEFT_API World {
     /// begins beyond the leash.
     Result<void> set_map(ClothId id, Map map, std::span<const float> values);
     /// Where each vertex would be if it were part of what the cloth is worn on, and the normal there, out of
-    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is, and
-    /// cloth beyond its limits is teleported there as a whole; by later ones it goes there over the next step.
-    /// Of welded vertices the last counts. Normals are needed by backstops only. Later calls take no memory.
+    /// it, of any length: once a step, for leashes and backstops (Map). The first call says where that is,
+    /// and cloth beyond its limits is teleported there as a whole, with the pins that the host has not moved
+    /// since the last step; by later calls it goes there over the next step. The last of welded vertices
+    /// counts. Normals are needed by backstops only. Later calls take no memory.
     ///
     /// A step ends with every free particle within its leash and out of its backstop, but for rounding; both
     /// are smooth. They are in the equation of implicit methods, as colliders are, and come after colliders.
@@ -221,9 +222,9 @@ class WEFT_API World {
     /// Cloths that may meet the same body are solved with it as one equation: those with
     /// SelfCollisionMethod::contact, and those without it. The two, and cloths of another method, of other
     /// ClothSettings::substeps, time scheme or in a frame, are solved in turn, each expecting of the others
-    /// what they gave last: that wants a body that is not much lighter than the cloths. Cloth that only free bodies touch keeps momentum with them to rounding, unless
-    /// features of it meet others. A body smaller than the cells of the cloth, as stretched, falls through
-    /// them.
+    /// what they gave last: that wants a body that is not much lighter than the cloths. Cloth that only free
+    /// bodies touch keeps momentum with them to rounding, unless features of it meet others. A body smaller
+    /// than the cells of the cloth, as stretched, falls through them.
     ///
     /// Each gives every cloth 192 bytes; the first of a World also 100 bytes a particle, and what a first
     /// collider does.
@@ -250,9 +251,9 @@ class WEFT_API World {
     /// add_body() or remove_body(). What a cloth gave that was put back to the start of the step is in it.
     [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept;
 
-    /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt. Steps may differ in
-    /// length: the time scheme keeps its order. It never allocates, and prepares nothing: what a change needs
-    /// is made by the call that changes it. Beside another thread's: StepFlags::step_under_way.
+    /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt. Steps may differ
+    /// in length: the time scheme keeps its order. It never allocates, and prepares nothing: what a change
+    /// needs is made by the call that changes it. Beside another thread's: StepFlags::step_under_way.
     const StepReport& step(float dt) noexcept;
     [[nodiscard]] const StepReport& report() const noexcept;
     /// What the cloth had of the last step; which cloth raised which flag.

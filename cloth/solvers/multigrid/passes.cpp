@@ -351,8 +351,8 @@ bool Passes::touches_what_is_held() const {
     return any;
 }
 
-// What nothing holds keeps its momentum but for gravity and air, whatever its features do to one another. All
-// pieces that touch are as one.
+// Free pieces keep their momentum but for gravity and air, whatever their features do to one another. All
+// pieces that touch count as one.
 void Passes::keep_momentum() {
     const Vector3 origin = xyz(first_.equation.base_positions[0]);
     PieceSums touching;

@@ -46,9 +46,9 @@ struct MovingBody {
     float h = 0, gamma = 0;                                     ///< of the part, of its equation [s]
     double fastest = 1e9;  ///< neither it nor what is attached to it is faster [m/s]
     double reach = 0;      ///< from the centre of mass to the farthest particle attached to it [m]
-    BodyPose start;                                             ///< of the part
-    Vector6 velocity = Vector6::Zero();                         ///< likewise
-    Vector6 drift = Vector6::Zero();                            ///< at its end, if cloth gave it nothing
+    BodyPose start;        ///< of the part
+    Vector6 velocity = Vector6::Zero();                  ///< likewise
+    Vector6 drift = Vector6::Zero();                     ///< at its end, if cloth gave it nothing
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< its angular one then, if its inertia turns
     Vector6 free = Vector6::Zero();      ///< the same with what does not depend on the equation's solution
     Matrix6 root = Matrix6::Zero();      ///< its inverse mass is root root^T

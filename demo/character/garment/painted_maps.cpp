@@ -95,7 +95,8 @@ class MapsReader {
                     "their numbers");
             for (std::size_t v = 0; v < vertices_; ++v) {
                 values[v] = value * colours_[v].*channel;
-                // A colour of 0 is out of some ranges; the World says so, as it knows what the garment is for.
+                // A colour of 0 is out of some ranges; the World says so, as it knows what the garment is
+                // for.
                 if (std::isnan(values[v])) return check(values[v], map);
             }
             return {};

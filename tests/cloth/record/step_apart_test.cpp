@@ -231,22 +231,29 @@ TEST(StepApart, RefusesWhatIsOutOfItsOrder) {
 }
 
 #ifndef WEFT_WITHOUT_THREADS
+/// A host's threads, on which a step begins and then waits until it may go on.
+struct HeldUp {
+    World make_world() {
+        WorldSettings settings;
+        settings.executor = {.run =
+                                 [](void* user, std::uint32_t count, Executor::Body body, void* context) {
+                                     HeldUp& held = *static_cast<HeldUp*>(user);
+                                     held.has_begun = true;
+                                     while (!held.may_go_on) std::this_thread::yield();
+                                     for (std::uint32_t i = 0; i < count; ++i) body(context, i);
+                                 },
+                             .user = this,
+                             .width = 2};
+        return World::create(settings).value();
+    }
+
+    std::atomic<bool> has_begun = false, may_go_on = false;
+};
+
 // A host whose World takes its steps on the host's own threads, one of which calls work().
 TEST(StepApart, EndsOnlyWhenWorkHasReturned) {
-    struct Held {
-        std::atomic<bool> has_begun = false, may_go_on = false;
-    } held;
-    WorldSettings settings;
-    settings.executor = {.run =
-                             [](void* user, std::uint32_t count, Executor::Body body, void* context) {
-                                 Held& held_up = *static_cast<Held*>(user);
-                                 held_up.has_begun = true;
-                                 while (!held_up.may_go_on) std::this_thread::yield();
-                                 for (std::uint32_t i = 0; i < count; ++i) body(context, i);
-                             },
-                         .user = &held,
-                         .width = 2};
-    World world = World::create(settings).value();
+    HeldUp held;
+    World world = held.make_world();
     ASSERT_TRUE(world.add_cloth(small_sheet(1)));
     ASSERT_TRUE(world.begin_step(h));
     std::thread task([&] { EXPECT_TRUE(world.work()); });
@@ -281,20 +288,8 @@ TEST(StepApart, TakesItsMemoryFromTheFirstOnAndStepNone) {
 #ifndef WEFT_WITHOUT_THREADS
 // Two threads that call at once would wait for each other for ever.
 TEST(StepApart, CallsBesideStepAreRefusedByName) {
-    struct Held {
-        std::atomic<bool> has_begun = false, may_go_on = false;
-    } held;
-    WorldSettings settings;
-    settings.executor = {.run =
-                             [](void* user, std::uint32_t count, Executor::Body body, void* context) {
-                                 Held& held_up = *static_cast<Held*>(user);
-                                 held_up.has_begun = true;
-                                 while (!held_up.may_go_on) std::this_thread::yield();
-                                 for (std::uint32_t i = 0; i < count; ++i) body(context, i);
-                             },
-                         .user = &held,
-                         .width = 2};
-    World world = World::create(settings).value();
+    HeldUp held;
+    World world = held.make_world();
     const ClothId cloth = world.add_cloth(small_sheet(1)).value();
     std::thread stepping([&] { EXPECT_EQ(world.step(h).step, 1u); });
     while (!held.has_begun) std::this_thread::yield();

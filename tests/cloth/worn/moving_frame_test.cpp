@@ -90,8 +90,7 @@ TEST(MovingFrame, AtNoInertiaIsOneAtRest) {
     euler.substeps = 2;
     xpbd.method = Xpbd{};
     // Solvers hold matrices in half precision, in which a turned one is another: what they solve is the same.
-    for (ClothSettings* settings : {&solved, &contact, &euler})
-        settings->method = Multilevel{.passes = 100};
+    for (ClothSettings* settings : {&solved, &contact, &euler}) settings->method = Multilevel{.passes = 100};
     for (const ClothSettings& settings : {solved, contact, euler}) expect_as_at_rest(settings, 1e-3f);
     expect_as_at_rest({}, 1e-3f);
     expect_as_at_rest(xpbd, 1e-2f);

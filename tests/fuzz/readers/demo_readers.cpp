@@ -298,7 +298,8 @@ bool read_fabric_files(Random& random, const path& folder) {
     // A combination may still be refused, as a stiffening that is too much for the stiffness.
     const auto cooked = CookedCloth::create(tube(5, 3), settings);
     must(cooked.ok() || cooked.error().message.find("stiffening") != std::string::npos,
-         "a fabric was read that no cloth may have: " + (cooked.ok() ? std::string() : cooked.error().message));
+         "a fabric was read that no cloth may have: " +
+             (cooked.ok() ? std::string() : cooked.error().message));
     return true;
 }
 
