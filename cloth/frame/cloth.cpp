@@ -405,6 +405,7 @@ void Cloth::restore_start_of_step() {
     std::ranges::fill(state.velocities.span(), Vec4{});
     std::ranges::fill(state.held.normals.span(), Vec4{});
     std::ranges::fill(state.held.rubbed.span(), 0.0f);
+    std::ranges::fill(state.held.loads.span(), 0.0f);
     std::ranges::fill(state.held.touching.span(), 0u);
     state.record.h = 0;
     std::ranges::fill(state.shares, BodyShare{});

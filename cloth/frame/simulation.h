@@ -260,7 +260,8 @@ struct Simulation {
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf);
     [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
     void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
-    static void take_result(Worker& worker, Cloth& cloth, const SolveResult& result, bool has_residual);
+    static void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
+                            const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
     void bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const;
     [[nodiscard]] int parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep);

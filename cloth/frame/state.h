@@ -168,6 +168,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.record.arrivals.span());
     visit(state.held.normals.span());
     visit(state.held.rubbed.span());
+    visit(state.held.loads.span());
     visit(state.held.touching.span());
     if (!state.shares.empty()) visit(std::span(state.shares));
     if (state.rest) visit(std::span(&*state.rest, 1));

@@ -30,6 +30,7 @@ struct ContactBlock {
     Vec4* impulses;
     Vec4* normals;
     const float* rubbed;
+    float* loads;            // see HeldContacts
     const float* of_bodies;  // per particle what its spring has more on a body [kg]; null: no bodies
 };
 
@@ -53,11 +54,29 @@ HWY_INLINE auto goes_along(const ContactBlock& block, std::uint32_t i) {
     return hn::Gt(load_lanes(&block.near.motions.w[i]), set(0.5f * held_fast));
 }
 
+HWY_INLINE Lanes spring_of(const ContactBlock& block, std::uint32_t i) {
+    const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
+    const Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
+    return block.of_bodies != nullptr ? hn::Add(spring, hn::Load(Tag(), block.of_bodies + i)) : spring;
+}
+
+/// What a particle bears along the present normal, of what it bore along the one before.
+HWY_INLINE Lanes load_of(const ContactBlock& block, std::uint32_t i) {
+    const Lanes3 before = xyz(load_rows(block.normals + i)), n = xyz(load_lanes(block.near.surfaces, i));
+    return hn::Mul(hn::Load(Tag(), block.loads + i), hn::Max(dot(before, n), set(0)));
+}
+
+/// To the surface, raised by as much as the spring yields under this load.
+HWY_INLINE Lanes gap_of(const ContactBlock& block, std::uint32_t i, const Lanes& load) {
+    const Lanes raised = hn::Div(hn::Mul(set(block.gamma), load), spring_of(block, i));
+    return hn::Sub(load_lanes(&block.near.surfaces.w[i]), raised);
+}
+
 /// Which lanes, from `i` on, press or are going to.
 HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
     const Lanes4 surface = load_lanes(block.near.surfaces, i);
-    const auto falls_in = hn::Lt(hn::Add(surface.w, dot(set(block.fall), xyz(surface))), zero);
+    const auto falls_in = hn::Lt(hn::Add(gap_of(block, i, load_of(block, i)), dot(set(block.fall), xyz(surface))), zero);
     const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
     const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
     const auto presses = hn::Or(hn::Or(falls_in, is_held), goes_along(block, i));
@@ -72,17 +91,17 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
 
     const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
-    Lanes spring = hn::MulAdd(set(block.per_mass), mass, set(block.least));
-    if (block.of_bodies != nullptr) spring = hn::Add(spring, hn::Load(Tag(), block.of_bodies + i));
+    const Lanes spring = spring_of(block, i), load = load_of(block, i), gap = gap_of(block, i, load);
     // What did not press yet is not drawn to the surface.
-    const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), surface.w, hn::Min(surface.w, zero)));
+    const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), gap, hn::Min(gap, zero)));
     const Lanes3 relative = v - xyz(motion);
     const auto along = goes_along(block, i);
     const Lanes pressed = hn::IfThenElse(along, hn::Neg(hn::Mul(spring, dot(relative, n))),
                                          hn::Mul(hn::Div(spring, set(block.gamma)), depth));
 
-    // Of all that presses collide() bears the small rest.
-    const Lanes limit = hn::Mul(motion.w, hn::MulAdd(stored, hn::Div(mass, spring), stored));
+    // What exceeds the load, the spring yields to, and collide() bears a small part of it.
+    const Lanes yields = hn::Max(hn::Sub(stored, load), zero);
+    const Lanes limit = hn::Mul(motion.w, hn::MulAdd(yields, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
     const Lanes3 sliding = relative - dot(relative, n) * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
@@ -100,6 +119,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     store_symmetric(g, blocks);
     store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
     store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
+    hn::Store(hn::IfThenElseZero(contact, load), Tag(), block.loads + i);
 }
 
 /// Rows of one group, if any of it is in contact; returns whether.
@@ -216,6 +236,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .impulses = of_colliders().data() + range.begin,
                              .normals = held_->normals.data() + range.begin,
                              .rubbed = held_->rubbed.data() + range.begin,
+                             .loads = held_->loads.data() + range.begin,
                              .of_bodies = body_buffers_ != nullptr ? of_bodies.data() : nullptr};
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         std::uint32_t& touching = held_->touching[i / Stencil::lanes];
@@ -223,6 +244,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         if (touching != 0 && !touches) {
             std::fill_n(held_->normals.data() + i, Stencil::lanes, Vec4{});
             std::fill_n(held_->rubbed.data() + i, Stencil::lanes, 0.0f);
+            std::fill_n(held_->loads.data() + i, Stencil::lanes, 0.0f);
         }
         touching = touches ? 1 : 0;
     }
@@ -252,6 +274,7 @@ void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> 
         of_colliders()[i] = to_vec4(spring * v + spring / gamma * away, 0);
         held_->normals[i] = {};
         held_->rubbed[i] = 0;
+        held_->loads[i] = 0;
         body_buffers_->pressed[i] = BodyBuffers::none;
     }
 }
@@ -302,14 +325,23 @@ void Contacts::add_pairs(const BlockRange& range) {
     pairs_->for_each_particle(first_ + range.begin, first_ + range.end, add);
 }
 
+std::uint32_t Contacts::pressing() const noexcept {
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < held_->normals.size(); ++i)
+        if (presses_collider(i) && held_->normals[i].w > 0) ++count;
+    return count;
+}
+
 void Contacts::renew_pairs(Parallel& parallel) {
     parallel.ranges(static_cast<std::uint32_t>(rows_.impulses.size()),
                     [&](const BlockRange& range) { add_pairs(range); });
 }
 
-void Contacts::finish(Parallel& parallel, std::span<const Vec4> velocities) {
-    parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
-                    [&](const BlockRange& range) { press(range, velocities); });
+void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities) {
+    parallel.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
+        press(range, velocities);
+        keep_loads(equation, velocities, range);
+    });
 }
 
 void Contacts::bounce(Parallel& parallel, const StepEquation& equation, float least,
@@ -345,6 +377,22 @@ void Contacts::bounce_block(const StepEquation& equation, float least, const Blo
         if (!(wanted > 0 && more > 0)) continue;
         set_xyz(velocities[i], xyz(velocities[i]) + more * n);
         normal.w = 0;
+        held_->loads[i] = 0;
+    }
+}
+
+// An impact is over when the step is, so what stopped the particle is no load. How much of what a body presses
+// stopped the body is not known.
+void Contacts::keep_loads(const StepEquation& equation, std::span<const Vec4> velocities,
+                          const BlockRange& range) {
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        if (held_->touching[i / Stencil::lanes] == 0) continue;
+        const Vec4& normal = held_->normals[i];
+        const float w = equation.positions[i].w;
+        const Vector3 change = xyz(velocities[i]) - xyz(equation.base_velocities[i]);
+        const float stopped = w > 0 ? std::max(xyz(normal).dot(change) / w, 0.0f) : normal.w;
+        const bool gives_way = body_buffers_ != nullptr && body_buffers_->pressed[i] != BodyBuffers::none;
+        held_->loads[i] = gives_way ? 0.0f : std::max(normal.w - stopped, 0.0f);
     }
 }
 

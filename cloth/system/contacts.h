@@ -25,16 +25,19 @@ namespace weft {
 struct HeldContacts {
     AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
     AlignedBuffer<float> rubbed;            ///< what the damper took when last looked at [kg m/s]
+    AlignedBuffer<float> loads;             ///< what they bear at rest: of the impulse along the normal, what
+                                            ///< did not go into stopping the particle [kg m/s]
     AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether a particle of it is in contact; else
-                                            ///< normals and rubbed are 0
+                                            ///< the others are 0
 
     HeldContacts() = default;
     explicit HeldContacts(std::uint32_t particles)
         : normals(particles),
           rubbed(particles),
+          loads(particles),
           touching((particles + Stencil::lanes - 1) / Stencil::lanes) {}
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return normals.bytes() + rubbed.bytes() + touching.bytes();
+        return normals.bytes() + rubbed.bytes() + loads.bytes() + touching.bytes();
     }
 };
 
@@ -98,7 +101,8 @@ class OwnSurfaces {
 /// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
 /// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
 /// far. What the spring yields, a fiftieth of a free step's fall under a particle's own weight, collide()
-/// takes back afterwards.
+/// takes back afterwards; so that what rests keeps what bears it, the load of the last step presses from the
+/// start (augmented Lagrangian: Hestenes 1969, Powell 1969), and the spring bears the rest only.
 class Contacts {
   public:
     /// with_pairs: of a cloth whose features meet others.
@@ -136,8 +140,8 @@ class Contacts {
     /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
     /// near.
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
-    /// The substep ends with these velocities: keeps how hard particles press, for the next one's friction.
-    void finish(Parallel& parallel, std::span<const Vec4> velocities);
+    /// The substep ends with these velocities: keeps how hard particles press, for the next one.
+    void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
     /// After that: what pressed a collider leaves it as fast as it bounces. `least`: see ClothSide.
     void bounce(Parallel& parallel, const StepEquation& equation, float least, std::span<Vec4> velocities);
     /// The pairs have been linearised again, the colliders not.
@@ -179,6 +183,8 @@ class Contacts {
     [[nodiscard]] bool presses_surface(std::uint32_t particle) const noexcept {
         return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
     }
+    /// How many particles press a collider, in the last linearisation.
+    [[nodiscard]] std::uint32_t pressing() const noexcept;
     /// What colliders give such a particle at the velocity v [kg m/s].
     [[nodiscard]] Vector3 of_colliders(std::uint32_t particle, const Vector3& v) const {
         const AlignedBuffer<Vec4>& at_rest = has_pairs() ? of_colliders_ : rows_.impulses;
@@ -191,6 +197,7 @@ class Contacts {
     }
 
   private:
+    void keep_loads(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     void press(const BlockRange& range, std::span<const Vec4> velocities);
     void bounce_block(const StepEquation& equation, float least, const BlockRange& range,
                       std::span<Vec4> velocities);

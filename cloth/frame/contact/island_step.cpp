@@ -295,7 +295,7 @@ void Simulation::solve_equations(Worker& worker, std::span<Cloth* const> cloths,
     if (reports_contacts()) find_joined_impulses(worker, cloths);
     for (std::size_t m = 0; m < cloths.size(); ++m) {
         Cloth& cloth = *cloths[m];
-        take_result(worker, cloth, {residuals_[m], result.ok, result.unsolved}, true);
+        take_result(worker, cloth, equations_[m], {residuals_[m], result.ok, result.unsolved}, true);
         collect_from_equation(cloth, equations_[m]);
         advance(worker, cloth, equations_[m], substep.is_first());
         settle(worker, cloth, substep);

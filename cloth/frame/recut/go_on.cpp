@@ -86,6 +86,7 @@ void Cloth::take_contact(const ClothState& before, Sources sources) {
     if (before.held.normals.size() > 0 && state.held.normals.size() > 0) {
         gather(before.held.normals, sources, state.held.normals);
         gather(before.held.rubbed, sources, state.held.rubbed);
+        gather(before.held.loads, sources, state.held.loads);
         for (std::uint32_t i = 0; i < sources.size(); ++i)
             state.held.touching[i / Stencil::lanes] |= before.held.touching[sources[i] / Stencil::lanes];
     }

@@ -207,8 +207,13 @@ class ImpactZonesInWorld : public testing::TestWithParam<Case> {};
 
 // Two Worlds go the same way, bit by bit, until in one of them a zone is resolved.
 TEST_P(ImpactZonesInWorld, TakeNoMomentum) {
+    // Few passes would draw the lower half of the strip along before the upper one has come down.
+    const auto solved = [](ClothSettings settings) {
+        settings.method = Multilevel{.passes = 12};
+        return settings;
+    };
     for (const ClothSettings& settings :
-         {with_xpbd(by_zones()), with_xpbd(by_zones(0.8f)), by_zones(), by_zones(0.8f)}) {
+         {with_xpbd(by_zones()), with_xpbd(by_zones(0.8f)), solved(by_zones()), solved(by_zones(0.8f))}) {
         Clash zones(GetParam().cloths, {settings}), off(GetParam().cloths, {without(settings)});
         bool met = false;
         for (int frame = 0; frame < 30 && !met; ++frame) {

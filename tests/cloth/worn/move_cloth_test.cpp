@@ -38,7 +38,7 @@ std::vector<TeleportCase> teleport_cases() {
     return result;
 }
 
-/// A sheet that swings from two corners against a ball, in a World that may be turned.
+/// A sheet that swings from two corners against a ball off the middle, in a World that may be turned.
 struct Swing {
     explicit Swing(const ClothSettings& settings) : world(World::create(vacuum(downwards)).value()) {
         cloth = world.add_cloth(hanging(13, 12), settings).value();
@@ -46,7 +46,7 @@ struct Swing {
         ball = world.add_collider(at({})).value();
     }
     [[nodiscard]] static Collider at(const RigidMotion& place) {
-        return {.shape = Sphere{place.point(Vec3{0, 0.25f, 0.1f}), 0.15f}, .friction = 0.5f};
+        return {.shape = Sphere{place.point(Vec3{0.04f, 0.25f, 0.1f}), 0.15f}, .friction = 0.5f};
     }
     void run(int steps, const RigidMotion& place = {}) {
         for (int k = 0; k < steps; ++k) {
