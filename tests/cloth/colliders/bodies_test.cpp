@@ -101,7 +101,8 @@ TEST(Bodies, OfAnyMassComeToRestOnCloth) {
             scene.steps(1);
             fastest = std::max(fastest, scene.fastest());
         }
-        EXPECT_LT(fastest, 4) << ratio;
+        // The heaviest stretches cells to twice their length; a particle that slips is drawn back fast.
+        EXPECT_LT(fastest, 5) << ratio;
         EXPECT_LT(to_vector(scene.state().velocity).norm(), 0.05f) << ratio;
         const float weight = 9.81f * ratio * of_cloth;
         EXPECT_NEAR(mean_force(scene.world, 0, 60).y(), weight, 0.05f * weight) << ratio;
