@@ -76,7 +76,8 @@ HWY_INLINE Lanes gap_of(const ContactBlock& block, std::uint32_t i, const Lanes&
 HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
     const Lanes4 surface = load_lanes(block.near.surfaces, i);
-    const auto falls_in = hn::Lt(hn::Add(gap_of(block, i, load_of(block, i)), dot(set(block.fall), xyz(surface))), zero);
+    const auto falls_in =
+        hn::Lt(hn::Add(gap_of(block, i, load_of(block, i)), dot(set(block.fall), xyz(surface))), zero);
     const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
     const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
     const auto presses = hn::Or(hn::Or(falls_in, is_held), goes_along(block, i));
@@ -119,7 +120,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     store_symmetric(g, blocks);
     store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
     store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
-    hn::Store(hn::IfThenElseZero(contact, load), Tag(), block.loads + i);
+    hn::Store(load, Tag(), block.loads + i);
 }
 
 /// Rows of one group, if any of it is in contact; returns whether.
@@ -274,7 +275,6 @@ void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> 
         of_colliders()[i] = to_vec4(spring * v + spring / gamma * away, 0);
         held_->normals[i] = {};
         held_->rubbed[i] = 0;
-        held_->loads[i] = 0;
         body_buffers_->pressed[i] = BodyBuffers::none;
     }
 }
@@ -328,7 +328,7 @@ void Contacts::add_pairs(const BlockRange& range) {
 std::uint32_t Contacts::pressing() const noexcept {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < held_->normals.size(); ++i)
-        if (presses_collider(i) && held_->normals[i].w > 0) ++count;
+        if (presses_collider(i)) ++count;
     return count;
 }
 
@@ -381,8 +381,8 @@ void Contacts::bounce_block(const StepEquation& equation, float least, const Blo
     }
 }
 
-// An impact is over when the step is, so what stopped the particle is no load. How much of what a body presses
-// stopped the body is not known.
+// An impact is over when the step is, so what stopped the particle is no load. How much of what a body
+// presses stopped the body is not known.
 void Contacts::keep_loads(const StepEquation& equation, std::span<const Vec4> velocities,
                           const BlockRange& range) {
     for (std::uint32_t i = range.begin; i < range.end; ++i) {

@@ -146,7 +146,8 @@ Result<void> check_held(const std::string& name, const ClothState& here, const S
     const bool loads = numbers.within(here.held.loads.size(), most);
     numbers.skip(here.held.touching.span().size_bytes());
     const bool shares = numbers.within(here.shares.size() * (sizeof(BodyShare) / sizeof(float)), most);
-    return sound_or(normals && rubbed && loads && shares, name, "what colliders and bodies gave it is no number");
+    return sound_or(normals && rubbed && loads && shares, name,
+                    "what colliders and bodies gave it is no number");
 }
 
 Result<void> check_detail(const std::string& name, const ClothHead& head, const SavedNumbers& numbers) {

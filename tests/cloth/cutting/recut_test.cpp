@@ -84,8 +84,8 @@ std::vector<float> of_each(float first, float last) {
 }
 
 std::vector<Case> cases() {
-    const auto add_ball = [](Hung& hung) {
-        EXPECT_TRUE(hung.world.add_collider({.shape = Sphere{{0, 0.4f, -0.1f}, 0.15f}}));
+    const auto add_ball = [](Hung& hung) {  // onto which the wind blows the sheet
+        EXPECT_TRUE(hung.world.add_collider({.shape = Sphere{{0, 0.8f, 0.155f}, 0.15f}}));
     };
     const auto give_maps = [](Hung& hung) {
         EXPECT_TRUE(hung.world.set_map(hung.cloth, Map::mass, of_each(0.3f, 3)));

@@ -133,8 +133,8 @@ TEST(Contacts, RowsAreThoseOfTheLaw) {
             const ContactRows& rows = lying.contacts.rows();
             int in_contact = 0, sticking = 0, corrected_twice = 0;
             for (std::uint32_t i = 0; i < lying.cloth.model.particle_count; ++i) {
-                const Law law = law_of(lying, i, stored[i], static_cast<double>(loads[i]), took[i],
-                                       -9.81 / 3600);
+                const Law law =
+                    law_of(lying, i, stored[i], static_cast<double>(loads[i]), took[i], -9.81 / 3600);
                 const Eigen::Matrix3d g = rows.touches(i) ? rows.block(i).full() : Eigen::Matrix3d::Zero();
                 Eigen::Vector3d c = Eigen::Vector3d::Zero();
                 if (rows.touches(i)) c = xyz(rows.impulses[i]).cast<double>();
