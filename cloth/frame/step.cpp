@@ -254,8 +254,10 @@ void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation
     take_result(worker, cloth, equation, result, wants_residual);
 }
 
-void Simulation::take_result(Worker& worker, Cloth& cloth, const StepEquation& equation, const SolveResult& result, bool has_residual) {
-    if (cloth.contacts) cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
+void Simulation::take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
+                             const SolveResult& result, bool has_residual) {
+    if (cloth.contacts)
+        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
     cloth.solver_failed |= !result.ok;
     cloth.unsolved |= result.unsolved;
     if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
@@ -308,6 +310,7 @@ void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
 void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
     for (const std::unique_ptr<Limit>& limit : cloth.limits) {
         const auto timer = timed(Stage::limits);
+        limit->update(cloth.model);
         limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
                     cloth.state.velocities.span());
     }
@@ -336,7 +339,8 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Subs
     if (colliders_of(worker, cloth).empty()) return;
     cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
     // What rests is borne in the equation, and needs no push.
-    if (cloth.contacts) cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
+    if (cloth.contacts)
+        cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
 }
 
 std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
