@@ -310,6 +310,7 @@ void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
 void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
     for (const std::unique_ptr<Limit>& limit : cloth.limits) {
         const auto timer = timed(Stage::limits);
+        limit->update(cloth.model);
         limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
                     cloth.state.velocities.span());
     }

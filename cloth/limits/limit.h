@@ -17,10 +17,13 @@ class Limit {
   public:
     virtual ~Limit() = default;
 
-    /// Makes what other pins need, aside: commit() takes it over. May run out of memory; then nothing has
-    /// changed. Pins ascend.
+    /// Takes the memory that other pins need, aside: commit() takes it over. May run out of memory; then
+    /// nothing has changed. Pins ascend.
     virtual void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) = 0;
     virtual void commit() noexcept = 0;
+    /// Brings the limit up to the pins of the last commit(), without memory of its own. A step calls it
+    /// before hold(), so that any number of changes between two steps are worked out only once.
+    virtual void update(const ClothModel& model) noexcept = 0;
     /// The same for another cloth of the model; what is constant is shared.
     [[nodiscard]] virtual std::unique_ptr<Limit> clone() const = 0;
 

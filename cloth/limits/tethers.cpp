@@ -45,14 +45,11 @@ std::size_t count_groups(std::span<const GeodesicSource> sources) {
 
 }  // namespace
 
-void LongRangeAttachments::prepare(const ClothModel& model, std::span<const std::uint32_t> pins) {
-    const std::vector<GeodesicSource> sources = group_pins(model, pins);
+/// Fills the layers with each particle's pins and their distances.
+void LongRangeAttachments::measure(const ClothModel& model, std::span<const GeodesicSource> sources,
+                                   std::span<Layer> layers) {
+    if (layers.empty()) return;
     geodesics_.march(model, sources);
-    std::vector<Layer> layers(std::min(count_groups(sources), Geodesics::most_reached));
-    for (Layer& layer : layers) {
-        layer.pins = AlignedBuffer<std::uint32_t>(model.particle_count);
-        layer.lengths = AlignedBuffer<float>(model.particle_count);
-    }
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         std::array<GeodesicReach, Geodesics::most_reached> ways;
         std::ranges::copy(geodesics_.from(i), ways.begin());
@@ -62,7 +59,40 @@ void LongRangeAttachments::prepare(const ClothModel& model, std::span<const std:
             layers[k].lengths[i] = static_cast<float>(ways[k].distance);
         }
     }
-    prepared_ = std::move(layers);
+}
+
+void LongRangeAttachments::prepare(const ClothModel& model, std::span<const std::uint32_t> pins) {
+    Prepared next{.sources = group_pins(model, pins), .is_outdated = has_changed_};
+    next.layer_count = std::min(count_groups(next.sources), Geodesics::most_reached);
+    for (std::size_t k = has_changed_ ? layer_count_ : 0; k < next.layer_count; ++k)
+        next.layers[k] = {AlignedBuffer<std::uint32_t>(model.particle_count),
+                          AlignedBuffer<float>(model.particle_count)};
+    geodesics_.reserve();
+    if (!next.is_outdated) measure(model, next.sources, std::span(next.layers).first(next.layer_count));
+    prepared_ = std::move(next);
+}
+
+std::unique_ptr<Limit> LongRangeAttachments::clone() const {
+    auto copy = std::make_unique<LongRangeAttachments>(*this);
+    if (is_outdated_) copy->geodesics_.reserve();
+    return copy;
+}
+
+void LongRangeAttachments::commit() noexcept {
+    const std::size_t before = layer_count_;
+    layer_count_ = prepared_.layer_count;
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+        if (k >= layer_count_ || prepared_.layers[k].pins.size() > 0)
+            layers_[k] = std::move(prepared_.layers[k]);
+    sources_ = std::move(prepared_.sources);
+    is_outdated_ = prepared_.is_outdated;
+    has_changed_ = has_changed_ || before > 0 || layer_count_ > 0;
+    prepared_ = {};
+}
+
+void LongRangeAttachments::update(const ClothModel& model) noexcept {
+    if (is_outdated_) measure(model, sources_, std::span(layers_).first(layer_count_));
+    is_outdated_ = has_changed_ = false;
 }
 
 void LongRangeAttachments::hold(Parallel& parallel, float slack, std::span<Vec4> positions,
@@ -78,16 +108,16 @@ void LongRangeAttachments::hold(Parallel& parallel, float slack, std::span<Vec4>
         const float leaving = away.dot(velocity - xyz(velocities[layer.pins[i]]));
         if (leaving > 0) set_xyz(velocities[i], velocity - leaving * away);
     };
-    // Pins are not moved, so that each particle's tethers are its own affair.
+    // Pins are not moved, so that the tethers of different particles are independent.
     parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
-        for (const Layer& layer : layers_)
+        for (const Layer& layer : layers())
             for (std::uint32_t i = range.begin; i < range.end; ++i) hold_particle(layer, i);
     });
 }
 
 std::size_t LongRangeAttachments::bytes() const noexcept {
-    std::size_t sum = geodesics_.bytes();
-    for (const Layer& layer : layers_) sum += layer.pins.bytes() + layer.lengths.bytes();
+    std::size_t sum = geodesics_.bytes() + sources_.capacity() * sizeof(GeodesicSource);
+    for (const Layer& layer : layers()) sum += layer.pins.bytes() + layer.lengths.bytes();
     return sum;
 }
 

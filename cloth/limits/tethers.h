@@ -6,9 +6,9 @@
 // nearest holds. A tether to one hold alone would let the cloth stretch between particles that follow
 // different holds.
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cloth/limits/limit.h"
@@ -25,12 +25,12 @@ class LongRangeAttachments final : public Limit {
 
     explicit LongRangeAttachments(const ClothModel& model) : geodesics_(model) {}
 
-    /// Finds each particle's pins and their distances, for steps to come.
+    /// The first change after a step is worked out here, so that the step has nothing to do for it. Further
+    /// ones before the next step only take the memory that update() needs.
     void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) override;
-    [[nodiscard]] std::unique_ptr<Limit> clone() const override {
-        return std::make_unique<LongRangeAttachments>(*this);
-    }
-    void commit() noexcept override { layers_ = std::move(prepared_); }
+    [[nodiscard]] std::unique_ptr<Limit> clone() const override;
+    void commit() noexcept override;
+    void update(const ClothModel& model) noexcept override;
 
     /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they
     /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
@@ -46,12 +46,28 @@ class LongRangeAttachments final : public Limit {
         AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
         AlignedBuffer<float> lengths;       ///< [m]
     };
-    [[nodiscard]] std::span<const Layer> layers() const { return layers_; }
+    /// Precondition: update() has been called since the last commit().
+    [[nodiscard]] std::span<const Layer> layers() const { return std::span(layers_).first(layer_count_); }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
+    using Layers = std::array<Layer, Geodesics::most_reached>;
+    struct Prepared {
+        std::vector<GeodesicSource> sources;
+        std::size_t layer_count = 0;
+        Layers layers{};  // without memory: the present one stays
+        bool is_outdated = false;
+    };
+
+    void measure(const ClothModel& model, std::span<const GeodesicSource> sources, std::span<Layer> layers);
+
     Geodesics geodesics_;
-    std::vector<Layer> layers_, prepared_;
+    Layers layers_;
+    std::size_t layer_count_ = 0;
+    std::vector<GeodesicSource> sources_;
+    bool is_outdated_ = false;  // the layers are not those of the sources
+    bool has_changed_ = false;  // since the last update()
+    Prepared prepared_;
 };
 
 }  // namespace weft

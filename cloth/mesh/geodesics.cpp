@@ -52,7 +52,24 @@ Geodesics::Geodesics(const ClothModel& model)
                                 .is_obtuse = square(to_begin) + square(to_end) < (1 - 1e-6) * square(side)};
         }
     }
-    front_.reserve(4 * std::size_t{model.particle_count});
+    reserve();
+}
+
+// A shorter way to the particle has been found, or nearer groups have dropped this one.
+bool Geodesics::is_superseded(const Front& front) const {
+    const GeodesicReach* const way = find(reached_[front.particle], front.source);
+    return way == nullptr || way->distance < front.distance;
+}
+
+// Each way of a particle is in the front at most once, but for superseded entries. Their removal leaves room,
+// so that the front never reallocates.
+void Geodesics::push(const Front& front) {
+    if (front_.size() == front_.capacity()) {
+        std::erase_if(front_, [&](const Front& entry) { return is_superseded(entry); });
+        std::ranges::make_heap(front_, std::greater<>{}, &Front::distance);
+    }
+    front_.push_back(front);
+    std::ranges::push_heap(front_, std::greater<>{}, &Front::distance);
 }
 
 // A particle keeps its ways in order; one that more than most_reached groups are nearer than is dropped, and
@@ -69,8 +86,7 @@ void Geodesics::reach(std::uint32_t particle, const GeodesicReach& way) {
         if (nearer.source != GeodesicReach::none && nearer.distance <= at->distance) break;
         std::swap(nearer, *at);
     }
-    front_.push_back({way.distance, particle, way.source});
-    std::ranges::push_heap(front_, std::greater<>{}, &Front::distance);
+    push({way.distance, particle, way.source});
 }
 
 // A front that passes a corner of at most 90 degrees last cannot come back to it: such a corner, if it is
@@ -105,17 +121,17 @@ void Geodesics::cross_triangle(const Triangle& particles, const std::array<Geode
 // In an obtuse triangle the front can reach the far corner before one of the other two. A particle that is
 // reached by a shorter way later goes back into the front, which then corrects what it had reached from
 // there.
-void Geodesics::march(const ClothModel& model, std::span<const GeodesicSource> sources) {
+void Geodesics::march(const ClothModel& model, std::span<const GeodesicSource> sources) noexcept {
     std::ranges::fill(reached_, Reached{});
     front_.clear();
     for (const auto& [particle, group] : sources) reach(particle, {0, particle, group});
     while (!front_.empty()) {
         std::ranges::pop_heap(front_, std::greater<>{}, &Front::distance);
-        const auto [distance, particle, source] = front_.back();
+        const Front nearest = front_.back();
         front_.pop_back();
-        const GeodesicReach* const way = find(reached_[particle], source);
-        if (way == nullptr || way->distance < distance) continue;  // reached by a shorter way since
-        const GeodesicReach present = *way;
+        if (is_superseded(nearest)) continue;
+        const std::uint32_t particle = nearest.particle;
+        const GeodesicReach present = *find(reached_[particle], nearest.source);
         for (std::uint32_t k = model.corner_offsets[particle]; k < model.corner_offsets[particle + 1]; ++k) {
             const std::uint32_t triangle = model.corner_triangles[k];
             cross_triangle(model.triangles[triangle], triangles_[triangle], particle, present);

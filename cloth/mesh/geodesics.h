@@ -1,5 +1,5 @@
 #pragma once
-// How far it is along the cloth.
+// Distances along the cloth.
 
 #include <array>
 #include <cstdint>
@@ -39,8 +39,12 @@ class Geodesics {
 
     explicit Geodesics(const ClothModel& model);
 
+    /// Takes the memory of march(), which a copy lacks.
+    void reserve() { front_.reserve(most_reached * reached_.size()); }
+
     /// Finds for each particle the groups of sources that are nearest along the cloth.
-    void march(const ClothModel& model, std::span<const GeodesicSource> sources);
+    /// Precondition: reserve() has been called. Takes no memory.
+    void march(const ClothModel& model, std::span<const GeodesicSource> sources) noexcept;
 
     /// The nearest first; source none: there are no more that can be reached.
     [[nodiscard]] std::span<const GeodesicReach> from(std::uint32_t particle) const {
@@ -55,6 +59,8 @@ class Geodesics {
     };
     using Reached = std::array<GeodesicReach, most_reached>;
 
+    [[nodiscard]] bool is_superseded(const Front& front) const;
+    void push(const Front& front);
     void reach(std::uint32_t particle, const GeodesicReach& way);
     void cross_triangle(const Triangle& particles, const std::array<GeodesicCorner, 3>& shape,
                         std::uint32_t from, const GeodesicReach& way);

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
@@ -133,6 +135,7 @@ LongRangeAttachments attached(const ClothModel& model, std::span<const std::uint
     LongRangeAttachments tethers(model);
     tethers.prepare(model, pins);
     tethers.commit();
+    tethers.update(model);
     return tethers;
 }
 
@@ -304,6 +307,65 @@ TEST(Tethers, ReachTheFourNearestHoldsAsIfEachWereMarchedAlone) {
             EXPECT_LE(lengths[k], (k == 0 ? 1.0001 : 1.05) * distances[k]) << k;
         }
     }
+}
+
+std::vector<std::uint32_t> bits_of(const LongRangeAttachments& tethers) {
+    std::vector<std::uint32_t> bits;
+    for (const LongRangeAttachments::Layer& layer : tethers.layers()) {
+        bits.insert(bits.end(), layer.pins.span().begin(), layer.pins.span().end());
+        for (const float length : layer.lengths.span()) bits.push_back(std::bit_cast<std::uint32_t>(length));
+    }
+    return bits;
+}
+
+TEST(Tethers, DoNotDependOnTheOrderOfPinsAndUnpins) {
+    std::mt19937 random(11);
+    std::vector<NamedMesh> meshes = sound_meshes();
+    meshes.push_back({"sheet", sheet(24, 24)});
+    meshes.push_back({"irregular sheet", irregular_sheet(20)});
+    for (const NamedMesh& named : meshes) {
+        const ClothModel model = must(cook(named.mesh));
+        LongRangeAttachments changed(model);
+        std::set<std::uint32_t> pinned;
+        for (int call = 0; call < 60; ++call) {
+            const auto particle = static_cast<std::uint32_t>(random() % model.particle_count);
+            if (!pinned.erase(particle)) pinned.insert(particle);
+            const std::vector<std::uint32_t> pins(pinned.begin(), pinned.end());
+            changed.prepare(model, pins);
+            changed.commit();
+            if (random() % 4 != 0) continue;  // several changes between two steps
+            changed.update(model);
+            ASSERT_EQ(bits_of(changed), bits_of(attached(model, pins))) << named.name << ", call " << call;
+        }
+    }
+}
+
+TEST(Tethers, PinnedOneByOneStepAsPinnedAtOnce) {
+    HungSheet one_by_one(settings_of(Jacobi{}, true), 24), at_once(settings_of(Jacobi{}, true), 24);
+    std::vector<std::uint32_t> row;
+    for (std::uint32_t i = 100; i < 140; ++i) row.push_back(i);
+    at_once.cloth().pin(row);
+    for (const std::uint32_t i : row) one_by_one.cloth().pin(i);
+    for (std::uint32_t i = 200; i < 210; ++i) {
+        one_by_one.cloth().pin(i);
+        one_by_one.cloth().unpin(i);
+    }
+    for (int frame = 0; frame < 5; ++frame) {
+        at_once.step();
+        one_by_one.step();
+    }
+    EXPECT_EQ(flat(one_by_one.cloth().state.positions.span()), flat(at_once.cloth().state.positions.span()));
+}
+
+TEST(Tethers, CopiedBeforeTheirUpdateAreThoseOfTheOriginal) {
+    const ClothModel model = must(cook(sheet(12, 12)));
+    LongRangeAttachments original(model);
+    original.prepare(model, std::array{3u, 77u});
+    original.commit();
+    const std::unique_ptr<Limit> copy = original.clone();
+    copy->update(model);
+    original.update(model);
+    EXPECT_EQ(bits_of(static_cast<const LongRangeAttachments&>(*copy)), bits_of(original));
 }
 
 TEST(Tethers, HoldWhatFewIterationsLeaveStretched) {
