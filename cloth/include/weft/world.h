@@ -196,7 +196,7 @@ class WEFT_API World {
     Result<void> remove_shape(ShapeId id);
     [[nodiscard]] Result<ShapeInfo> shape_info(ShapeId id) const;
 
-    /// The first of a World gives each cloth 26 bytes a particle more, one of an implicit method 86.
+    /// The first of a World gives each cloth 26 bytes a particle more, one of an implicit method 90.
     Result<ColliderId> add_collider(const Collider& collider);
     /// The collider moves there over the next step, and pushes and drags what it meets, where it ends and on
     /// the way, with WorldSettings::max_speed at most: one that is to go faster jumps, and meets nothing on
