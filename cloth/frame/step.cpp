@@ -338,7 +338,7 @@ void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Subs
     cloth.collider_contacts = 0;
     if (colliders_of(worker, cloth).empty()) return;
     cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
-    // What rests is borne in the equation, and needs no push.
+    // Resting particles press in the equation alone, and need no push.
     if (cloth.contacts)
         cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
 }

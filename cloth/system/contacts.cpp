@@ -60,24 +60,23 @@ HWY_INLINE Lanes spring_of(const ContactBlock& block, std::uint32_t i) {
     return block.of_bodies != nullptr ? hn::Add(spring, hn::Load(Tag(), block.of_bodies + i)) : spring;
 }
 
-/// What a particle bears along the present normal, of what it bore along the one before.
+/// Load of the last step, turned to the present normal.
 HWY_INLINE Lanes load_of(const ContactBlock& block, std::uint32_t i) {
     const Lanes3 before = xyz(load_rows(block.normals + i)), n = xyz(load_lanes(block.near.surfaces, i));
     return hn::Mul(hn::Load(Tag(), block.loads + i), hn::Max(dot(before, n), set(0)));
 }
 
-/// To the surface, raised by as much as the spring yields under this load.
+/// Distance to the surface, which is raised by as much as the spring yields under the load.
 HWY_INLINE Lanes gap_of(const ContactBlock& block, std::uint32_t i, const Lanes& load) {
     const Lanes raised = hn::Div(hn::Mul(set(block.gamma), load), spring_of(block, i));
     return hn::Sub(load_lanes(&block.near.surfaces.w[i]), raised);
 }
 
 /// Which lanes, from `i` on, press or are going to.
-HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
+HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i, const Lanes& gap) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
     const Lanes4 surface = load_lanes(block.near.surfaces, i);
-    const auto falls_in =
-        hn::Lt(hn::Add(gap_of(block, i, load_of(block, i)), dot(set(block.fall), xyz(surface))), zero);
+    const auto falls_in = hn::Lt(hn::Add(gap, dot(set(block.fall), xyz(surface))), zero);
     const auto did_press = hn::Gt(load_rows(block.normals + i).w, zero);
     const auto is_held = hn::And(did_press, hn::Lt(surface.w, set(block.hold)));
     const auto presses = hn::Or(hn::Or(falls_in, is_held), goes_along(block, i));
@@ -87,12 +86,13 @@ HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i) {
 void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes zero = set(0);
     const Lanes4 surface = load_lanes(block.near.surfaces, i), motion = load_lanes(block.near.motions, i);
-    const auto contact = in_contact(block, i);
+    const Lanes load = load_of(block, i), gap = gap_of(block, i, load);
+    const auto contact = in_contact(block, i, gap);
     const Lanes stored = load_rows(block.normals + i).w;
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
 
     const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
-    const Lanes spring = spring_of(block, i), load = load_of(block, i), gap = gap_of(block, i, load);
+    const Lanes spring = spring_of(block, i);
     // What did not press yet is not drawn to the surface.
     const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), gap, hn::Min(gap, zero)));
     const Lanes3 relative = v - xyz(motion);
@@ -100,7 +100,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes pressed = hn::IfThenElse(along, hn::Neg(hn::Mul(spring, dot(relative, n))),
                                          hn::Mul(hn::Div(spring, set(block.gamma)), depth));
 
-    // What exceeds the load, the spring yields to, and collide() bears a small part of it.
+    // The spring yields to what exceeds the load, and collide() bears a small part of that.
     const Lanes yields = hn::Max(hn::Sub(stored, load), zero);
     const Lanes limit = hn::Mul(motion.w, hn::MulAdd(yields, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
@@ -127,7 +127,8 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
 bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     bool touching = false;
     for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
-        touching = touching || !hn::AllFalse(Tag(), in_contact(block, i));
+        touching =
+            touching || !hn::AllFalse(Tag(), in_contact(block, i, gap_of(block, i, load_of(block, i))));
     if (!touching) return false;
     for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
         linearise_part(block, i, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
@@ -171,6 +172,15 @@ constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tent
 // An attached particle gives way as much as the fabric beside it, and is put back. Part 16 of
 // tests/bench/MEASUREMENTS.md has stiffer ones.
 constexpr float attached_per_mass = 200, attached_per_fabric = 1;
+
+/// visit(i) for each particle from `begin`, a multiple of 16, to `end` whose group touches.
+template <class Visit>
+void for_each_touching(const HeldContacts& held, std::uint32_t begin, std::size_t end, const Visit& visit) {
+    for (std::uint32_t start = begin; start < end; start += Stencil::lanes) {
+        if (held.touching[start / Stencil::lanes] == 0) continue;
+        for (std::uint32_t i = start; i < std::min<std::size_t>(start + Stencil::lanes, end); ++i) visit(i);
+    }
+}
 
 float stiffness_of(const ClothSettings& settings) {
     return std::max(settings.fabric.warp, settings.fabric.weft);
@@ -287,13 +297,10 @@ void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> v
         const Vector3 there = xyz(equation.base_positions[i]) + equation.gamma * v;
         pushes.push_back({i, body, there - bodies_[body].end.position, v});
     };
-    const auto particles = static_cast<std::uint32_t>(velocities.size());
-    for (std::uint32_t start = 0; start < particles; start += Stencil::lanes) {
-        if (held_->touching[start / Stencil::lanes] == 0) continue;
-        for (std::uint32_t i = start; i < std::min(start + Stencil::lanes, particles); ++i)
-            if (body_buffers_->pressed[i] >= 0 && presses_collider(i))
-                add(i, static_cast<std::uint32_t>(body_buffers_->pressed[i]));
-    }
+    for_each_touching(*held_, 0, velocities.size(), [&](std::uint32_t i) {
+        if (body_buffers_->pressed[i] >= 0 && presses_collider(i))
+            add(i, static_cast<std::uint32_t>(body_buffers_->pressed[i]));
+    });
     for (const Attachment& attached : attached_)
         if (equation.positions[attached.particle].w > 0) add(attached.particle, attached.body);
 }
@@ -327,8 +334,8 @@ void Contacts::add_pairs(const BlockRange& range) {
 
 std::uint32_t Contacts::pressing() const noexcept {
     std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < held_->normals.size(); ++i)
-        if (presses_collider(i)) ++count;
+    for_each_touching(*held_, 0, held_->normals.size(),
+                      [&](std::uint32_t i) { count += presses_collider(i) ? 1 : 0; });
     return count;
 }
 
@@ -381,19 +388,18 @@ void Contacts::bounce_block(const StepEquation& equation, float least, const Blo
     }
 }
 
-// An impact is over when the step is, so what stopped the particle is no load. How much of what a body
-// presses stopped the body is not known.
+// Impacts end with the step, so the impulse that stopped the particle is no load. Bodies press without one,
+// since the part that stopped the body is not known.
 void Contacts::keep_loads(const StepEquation& equation, std::span<const Vec4> velocities,
                           const BlockRange& range) {
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        if (held_->touching[i / Stencil::lanes] == 0) continue;
+    for_each_touching(*held_, range.begin, range.end, [&](std::uint32_t i) {
         const Vec4& normal = held_->normals[i];
         const float w = equation.positions[i].w;
         const Vector3 change = xyz(velocities[i]) - xyz(equation.base_velocities[i]);
         const float stopped = w > 0 ? std::max(xyz(normal).dot(change) / w, 0.0f) : normal.w;
-        const bool gives_way = body_buffers_ != nullptr && body_buffers_->pressed[i] != BodyBuffers::none;
-        held_->loads[i] = gives_way ? 0.0f : std::max(normal.w - stopped, 0.0f);
-    }
+        const bool by_body = body_buffers_ != nullptr && body_buffers_->pressed[i] != BodyBuffers::none;
+        held_->loads[i] = by_body ? 0.0f : std::max(normal.w - stopped, 0.0f);
+    });
 }
 
 void Contacts::press(const BlockRange& range, std::span<const Vec4> velocities) {

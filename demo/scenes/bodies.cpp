@@ -71,8 +71,8 @@ class BodyScene : public Scene {
         const Vector3 where = to_vector(state->position);
         checks.at_least("the body's height [m]", where.y(), hung_at - 0.75f * side);
         checks.at_most("its height [m]", where.y(), hung_at + 0.2f);
-        // It still swings then, and a tilted box has walked. By smaller steps, which damp less, it presses
-        // by .8 to 2 times its weight.
+        // The body still swings then, and a tilted box has walked. By smaller steps, which damp less, a ball
+        // presses with .8 to 2 times its weight.
         checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())),
                        0.3f);
         checks.at_most("its speed [m/s]", to_vector(state->velocity).norm(), 0.9f);

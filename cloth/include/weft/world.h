@@ -123,8 +123,9 @@ class WEFT_API World {
                                 std::size_t count = SIZE_MAX) const;
 
     /// Holds particles where they are, until move_pin or unpin: all of them or, with an error, none. Vertices
-    /// are those of the mesh that was given; one that is pinned already stays so. With tethers on, the
-    /// first change after a step measures the cloth; more of them together cost the next step that once.
+    /// are those of the mesh that was given; one that is pinned already stays so. With tethers on,
+    /// the first change after a step measures the cloth; if there are more before the next step, that step
+    /// measures it once more.
     Result<void> pin(ClothId id, std::span<const std::uint32_t> vertices);
     Result<void> pin(ClothId id, std::uint32_t vertex) { return pin(id, {&vertex, 1}); }
     /// The pinned vertex moves to `target` [m] straight over the next step; where the cloth is off, at once.
