@@ -28,7 +28,7 @@ std::span<const Vec4> of_block_of(std::span<const Vec4> all, const BlockRange& r
 }
 
 /// Of the corners, as the collider sees them: whoever wears cloth takes it along.
-float farthest(const CornerPaths& corners) {
+float longest_way(const CornerPaths& corners) {
     float squared = 0;
     for (std::size_t k = 0; k < 3; ++k)
         squared = std::max(squared, (corners.to[k] - corners.from[k]).squaredNorm());
@@ -260,7 +260,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
         if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
         near_[range.begin + count++] = t;
-        if (farthest(corners) > least_way) is_fast_[range.block] = 1;
+        if (longest_way(corners) > least_way) is_fast_[range.block] = 1;
     }
 }
 

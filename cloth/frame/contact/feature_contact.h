@@ -133,6 +133,7 @@ class FeatureContact {
   private:
     void make_laws(Parallel& parallel);
     void find_tangles(Parallel& parallel);
+    bool part_touching(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
     [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
     /// How far a search looks.

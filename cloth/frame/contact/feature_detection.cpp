@@ -6,6 +6,7 @@
 
 #include "cloth/frame/contact/feature_contact.h"
 #include "collision/contact/crossings/contours.h"
+#include "collision/contact/crossings/touching.h"
 
 namespace weft {
 
@@ -36,8 +37,25 @@ void FeatureContact::detect(Parallel& parallel) {
         std::ranges::fill(searched_.span(), Vec4{});
         search();
     }  // what is near now, where too much would come near on the way
+    if (part_touching(parallel)) search();
     if (may_cross_) find_tangles(parallel);
     make_laws(parallel);
+}
+
+/// Surfaces at exactly one place begin the substep a hair apart instead. Returns whether any did.
+bool FeatureContact::part_touching(Parallel& parallel) {
+    constexpr int most_layers = 16;  // others are parted in the next substep
+    constexpr float hair = 2;        // floors: searches within the floor find no more of what is apart
+    float floor = 0;
+    for (const ContactCloth& cloth : cloths_) floor = std::max(floor, cloth.floor);
+    bool any = false;
+    for (int k = 0; k < most_layers; ++k) {
+        if (!weft::part_touching(bodies_, pairs_, hair * floor, start_.span(), base_.span())) break;
+        any = true;
+        find(parallel, {}, {&ContactCloth::floor});
+    }
+    may_cross_ |= any;  // a mesh may be folded into itself
+    return any;
 }
 
 /// From the motion that was searched for to the one that is to be cut.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "collision/contact/crossings/surface_at.h"
+
 namespace weft {
 
 namespace {
@@ -93,16 +95,8 @@ float SideVote::opinion_of(const Member& member, std::uint32_t pair) const {
                                        xyz(positions_[its.corners[3]])));
 }
 
-/// Of its triangles, each by its area.
 Vector3 SideVote::normal_at(std::uint32_t particle) const {
-    const ContactBody& body = bodies_[body_of(bodies_, particle)];
-    Vector3 sum = Vector3::Zero();
-    for (const std::uint32_t t : body.mesh->triangles_of(particle - body.first)) {
-        const auto& [a, b, c] = body.mesh->triangles()[t];
-        sum += normal_of(xyz(positions_[body.first + a]), xyz(positions_[body.first + b]),
-                         xyz(positions_[body.first + c]));
-    }
-    return sum;
+    return surface_at(bodies_[body_of(bodies_, particle)], positions_, particle).normal;
 }
 
 // Side 0 goes along side 1's normals, or side 1 the opposite way.

@@ -24,12 +24,13 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// Particles of one cloth are kept apart after the step is solved (Kang, "Efficient Methods for Cloth
     /// Animation and Collision Handling", section IV). Cheap, and it fails where cloth is pressed, pulled or
     /// fast: then layers pass through each other, and stay so. Folds of cloth that lies tremble, some of
-    /// their
-    /// particles at half a metre a second, since springs pull back what was pushed.
+    /// their particles at half a metre a second, since springs pull back what was pushed.
     avoidance,
     /// Triangles of one cloth, and of all cloths with this method, meet in the step's equation, and a motion
     /// that would still take one through another is cut short. What has not crossed does not cross; what the
-    /// start has crossed comes apart, the way that most of it lies. By Multilevel, the default; other methods
+    /// start has crossed comes apart, the way that most of it lies. Cloths that start at exactly one place
+    /// part in the order in which they were added, each on the front of those before it; layers of one mesh
+    /// that face opposite ways part on their fronts. By Multilevel, the default; other methods
     /// solve without it and are cut and pushed apart afterwards, which crosses nothing either, but stretches
     /// or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is calm, 3 where
     /// it lies folded. Cloths that touch, and of which contact had to cut more than a few particles, take

@@ -1,0 +1,161 @@
+#include "collision/contact/crossings/touching.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/contact/crossings/contours.h"
+#include "collision/contact/crossings/surface_at.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+namespace {
+
+// A gap of less than this part of the largest coordinate is rounding.
+constexpr float rounding_per_coordinate = 1e-7f;
+
+// A surface stands on another where it leaves its plane by this part of the length of its edges.
+constexpr float least_rise = 0.1f;
+
+// Normals are noise where triangles that face opposite ways cancel, as along a fold.
+constexpr float least_normal = 0.1f;
+
+/// The surface around one side of a pair.
+struct Side {
+    Vector3 normal = Vector3::Zero();  ///< of unit length, or 0 along a fold
+    Vector3 ring = Vector3::Zero();    ///< to the mean of what lies around [m]
+    float length = 0;                  ///< of the edges [m]
+};
+
+class TouchingPairs {
+  public:
+    TouchingPairs(std::span<const ContactBody> bodies, std::span<const Vec4> positions)
+        : bodies_(bodies), positions_(positions) {}
+
+    /// visit(pair, shape, corners of A) for those that touch and are not neighbours in the mesh.
+    template <class Visit>
+    void for_each(const PairList& pairs, const Visit& visit) const {
+        for (std::uint32_t k = 0; k < pairs.size; ++k) {
+            const FeaturePair& pair = pairs.pairs[k];
+            const PairShape& shape = pairs.shapes[k];
+            const std::uint32_t of_a = pairs.corners_of_a(k);
+            if (is_touching(pair, shape) && !are_neighbours(pair, of_a)) visit(pair, shape, of_a);
+        }
+    }
+    [[nodiscard]] bool is_one_body(const FeaturePair& pair) const {
+        return first_of_later_body(pair) == first_of_earlier_body(pair);
+    }
+    [[nodiscard]] std::uint32_t first_of_later_body(const FeaturePair& pair) const {
+        return body_of(std::max(pair.corners[0], pair.corners[3])).first;
+    }
+    [[nodiscard]] std::uint32_t first_of_earlier_body(const FeaturePair& pair) const {
+        return body_of(std::min(pair.corners[0], pair.corners[3])).first;
+    }
+
+    /// Where A is to go against B, of unit length; 0: nobody can tell. `both`: B goes the opposite way, too.
+    [[nodiscard]] Vector3 way_of_a(const FeaturePair& pair, const PairShape& shape,
+                                   std::uint32_t corners_of_a, bool& both) const {
+        const Side a = side_of(pair, shape, 0, corners_of_a), b = side_of(pair, shape, corners_of_a, 4);
+        const Vector3 rise = a.ring - b.ring;
+        const float off_b = rise.dot(b.normal), off_a = rise.dot(a.normal);
+        const bool is_off_b = std::abs(off_b) > std::abs(off_a);
+        const float off = is_off_b ? off_b : off_a;
+        both = false;
+        if (std::abs(off) > least_rise * std::max(a.length, b.length))
+            return std::copysign(1.0f, off) * (is_off_b ? b.normal : a.normal);
+        both = a.normal.dot(b.normal) < 0;
+        if (both) return (a.normal - b.normal).stableNormalized();
+        if (is_one_body(pair)) return Vector3::Zero();
+        const Vector3 front = (a.normal + b.normal).stableNormalized();
+        return pair.corners[0] > pair.corners[3] ? front : Vector3(-front);
+    }
+
+  private:
+    [[nodiscard]] bool is_touching(const FeaturePair& pair, const PairShape& shape) const {
+        float largest = 0;
+        for (const std::uint32_t i : pair.corners)
+            largest = std::max(largest, xyz(positions_[i]).cwiseAbs().maxCoeff());
+        return std::abs(shape.normal.w) <= rounding_per_coordinate * largest;
+    }
+
+    [[nodiscard]] bool are_neighbours(const FeaturePair& pair, std::uint32_t corners_of_a) const {
+        if (!is_one_body(pair)) return false;
+        const ContactBody& body = body_of(pair.corners[0]);
+        const auto corners_of_b = std::span(pair.corners).subspan(corners_of_a);
+        for (std::uint32_t a = 0; a < corners_of_a; ++a)
+            for (const std::uint32_t t : body.mesh->triangles_of(pair.corners[a] - body.first))
+                for (const std::uint32_t corner : body.mesh->triangles()[t])
+                    if (std::ranges::find(corners_of_b, body.first + corner) != corners_of_b.end())
+                        return true;
+        return false;
+    }
+    [[nodiscard]] const ContactBody& body_of(std::uint32_t particle) const {
+        return bodies_[weft::body_of(bodies_, particle)];
+    }
+    /// Around the closest point: of the corners of a pair in [begin, end).
+    [[nodiscard]] Side side_of(const FeaturePair& pair, const PairShape& shape, std::uint32_t begin,
+                               std::uint32_t end) const {
+        Side side;
+        float area = 0;
+        for (std::uint32_t c = begin; c < end; ++c) {
+            const float weight = std::abs(shape.weight(c));
+            if (weight == 0) continue;
+            const ContactBody& body = body_of(pair.corners[c]);
+            const SurfaceAt at = surface_at(body, positions_, pair.corners[c]);
+            side.normal += weight * at.normal;
+            area += weight * at.area;
+            side.ring += weight * at.ring;
+            side.length += weight * at.length;
+        }
+        const float length = side.normal.norm();
+        side.normal = length > least_normal * area ? Vector3(side.normal / length) : Vector3::Zero();
+        return side;
+    }
+
+    std::span<const ContactBody> bodies_;
+    std::span<const Vec4> positions_;
+};
+
+/// Sums, of each particle, where pairs tell it to go. Returns whether any does. Bodies that lie on others
+/// wait until those lie apart, so that each stack is parted from its lowest body up, however few pairs are
+/// listed.
+bool gather_ways(const TouchingPairs& touching, const PairList& pairs, std::span<Vec4> ways) {
+    bool any = false;
+    touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape&, std::uint32_t) {
+        if (!any) std::ranges::fill(ways, Vec4{});
+        any = true;
+        if (!touching.is_one_body(pair))
+            ways[touching.first_of_later_body(pair)].w = 1;  // it lies on another
+    });
+    if (!any) return false;
+    touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape& shape, std::uint32_t of_a) {
+        if (!touching.is_one_body(pair) && ways[touching.first_of_earlier_body(pair)].w > 0) return;
+        bool both = false;
+        const Vector3 way = touching.way_of_a(pair, shape, of_a, both);
+        const bool a_is_later = pair.corners[0] > pair.corners[3];
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            const bool is_a = c < of_a;
+            if (shape.weight(c) == 0 || !(both || is_a == a_is_later)) continue;
+            Vec4& sum = ways[pair.corners[c]];
+            set_xyz(sum, xyz(sum) + (is_a ? way : Vector3(-way)));
+        }
+    });
+    return true;
+}
+
+}  // namespace
+
+bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
+                   std::span<Vec4> positions, std::span<Vec4> ways) {
+    if (!gather_ways(TouchingPairs(bodies, positions), pairs, ways)) return false;
+    bool moved = false;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Vector3 way = xyz(ways[i]);
+        if (way.isZero(0)) continue;
+        set_xyz(positions[i], xyz(positions[i]) + distance * way.stableNormalized());
+        moved = true;
+    }
+    return moved;
+}
+
+}  // namespace weft

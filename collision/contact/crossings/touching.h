@@ -1,0 +1,21 @@
+#pragma once
+// Surfaces that lie exactly on one another, as layers of a garment that was exported flat. No plane lies
+// between them, so no motion of theirs can be certified to cross nothing.
+
+#include <span>
+
+#include "collision/contact/pairs/pair_finder.h"
+#include "collision/contact/pairs/pairs.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Moves features that touch within rounding `distance` [m] apart, each pair's later feature in the order of
+/// particles: off the surface that it stands on, or, where both lie along one surface, out on its own front.
+/// Layers that face opposite ways go both out on their fronts. Neighbours in the mesh stay as they are.
+/// `ways` is scratch. Both spans are of all bodies' particles.
+/// Returns whether anything moved. Of n layers at one place, all are apart after at most n - 1 calls.
+bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
+                   std::span<Vec4> positions, std::span<Vec4> ways);
+
+}  // namespace weft

@@ -1,0 +1,238 @@
+// Surfaces that begin exactly on one another, as layers that were exported flat: contact parts them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <Eigen/Geometry>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "tests/cloth/contact/crossing_count.h"
+#include "tests/cloth/fixtures.h"
+#include "tests/cloth/meshes.h"
+
+namespace weft::test {
+namespace {
+
+constexpr std::uint32_t side = 13;
+constexpr float size = 0.3f, thickness = 0.006f;
+
+Mesh level(float x = 0, float z = 0, std::uint32_t particles = side) {
+    return make_sheet({.rows = particles,
+                       .columns = particles,
+                       .origin = {x, 0, z},
+                       .u = {size, 0, 0},
+                       .v = {0, 0, size}})
+        .value();
+}
+
+/// Along x in the middle of level(), upwards.
+Mesh upright() {
+    return make_sheet({.rows = side,
+                       .columns = side,
+                       .origin = {0, 0, 0.5f * size},
+                       .u = {size, 0, 0},
+                       .v = {0, size, 0}})
+        .value();
+}
+
+Mesh wound_the_other_way(Mesh mesh) {
+    mesh.rows = mesh.columns = 0;
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    return mesh;
+}
+
+/// A sheet folded over in its middle, layer on layer.
+Mesh folded() {
+    Mesh mesh =
+        make_sheet({.rows = 2 * side - 1, .columns = side, .u = {size, 0, 0}, .v = {0, 0, 2 * size}}).value();
+    mesh.rows = mesh.columns = 0;
+    for (const Vec3& p : mesh.positions) mesh.pattern.push_back({p.x, p.z});
+    const float first = mesh.positions.front().z;
+    for (Vec3& p : mesh.positions)
+        if (p.z > first + size) p.z = 2 * (first + size) - p.z;
+    return mesh;
+}
+
+/// Front and back of one outline, sewn along the border.
+Mesh flat_cushion() {
+    Mesh mesh = level();
+    const Mesh back = wound_the_other_way(mesh);
+    mesh.rows = mesh.columns = 0;
+    mesh.texcoords.clear();
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), back.positions.begin(), back.positions.end());
+    for (const Triangle& t : back.triangles)
+        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    return mesh;
+}
+
+struct Case {
+    std::string name;
+    std::vector<Mesh> meshes;
+};
+
+std::vector<Case> cases() {
+    return {{"TwoSheets", {level(), level()}},
+            {"SixSheets", std::vector<Mesh>(6, level())},
+            {"WoundTheOtherWay", {level(), wound_the_other_way(level())}},
+            {"FineOnCoarse", {level(0, 0, 4), level()}},
+            {"HalfACellAside", {level(), level(0.5f * size / (side - 1), 0.5f * size / (side - 1))}},
+            {"Beside", {level(), level(size)}},
+            {"Standing", {level(), upright()}},
+            {"StandingFirst", {upright(), level()}},
+            {"Folded", {folded()}},
+            {"FlatCushion", {flat_cushion()}},
+            {"TwoSpheres", {sphere(2), sphere(2)}},
+            {"TwoTubes", {tube(6, 16), tube(6, 16)}}};
+}
+
+ClothSettings with_contact() {
+    ClothSettings settings;
+    settings.air_damping = 0;
+    settings.self_collision = {
+        .enabled = true, .method = SelfCollisionMethod::contact, .distance = thickness};
+    return settings;
+}
+
+/// Cloths of these meshes, each turned and moved alike.
+struct Scene {
+    World world;
+    std::vector<ClothId> cloths;
+
+    Scene(const WorldSettings& settings, const std::vector<Mesh>& meshes, float turn = 0,
+          const Vec3& offset = {})
+        : world(World::create(settings).value()) {
+        const Eigen::AngleAxisf turned(turn, Eigen::Vector3f(1, 2, -1).normalized());
+        for (Mesh mesh : meshes) {
+            if (turn != 0) mesh.rows = mesh.columns = 0;
+            for (Vec3& p : mesh.positions) {
+                const Eigen::Vector3f x = turned * Eigen::Vector3f(p.x, p.y, p.z);
+                p = {x.x() + offset.x, x.y() + offset.y, x.z() + offset.z};
+            }
+            cloths.push_back(world.add_cloth(mesh, with_contact()).value());
+        }
+    }
+    [[nodiscard]] const ClothView& view(std::size_t cloth) const {
+        return world.cloth(cloths[cloth]).value();
+    }
+    [[nodiscard]] double mean_height(std::size_t cloth) const {
+        double sum = 0;
+        for (const Vec4& x : view(cloth).positions) sum += double{x.y};
+        return sum / static_cast<double>(view(cloth).positions.size());
+    }
+};
+
+class TouchingSurfaces : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(, TouchingSurfaces, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(TouchingSurfaces, PartWithoutCrossingHoweverTheyAreTurned) {
+    for (const float turn : {0.0f, 0.7f, 2.0f}) {
+        for (const float far : {0.0f, 20.0f}) {
+            Scene scene(vacuum(), GetParam().meshes, turn, {far, 0, -far});
+            std::uint32_t truncated = 0;
+            for (int step = 0; step < 40; ++step) {
+                const StepReport& report = scene.world.step(h);
+                if (step >= 20) truncated = std::max(truncated, report.truncated_particles);
+                EXPECT_LT(report.peak_speed, 3) << step;
+            }
+            EXPECT_EQ(crossings(scene.world, scene.cloths), 0) << turn << ", " << far;
+            EXPECT_EQ(truncated, 0u) << "contact no longer has to hold anything: " << turn << ", " << far;
+        }
+    }
+}
+
+TEST_P(TouchingSurfaces, FallAsOne) {
+    WorldSettings settings;
+    settings.wind.air_density = 0;
+    Scene scene(settings, GetParam().meshes);
+    double before = 0, after = 0, particles = 0;
+    const auto add = [&](double& sum) {
+        for (std::size_t k = 0; k < scene.cloths.size(); ++k)
+            sum += scene.mean_height(k) * static_cast<double>(scene.view(k).positions.size());
+    };
+    for (std::size_t k = 0; k < scene.cloths.size(); ++k)
+        particles += static_cast<double>(scene.view(k).positions.size());
+    add(before);
+    for (int step = 0; step < 30; ++step) scene.world.step(h);
+    add(after);
+    EXPECT_NEAR((before - after) / particles, 0.5 * 9.81 * 0.25, 0.04 * 9.81 * 0.25);
+}
+
+TEST(TouchingLayers, LieInTheOrderInWhichTheyWereAdded) {
+    constexpr std::size_t layers = 5;
+    WorldSettings settings;
+    settings.threads = 1;
+    Scene scene(settings, std::vector<Mesh>(layers, level()), 0, {0, 0.02f, 0});
+    ASSERT_TRUE(scene.world.add_collider({.shape = Plane{}}));
+    for (int step = 0; step < 240; ++step) scene.world.step(h);
+    for (std::size_t k = 1; k < layers; ++k)
+        EXPECT_GT(scene.mean_height(k), scene.mean_height(k - 1) + 0.8 * double{thickness}) << k;
+}
+
+TEST(TouchingLayers, StayOnTheSideOnWhichTheyStand) {
+    for (const bool standing_first : {false, true}) {
+        std::vector<Mesh> meshes = {level(), upright()};
+        if (standing_first) std::swap(meshes[0], meshes[1]);
+        Scene scene(vacuum(), meshes);
+        for (int step = 0; step < 40; ++step) scene.world.step(h);
+        EXPECT_GT(scene.mean_height(standing_first ? 0 : 1), scene.mean_height(standing_first ? 1 : 0))
+            << standing_first;
+    }
+}
+
+// Layers of a skirt that share their waist touch there for ever.
+TEST(TouchingLayers, HangFromPinsAtOnePlace) {
+    constexpr std::uint32_t around = 24, rows = 10;
+    const auto skirt = [&](float flare) {
+        Mesh mesh;
+        for (std::uint32_t r = 0; r < rows; ++r)
+            for (std::uint32_t c = 0; c < around; ++c) {
+                const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(c) / around;
+                const float down = 0.04f * static_cast<float>(r), wide = 0.15f + flare * down;
+                mesh.positions.push_back({wide * std::sin(angle), -down, wide * std::cos(angle)});
+                if (r + 1 == rows) continue;
+                const std::uint32_t i = r * around + c, j = r * around + (c + 1) % around;
+                mesh.triangles.push_back({i, i + around, j});
+                mesh.triangles.push_back({j, i + around, j + around});
+            }
+        return mesh;
+    };
+    std::vector<std::uint32_t> waist(around);
+    std::iota(waist.begin(), waist.end(), 0u);
+    for (const float outer : {0.3f, 0.6f, 0.1f}) {
+        WorldSettings settings;
+        settings.wind.air_density = 0;
+        Scene alone(settings, {skirt(0.3f)}), both(settings, {skirt(0.3f), skirt(outer)});
+        for (Scene* scene : {&alone, &both})
+            for (const ClothId id : scene->cloths) ASSERT_TRUE(scene->world.pin(id, waist));
+        for (int step = 0; step < 20; ++step) {
+            alone.world.step(h);
+            const StepReport& report = both.world.step(h);
+            EXPECT_LT(report.pin_lag, 1e-4f) << outer << ", step " << step;
+        }
+        EXPECT_EQ(crossings(both.world, both.cloths), 0) << outer;
+        const double start = -0.04 * (rows - 1) / 2;
+        EXPECT_LT(both.mean_height(0) - start, 0.5 * (alone.mean_height(0) - start)) << outer;
+    }
+}
+
+TEST(TouchingLayers, PartAlikeOnAnyThreads) {
+    std::vector<std::vector<Vec4>> ends;
+    for (const int threads : {1, 4}) {
+        WorldSettings settings;
+        settings.threads = threads;
+        Scene scene(settings, std::vector<Mesh>(3, level()));
+        for (int step = 0; step < 10; ++step) scene.world.step(h);
+        std::vector<Vec4>& end = ends.emplace_back();
+        for (std::size_t k = 0; k < scene.cloths.size(); ++k)
+            end.insert(end.end(), scene.view(k).positions.begin(), scene.view(k).positions.end());
+    }
+    EXPECT_TRUE(same_bytes(ends[0], ends[1]));
+}
+
+}  // namespace
+}  // namespace weft::test
