@@ -102,12 +102,27 @@ Result<HeldShape::Data> make_data(const DistanceField& field) {
     return HeldShape::Data(std::move(made));
 }
 
+/// Whether all corners lie behind every face.
+bool is_convex_body(const TriangleTree& tree) {
+    const float rounding = 1e-4f * tree.box().diagonal().norm();
+    for (std::uint32_t t = 0; t < tree.size(); ++t) {
+        const auto corner = [&](int k) { return to_vector(tree.vertices()[tree.triangle(t)[k]]); };
+        const Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
+        for (const Vec3& vertex : tree.vertices())
+            if (normal.dot(to_vector(vertex) - corner(0)) > rounding) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Result<HeldShape> HeldShape::make(const Shape& shape) {
     auto data = std::visit([](const auto& of_kind) { return make_data(of_kind); }, shape);
     if (!data) return data.error();
     HeldShape made(std::move(data).value(), std::holds_alternative<ConvexHull>(shape));
+    const auto* const tree = std::get_if<TriangleTree>(&made.data_);
+    made.is_edged_ = tree != nullptr && tree->is_closed() && tree->vertices().size() <= most_edged_corners &&
+                     is_convex_body(*tree);
     made.find_coarse();
     return made;
 }

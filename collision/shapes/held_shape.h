@@ -55,6 +55,10 @@ class HeldShape {
     [[nodiscard]] const Data& data() const noexcept { return data_; }
     [[nodiscard]] const Eigen::AlignedBox3f& box() const noexcept { return box_; }
     [[nodiscard]] bool is_convex() const noexcept { return convex_; }
+    /// A convex body whose edges part cloth: a hull, or a closed mesh that has not been deformed, of at most
+    /// so many corners.
+    static constexpr std::size_t most_edged_corners = 32;
+    [[nodiscard]] bool is_edged() const noexcept { return is_edged_ && original_.empty(); }
     /// Whoever passes it is inside, however deep.
     [[nodiscard]] bool is_ground() const noexcept { return std::holds_alternative<HeldHeights>(data_); }
     /// False only where the point of a closed mesh is not farther inside than that: by distances at the
@@ -86,7 +90,7 @@ class HeldShape {
     HeldDistances coarse_{};      // of a closed mesh
     OutsideCells outside_;        // likewise, where it has been deformed
     std::vector<Vec3> original_;  // vertices, once it has been deformed
-    bool convex_;
+    bool convex_, is_edged_ = false;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };
 

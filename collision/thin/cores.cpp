@@ -9,9 +9,10 @@ namespace weft {
 
 namespace {
 
-/// Beside edges of a cloth: what is thinner slips through anyway, what is thinner than so many as they are
-/// stretched by what is fast.
-constexpr float stretched = 2, slips_through = 0.4f;
+/// Radii, with the thickness, in edges of a cloth at rest: see Thinness.
+constexpr float if_fast = 2, if_moved = 1.1f, slips_through = 0.55f, is_held_in = 0.4f;
+/// Of the thickness, that a collider moves at least in a step, or it stands still.
+constexpr float moved = 0.02f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
 /// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing
 /// as thin cloth would fall through.
@@ -43,7 +44,7 @@ float thinnest(const Box&) {  // at its edges
     return 0;
 }
 float thinnest(const HeldInstance& instance) {
-    return instance.shape.is_convex() ? 0 : std::numeric_limits<float>::infinity();
+    return instance.shape.is_edged() ? 0 : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -51,12 +52,15 @@ float thinnest(const HeldInstance& instance) {
 Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
     return with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
         const float thin = thinnest(end) + thickness;
-        if (!(thin < stretched * mean_edge)) return Thinness::thick;
+        if (!(thin < if_fast * mean_edge)) return Thinness::thick;
         const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
         if (!(sweep.way >= 0)) return Thinness::thick;
         if (has_edges<Shape> && motion.body >= 0) return Thinness::thick;
-        if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thin : Thinness::thick;
-        return thin < slips_through * mean_edge ? Thinness::thin : Thinness::thin_if_fast;
+        if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thinnest : Thinness::thick;
+        if (thin < is_held_in * mean_edge) return Thinness::thinnest;
+        const bool moves = motion.body < 0 && sweep.way > moved * thickness;
+        return thin < (moves ? if_moved : slips_through) * mean_edge ? Thinness::thin
+                                                                     : Thinness::thin_if_fast;
     });
 }
 
@@ -134,15 +138,15 @@ void Cores::add_box(const MovingBox& box) {
 
 // Of faces in one plane the edges between are none of the body's; that they count for some costs time alone.
 void Cores::add_hull(const MovingHeld& held) {
-    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
-    if (tree == nullptr || tree->vertices().size() > most_corners) return;
+    if (!held.shape->is_edged()) return;
+    const auto& tree = std::get<TriangleTree>(held.shape->data());
     take_space(held.space);
-    for (const Vec3& corner : tree->vertices()) {
+    for (const Vec3& corner : tree.vertices()) {
         corners_[corner_count_++] = to_vector(corner);
         add(to_vector(corner), to_vector(corner));
     }
-    for (std::uint32_t t = 0; t < tree->size(); ++t) {
-        const Corners& corners = tree->triangle(t);
+    for (std::uint32_t t = 0; t < tree.size(); ++t) {
+        const Corners& corners = tree.triangle(t);
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];  // each edge both ways
             if (i < j && count_ < most) add(corners_[i], corners_[j]);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "collision/colliders/collider_contacts.h"
+#include "collision/shapes/held_shape.h"
 #include "collision/thin/sides_kernels.h"
 #include "engine/vector.h"
 
@@ -24,18 +25,24 @@ struct Core {
     [[nodiscard]] float radius_at(float s) const { return radius + s * wider; }
 };
 
-/// Beside a cloth's edges, of that length at rest. What is thin is thinner than two fifths of one, or a body
-/// with edges that moves; thin if it meets fast what is thinner than two, as far as they are stretched by
-/// that. Thick is also what has jumped.
-enum class Thinness : std::uint8_t { thick, thin_if_fast, thin };
+/// A collider, with the thickness, beside a cloth's edges, of that length at rest. What it meets beside
+/// particles is put back after the step and does not rest on it, so that particles alone meet what they can
+/// hold.
+enum class Thinness : std::uint8_t {
+    thick,         ///< particles meet it; also what has jumped
+    thin_if_fast,  ///< slips between particles that its speed draws apart: thinner than two edges
+    thin,          ///< slips between them, but they let it out again: thinner than an edge and a tenth while
+                   ///< the host moves it, else than half an edge and a twentieth
+    thinnest       ///< does not come out between them: thinner than two fifths; moving boxes and hulls
+};
 [[nodiscard]] Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge);
 
 /// The cores of one collider over a substep.
 class Cores {
   public:
-    static constexpr std::uint32_t most = 128, most_corners = 32;
+    static constexpr std::uint32_t most = 128, most_corners = HeldShape::most_edged_corners;
 
-    /// None of planes, grounds, meshes, distance fields, hulls of more than 32 corners.
+    /// None of planes, grounds, distance fields, and shapes that are not edged.
     Cores(const ColliderMotion& motion, float h);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "collision/colliders/collider_kernels.h"
@@ -74,8 +76,10 @@ struct WholeTriangles::Meeting {
     const ClothSide& cloth;
     const CollidingParticles& particles;
     float h, least_gap;
-    bool only_fast;
+    Thinness thinness;
 
+    [[nodiscard]] bool only_fast() const { return thinness == Thinness::thin_if_fast; }
+    [[nodiscard]] bool only_from_outside() const { return thinness != Thinness::thinnest; }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
     /// To be kept of these particles.
@@ -131,6 +135,7 @@ void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& appr
 
 WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge)
     : triangles_(triangles),
+      order_(triangles.size()),
       mean_edge_(mean_edge),
       owned_(triangles.size()),
       spans_(block_count(static_cast<std::uint32_t>(triangles.size()))),
@@ -138,9 +143,12 @@ WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_
       counts_(spans_.size()),
       is_fast_(spans_.size()),
       paths_(block_count(particles)) {
+    std::iota(order_.span().begin(), order_.span().end(), 0u);
+    std::ranges::sort(order_.span(), {},
+                      [&](std::uint32_t t) { return std::pair(std::ranges::min(triangles[t]), t); });
     find_owned();
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        const auto [least, most] = std::ranges::minmax(triangles[t]);
+        const auto [least, most] = std::ranges::minmax(corners_of(t));
         ParticleSpan& span = spans_[t / block_size];
         if (t % block_size == 0) span = {least, most};
         span = {std::min(span.first, least), std::max(span.last, most)};
@@ -157,7 +165,7 @@ void WholeTriangles::find_owned() {
     sides.reserve(3 * triangles_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t i = triangles_[t][k], j = triangles_[t][(k + 1) % 3];
+            const std::uint32_t i = corners_of(t)[k], j = corners_of(t)[(k + 1) % 3];
             if (i != j) sides.push_back({std::min(i, j), std::max(i, j), t, k});
         }
     std::ranges::sort(sides);
@@ -184,8 +192,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         if (!may_be_near(motion, h, thickness, all)) continue;
         const Cores cores(motion, h);
         if (cores.empty()) continue;
-        const Meeting meeting{
-            cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness == Thinness::thin_if_fast};
+        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness};
         // What has been pushed draws triangles along that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
@@ -245,14 +252,14 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.widest_gap();
     const auto may = may_be_near(meeting.motion, meeting.h, meeting.thickness(), paths);
-    if (!may || (meeting.only_fast && may->thin == 0)) return;
-    const float least_way = meeting.only_fast ? may->thin : -1;
+    if (!may || (meeting.only_fast() && may->thin == 0)) return;
+    const float least_way = meeting.only_fast() ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
     const ParticleSides sides(meeting.cores.turning_box(gap), meeting.particles.starts,
                               meeting.particles.positions, span.first, span.last);
     for (std::uint32_t t = range.begin; t < range.end; ++t) {
-        if (sides.leave_out(triangles_[t])) continue;
-        const CornerPaths corners = meeting.paths(triangles_[t]);
+        if (sides.leave_out(corners_of(t))) continue;
+        const CornerPaths corners = meeting.paths(corners_of(t));
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
         box = Eigen::AlignedBox3f(box.min() - margin, box.max() + margin);
@@ -280,11 +287,11 @@ std::uint32_t WholeTriangles::push_out(const Meeting& meeting, std::uint32_t nea
 }
 
 bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t triangle) {
-    const Triangle& corners = triangles_[triangle];
+    const Triangle& corners = corners_of(triangle);
     const float gap = meeting.gap(corners);
     bool any = false;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
-        const auto approach = first_approach(meeting.cores, core, paths, {gap, meeting.only_fast});
+        const auto approach = first_approach(meeting.cores, core, paths, {gap, meeting.only_from_outside()});
         if (!approach) return;
         meeting.push(of, *approach);
         any |= approach->depth > 0.02f * gap;
@@ -320,7 +327,7 @@ std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& ske
         if (!overlap(joined(span.first / block_size, span.last / block_size).ends, bounds)) return;
         const ParticleSides sides(box, positions, positions, span.first, span.last);
         for (std::uint32_t t = range.begin; t < range.end; ++t)
-            if (!sides.leave_out(triangles_[t]) && skewer.goes_through(triangles_[t], positions))
+            if (!sides.leave_out(corners_of(t)) && skewer.goes_through(corners_of(t), positions))
                 near_[range.begin + count++] = t;
     });
     return gather_near();
@@ -336,7 +343,7 @@ std::uint32_t WholeTriangles::take_off(Parallel& parallel, const Meeting& meetin
     skewer->find_ways(meeting.motion, colliders, meeting.cloth, meeting.h);
     std::uint32_t moved = 0;
     for (const std::uint32_t triangle : near_.span().first(pierced))
-        moved += skewer->take_off(triangles_[triangle], meeting.h, meeting.particles.positions) ? 1 : 0;
+        moved += skewer->take_off(corners_of(triangle), meeting.h, meeting.particles.positions) ? 1 : 0;
     return moved;
 }
 

@@ -33,8 +33,8 @@ class WholeTriangles {
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() + is_fast_.bytes() +
-               paths_.bytes();
+        return order_.bytes() + owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() +
+               is_fast_.bytes() + paths_.bytes();
     }
 
   private:
@@ -55,11 +55,14 @@ class WholeTriangles {
                            std::span<const ColliderMotion> colliders);
     std::uint32_t gather_near();
 
+    [[nodiscard]] const Triangle& corners_of(std::uint32_t t) const { return triangles_[order_[t]]; }
+
     std::span<const Triangle> triangles_;
+    AlignedBuffer<std::uint32_t> order_;  // of triangles, by their first particles: blocks lie together
     float mean_edge_;
     AlignedBuffer<std::uint8_t> owned_;    // by triangle: bit k of its side from corner k to the next
     AlignedBuffer<ParticleSpan> spans_;    // by block of triangles: their particles
-    AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
+    AlignedBuffer<std::uint32_t> near_;    // places in that order, from each block's begin on
     AlignedBuffer<std::uint32_t> counts_;  // of these, by block
     AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
     AlignedBuffer<BlockPaths> paths_;      // by block of particles

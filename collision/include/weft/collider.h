@@ -74,11 +74,11 @@ struct Collider {
 };
 
 /// What colliders do to cloth. Particles are met on their way, triangles by what is so thin that it slips
-/// between them: balls and capsules that are, with the thickness, thinner than two fifths of the cloth's mean
-/// edge, or than two edges where they meet it fast, and the edges and corners of boxes and hulls (of at most
-/// 32 corners) while the host moves these. Sides are kept half the thickness outside. Cloth on what is
-/// thinner than two fifths of an edge is held and does not come to rest; over edges of a box that stands
-/// still triangles cut its corners.
+/// between them: balls and capsules that are, with the thickness, thinner than .55 of the cloth's mean edge,
+/// 1.1 while the host moves them, 2 where they meet it fast, and the edges and corners of boxes, hulls and
+/// closed convex meshes (of at most 32 corners) while the host moves these. Sides are kept half the
+/// thickness outside. Cloth on what is thinner than .55 of an edge is held and does not come to rest;
+/// over edges of a box that stands still triangles cut its corners.
 ///
 /// How deep a step finds a particle in a collider when it begins, where it was placed over cloth or cloth was
 /// moved into it, becomes no velocity: it comes out at 0.1 m/s, from more than 5 cm by e^-2 a second. What a
@@ -91,10 +91,9 @@ enum class ColliderResponse : std::uint8_t {
     /// implicit.
     contact,
     /// Velocities alone are filtered, as solved and before positions follow them: of a particle inside a
-    /// shape,
-    /// what goes farther in is taken (Levin, CSC2549, 2020). Cheapest, and to compare with: cloth sinks in by
-    /// up to a step's way and is never pushed out, it slides without friction, its own thickness has no part
-    /// in it, nothing bounces, and no contacts are reported.
+    /// shape, what goes farther in is taken (Levin, CSC2549, 2020). Cheapest, and to compare with: cloth
+    /// sinks in by up to a step's way and is never pushed out, it slides without friction, its own thickness
+    /// has no part in it, nothing bounces, and no contacts are reported.
     velocity_filter,
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -177,6 +178,64 @@ TEST(ThinColliders, WhatHasPiercedClothCanBeDrawnOut) {
     }
     for (int k = 0; k < 120; ++k) sheet.world.step(step_length);
     for (const Vec4& x : sheet.view().positions) EXPECT_LT(std::abs(x.y), 0.1f);
+}
+
+// From less than a third of the sheet's edges to more than one, pushed slowly, in the middle of a cell.
+TEST(ThinColliders, BallsAndRodsPushedThroughAHangingSheetCarryIt) {
+    constexpr std::uint32_t side = 28;
+    constexpr float edge = 1.0f / (side - 1), thickness = 0.005f, least = -0.2f, most = 0.25f;
+    const auto rod_mesh = [](float radius) {
+        constexpr std::uint32_t sides = 8;
+        TriangleMesh mesh{.closed = true};
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            const float angle = 2 * 3.14159265f * static_cast<float>(k) / sides;
+            for (const float x : {-0.6f, 0.6f})
+                mesh.vertices.push_back({x, radius * std::cos(angle), radius * std::sin(angle)});
+        }
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            const std::uint32_t a = 2 * k, b = 2 * ((k + 1) % sides);
+            mesh.triangles.push_back({a, b, a + 1});
+            mesh.triangles.push_back({b, b + 1, a + 1});
+            if (k + 2 < sides) {
+                mesh.triangles.push_back({0, 2 * (k + 2), 2 * (k + 1)});
+                mesh.triangles.push_back({1, 2 * (k + 1) + 1, 2 * (k + 2) + 1});
+            }
+        }
+        return mesh;
+    };
+    enum class Kind : std::uint8_t { ball, rod, mesh };
+    for (const Kind kind : {Kind::ball, Kind::rod, Kind::mesh})
+        for (const float edges : {0.3f, 0.45f, 0.7f, 0.95f, 1.1f})
+            for (const float speed : {0.1f, 0.4f, 1.5f}) {
+                const float radius = edges * edge - thickness;
+                World world = World::create({.threads = 1}).value();
+                const Mesh sheet = make_sheet({.rows = side,
+                                               .columns = side,
+                                               .origin = {-0.5f, 0, 0},
+                                               .u = {1, 0, 0},
+                                               .v = {0, -1, 0}})
+                                       .value();
+                const ClothId cloth = world.add_cloth(sheet, {}).value();
+                for (std::uint32_t i = 0; i < side; ++i) ASSERT_TRUE(world.pin(cloth, std::array{i}));
+                ShapeId shape{};
+                if (kind == Kind::mesh) shape = world.add_shape(rod_mesh(radius)).value();
+                const auto at = [&](float z) -> Collider {
+                    const float y = -16.4f * edge, x = 0.6f * edge;
+                    if (kind == Kind::ball) return {.shape = Sphere{{x, y, z}, radius}};
+                    if (kind == Kind::rod) return {.shape = Capsule{{-0.6f, y, z}, {0.6f, y, z}, radius}};
+                    return {.shape = PlacedShape{.shape = shape, .position = {0, y, z}}};
+                };
+                const ColliderId collider = world.add_collider(at(least)).value();
+                for (float z = least; z < most;) {
+                    z = std::min(most, z + speed * step_length);
+                    ASSERT_TRUE(world.move_collider(collider, at(z)));
+                    world.step(step_length);
+                }
+                float foremost = least;
+                for (const Vec4& x : world.cloth(cloth)->positions) foremost = std::max(foremost, x.z);
+                EXPECT_GT(foremost, most) << "kind " << static_cast<int>(kind) << " of " << edges
+                                          << " edges at " << speed << " m/s";
+            }
 }
 
 /// An arm that points down, the tip of its hand at this height.
