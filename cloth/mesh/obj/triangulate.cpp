@@ -20,8 +20,6 @@ namespace weft {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
-
 /// A larger face is not cut into a fan, whose first corner would get all of its triangles.
 constexpr std::uint32_t most_corners_of_fan = 64;
 
@@ -65,7 +63,7 @@ struct View {
         return area_sign(outline[a], outline[b], outline[c], normal);
     }
 
-    /// No triangle is turned over, and together they do not stand edge-on.
+    /// Whether no triangle is turned over, and they do not stand edge-on.
     [[nodiscard]] bool shows_fronts(std::span<const Triangle> triangles) const {
         double sum = 0;
         for (const auto [a, b, c] : triangles) {
@@ -86,9 +84,9 @@ struct View {
 
 /// Cuts ears off an outline, either on its inside or on its outside. An ear is a corner whose triangle with
 /// its two neighbours is on that side, with nothing of the outline in it. Every outline that does not cross
-/// itself has some (Meisters 1975). A corner in the way of an ear has one that does not turn to the same side
-/// in its way, too: only those are searched. All signs are exact, so that an outline that does not cross
-/// itself is always cut.
+/// itself has some (Meisters 1975), and all signs are exact, so that each such outline is cut to the end.
+/// Where corners lie in a triangle, the farthest of them from the edge that the cut would make turns away
+/// from that side, or goes straight on: only such corners are searched.
 class EarClipping {
   public:
     enum Side : std::int8_t { outside = -1, inside = 1 };
@@ -102,30 +100,30 @@ class EarClipping {
     [[nodiscard]] bool cut_all(std::vector<Triangle>& triangles);
 
   private:
-    /// Corners without area are cut first on the outside, where this makes the outline simpler, and last on
-    /// the inside, where it makes triangles without area; there, too, first if cuts before took all of its
-    /// area.
+    /// Order of cuts. Corners without area come first on the outside, where their cut simplifies the outline.
+    /// On the inside it makes a triangle without area: they come last, unless earlier cuts took all that they
+    /// had.
     enum Rank : std::int8_t { at_once, proper, touched, without_area };
 
     struct Candidate {
         Rank rank;
         int size;     // binary logarithm of the circumscribed circle's radius
         double base;  // [m^2] squared length of the edge that the cut makes
-        Corners corners;
+        Triangle corners;
 
         [[nodiscard]] auto key() const { return std::tie(rank, size, base, corners); }
         bool operator<(const Candidate& other) const { return other.key() < key(); }  // the least first
     };
     enum class Room { free, touched, blocked };
-    /// Of a corner, beside each edge of a triangle: 1 inside, 0 on the edge's line, -1 outside.
+    /// A corner's side of each edge of a triangle: 1 inside, 0 on the edge's line, -1 outside.
     using Sides = std::array<int, 3>;
 
     void consider(std::uint32_t corner, bool is_spent = false);
     void flatten();
     [[nodiscard]] std::optional<Candidate> next_ear();
-    [[nodiscard]] Room room_of(const Corners& corners);
-    [[nodiscard]] bool enters(const Corners& triangle, const Sides& sides, std::uint32_t to) const;
-    [[nodiscard]] Room room_beside(const Corners& triangle, std::uint32_t corner) const;
+    [[nodiscard]] Room room_of(const Triangle& corners);
+    [[nodiscard]] bool enters(const Triangle& triangle, const Sides& sides, std::uint32_t to) const;
+    [[nodiscard]] Room room_beside(const Triangle& triangle, std::uint32_t corner) const;
     void cut(std::uint32_t corner);
     void update(std::uint32_t corner);
     void unblock(std::uint32_t corner);
@@ -142,8 +140,9 @@ class EarClipping {
     std::size_t looks_left_;
 };
 
-/// Looks of a search at nodes and corners, for each corner of the face on average: 100 are many, unless
-/// thousands of corners lie at one place. Reading a file takes time in proportion to its length.
+/// Budget of the searches: nodes and corners looked at for each corner of the face, so that a file is read in
+/// time proportional to its length. Combs, stars and spirals of up to 100 000 corners need 30 to 150. More
+/// are needed only where thousands of corners lie at one position; such a face counts as crossing itself.
 constexpr std::size_t most_looks = 512;
 
 EarClipping::EarClipping(const View& view, Side side)
@@ -199,7 +198,7 @@ bool EarClipping::cut_all(std::vector<Triangle>& triangles) {
 
 void EarClipping::consider(std::uint32_t corner, bool is_spent) {
     if (turns_[corner] == -side_) return;
-    const Corners corners{before_[corner], corner, after_[corner]};
+    const Triangle corners{before_[corner], corner, after_[corner]};
     const auto edge = [&](std::size_t from, std::size_t to) {
         return difference(view_.outline[corners[to]], view_.outline[corners[from]]);
     };
@@ -216,7 +215,7 @@ void EarClipping::consider(std::uint32_t corner, bool is_spent) {
     candidates_.push(candidate);
 }
 
-/// The next corner that can be cut; none: nothing is left, or nothing can be.
+/// The next corner to cut; none: no corner can be cut.
 std::optional<EarClipping::Candidate> EarClipping::next_ear() {
     while (!candidates_.empty()) {
         Candidate candidate = candidates_.top();
@@ -233,8 +232,7 @@ std::optional<EarClipping::Candidate> EarClipping::next_ear() {
     return std::nullopt;
 }
 
-/// Two axes of one length across the normal, so that the first turns counter-clockwise to the second about
-/// it.
+/// Coordinates along two axes across the normal, the first of which turns counter-clockwise to the second.
 void EarClipping::flatten() {
     const Eigen::Vector3d normal = to_vector(view_.normal).cast<double>().normalized();
     const Eigen::Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);
@@ -247,19 +245,18 @@ void EarClipping::flatten() {
     std::vector<std::uint32_t> corners;
     for (std::uint32_t i = 0; i < blocks_.size(); ++i)
         if (blocks_[i]) corners.push_back(i);
-    constexpr double rounding = 64 * 0x1p-53;  // some twenty operations, and as much again
+    constexpr double rounding = 64 * 0x1p-53;  // three times that of some twenty operations
     blocking_.emplace(points_, std::move(corners), rounding * farthest);
 }
 
-/// Whether the way to `to` goes into the triangle, from a corner on those of its edges whose entry in `sides`
-/// is 0.
-bool EarClipping::enters(const Corners& triangle, const Sides& sides, std::uint32_t to) const {
+/// Whether the way to corner `to` goes into the triangle, from a corner on its border with these sides.
+bool EarClipping::enters(const Triangle& triangle, const Sides& sides, std::uint32_t to) const {
     for (std::size_t i = 0; i < 3; ++i)
         if (sides[i] == 0 && view_.turn(triangle[i], triangle[(i + 1) % 3], to) <= 0) return false;
     return true;
 }
 
-EarClipping::Room EarClipping::room_beside(const Corners& triangle, std::uint32_t corner) const {
+EarClipping::Room EarClipping::room_beside(const Triangle& triangle, std::uint32_t corner) const {
     Sides sides;
     for (std::size_t i = 0; i < 3; ++i) {
         sides[i] = view_.turn(triangle[i], triangle[(i + 1) % 3], corner);
@@ -271,13 +268,13 @@ EarClipping::Room EarClipping::room_beside(const Corners& triangle, std::uint32_
     return Room::free;
 }
 
-/// Corners at the same place as the ear's own, or on its two edges, are in the way only where the outline
-/// goes on into the ear. Those on the edge that the cut would make are better avoided: they would lie on an
-/// edge that does not end there.
-EarClipping::Room EarClipping::room_of(const Corners& corners) {
+/// Corners at the positions of the ear's own, or on its two edges, block it only where the outline goes on
+/// into it. Corners on the edge that the cut would make are avoided while others can be cut: the edge would
+/// pass through them.
+EarClipping::Room EarClipping::room_of(const Triangle& corners) {
     const auto [before, corner, after] = corners;
     // Counter-clockwise, the edge that the cut makes being the last.
-    const Corners triangle = side_ == inside ? corners : Corners{after, corner, before};
+    const Triangle triangle = side_ == inside ? corners : Triangle{after, corner, before};
     const Sides of_first{0, 1, 0}, of_last{1, 0, 0};
     if (enters(triangle, side_ == inside ? of_first : of_last, before_[before]) ||
         enters(triangle, side_ == inside ? of_last : of_first, after_[after]))

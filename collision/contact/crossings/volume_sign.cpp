@@ -12,12 +12,13 @@ using Row = std::array<double, 3>;
 
 template <class Point>
 Row row_of(const Point& p) {
-    return {double{p.x}, double{p.y}, double{p.z}};
+    return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
 template <class Point>
 Row difference(const Point& p, const Point& origin) {
-    return {double{p.x} - double{origin.x}, double{p.y} - double{origin.y}, double{p.z} - double{origin.z}};
+    const Row to = row_of(p), from = row_of(origin);
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
 /// Shewchuk 1997, error bound A of orient3d: (7 + 56 eps) eps times the permanent, eps = 2^-53. It allows for
