@@ -130,8 +130,8 @@ Result<Mesh> read_mesh(const std::filesystem::path& file, Garment& garment) {
     auto mesh = load_obj(file, {}, &report);
     if (!mesh) return mesh;
     if (report.crossing_faces > 0)
-        garment.notes.push_back(file.string() + " has " + std::to_string(report.crossing_faces) +
-                                " faces whose outlines cross themselves; their triangles overlap");
+        garment.notes.push_back(file.string() + ": faces whose outlines cross themselves: " +
+                                std::to_string(report.crossing_faces) + "; their triangles overlap");
     mesh->pattern = mesh->texcoords;
     drop_unfit_pattern(*mesh);
     return mesh;
