@@ -5,6 +5,10 @@
 
 namespace weft::c {
 
+// The first version ended before it.
+template <>
+inline constexpr std::size_t first_size<WeftObjReport> = offsetof(WeftObjReport, crossing_faces);
+
 namespace {
 
 template <class T>
@@ -69,7 +73,10 @@ WeftResult weft_mesh_load_obj(const char* file, WeftBool texcoords_are_pattern, 
         if (!loaded) return loaded.error();
         if (auto done = put_handle(std::move(loaded), mesh); !done) return done;
         if (report == nullptr) return {};
-        return fill("report", WeftObjReport{0, noticed.ignored_lines, noticed.triangulated_faces}, report);
+        return fill("report",
+                    WeftObjReport{0, noticed.ignored_lines, noticed.triangulated_faces,
+                                  noticed.crossing_faces, noticed.touching_faces},
+                    report);
     });
 }
 

@@ -17,4 +17,7 @@ inline constexpr std::size_t most_triangles_at_particle = 1024;
 /// particles weigh 1e-19 kg, whose inverse a float holds with room for its square.
 inline constexpr double least_area = 1e-14;
 
+/// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
+inline constexpr double least_relative_height = 1e-6;
+
 }  // namespace weft

@@ -19,9 +19,6 @@ namespace weft {
 
 namespace {
 
-/// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
-constexpr double least_relative_height = 1e-6;
-
 template <std::integral Integer>
 std::string text(Integer value) {
     return std::to_string(value);

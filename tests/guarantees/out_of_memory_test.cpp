@@ -413,6 +413,14 @@ TEST(OutOfMemoryWithoutAWorld, ObjFilesAreAnswered) {
     EXPECT_TRUE(load_obj(file)) << "the last one was written whole";
 }
 
+TEST(OutOfMemoryWithoutAWorld, ConcaveFacesAreAnswered) {
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / "weft_out_of_memory_concave.obj";
+    std::ofstream(file) << "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 2 0\nv 3 2 0\nv 3 3 0\nv 0 3 0\n"
+                           "f 2 3 4 5 6 7 8 1\n";
+    expect_an_answer([&] { return without_value(load_obj(file)); });
+}
+
 TEST(OutOfMemoryWithoutAWorld, DrawnMeshesAreAnswered) {
     const Scene scene;
     const ClothView& cloth = *scene.world.cloth(scene.cloth);

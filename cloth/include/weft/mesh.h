@@ -61,6 +61,12 @@ struct SheetSettings {
 struct ObjReport {
     std::uint32_t ignored_lines = 0;       ///< of kinds that a mesh does not need: normals, groups, `vv`, `t`
     std::uint32_t triangulated_faces = 0;  ///< faces of more than three corners, cut into triangles
+    /// Faces of these whose outline crosses itself, as a bow tie's does. No cut is right: their triangles
+    /// overlap or are turned over. Cut them where the mesh was made.
+    std::uint32_t crossing_faces = 0;
+    /// Faces whose outline comes to one position twice, as that of a face with a hole does, which an edge
+    /// there and back joins to the outline. They are cut right unless they count as crossing, too.
+    std::uint32_t touching_faces = 0;
 };
 
 struct ObjOptions {
@@ -71,10 +77,12 @@ struct ObjOptions {
 
 /// Reads a Wavefront OBJ file. Vertex i is the file's `v` line i, used or not; where corners give one
 /// position several texture coordinates (seams), vertices for these follow after all of the file's own, in
-/// order of use. Faces of up to 64 corners are cut into fans, larger ones by halving, again and again, so
-/// that no corner gets many triangles. Errors name the file and the line: a missing or unreadable file, a
-/// line cut short, a coordinate that is not a finite number, an index out of range, no faces. `report` may be
-/// null.
+/// order of use. A face of n corners becomes n - 2 triangles, which face as it does and cover it once: a fan
+/// about its first corner, or halves of halves beyond 64 corners, so that no corner gets many; where the
+/// outline is so concave that one of these would be turned over, the face is cut by ears. Holes and outlines
+/// that cross themselves are counted: see ObjReport. Errors name the file and the line: a missing or
+/// unreadable file, a line cut short, a coordinate that is not a finite number, an index out of range, no
+/// faces. `report` may be null.
 ///
 /// The file is read in a stream. Limits: 8 GiB, 2^20 characters a line, 2^26 `v` lines, 2^27 `vt` lines and
 /// triangles.

@@ -144,7 +144,8 @@ Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, 
     if (!read) return unreadable(name);
     Result<ObjContent>& content = *read;
     if (!content) return content.error();
-    const ObjReport noticed{content->ignored_lines, content->triangulated_faces};
+    const ObjReport noticed{content->ignored_lines, content->triangulated_faces, content->crossing_faces,
+                            content->touching_faces};
     Mesh mesh = build_mesh(*std::move(content), options.texcoords_are_pattern);
     if (report != nullptr) *report = noticed;
     return mesh;

@@ -10,9 +10,11 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 #include "cloth/mesh/mesh_limits.h"
 #include "cloth/mesh/obj/obj_lines.h"
+#include "cloth/mesh/obj/triangulate.h"
 #include "cloth/mesh/obj/words.h"
 
 namespace weft {
@@ -20,9 +22,6 @@ namespace weft {
 namespace {
 
 using Corner = ObjContent::Corner;
-
-/// A face of more corners is not cut into a fan, whose first corner would get all of its triangles.
-constexpr std::size_t most_corners_of_fan = 64;
 
 std::string quoted(std::string_view token) {
     constexpr std::size_t longest = 40;
@@ -74,18 +73,11 @@ std::uint32_t to_corner_index(std::int64_t from_zero) {
     return static_cast<std::uint32_t>(std::min<std::int64_t>(from_zero, Corner::none));
 }
 
-void append_fan(std::span<const Corner> face, std::vector<std::array<Corner, 3>>& triangles) {
-    for (std::size_t i = 2; i < face.size(); ++i) triangles.push_back({face[0], face[i - 1], face[i]});
-}
-
-/// Cuts the triangle between the first corner, the middle one and the last, and goes on with what is left on
-/// both its sides: no corner gets more than two triangles for each halving.
-void append_halves(std::span<const Corner> face, std::vector<std::array<Corner, 3>>& triangles) {
-    if (face.size() < 3) return;
-    const std::size_t middle = face.size() / 2;
-    triangles.push_back({face.front(), face[middle], face.back()});
-    append_halves(face.first(middle + 1), triangles);
-    append_halves(face.subspan(middle), triangles);
+/// The outline comes to one position twice. Reorders its corners.
+bool touches_itself(std::span<Vec3> outline) {
+    const auto place = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
+    std::ranges::sort(outline, {}, place);
+    return std::ranges::adjacent_find(outline, {}, place) != outline.end();
 }
 
 /// Indices may point forward. Of those that do, each that is the largest so far is kept with its line: the
@@ -160,10 +152,16 @@ class Parser {
                                                         ": no faces (lines that start with \"f\") among " +
                                                         std::to_string(content_.positions.size()) +
                                                         " vertices; a cloth needs at least one"};
+        cut_larger_faces();
         return std::move(content_);
     }
 
   private:
+    /// A face of more than three corners.
+    struct LargerFace {
+        std::size_t first_triangle, corners;
+    };
+
     Result<void> take_line() {
         std::string_view rest = lines_.text();
         const std::string_view keyword = take_word(rest);
@@ -219,12 +217,36 @@ class Parser {
         if (content_.triangles.size() + face_.size() - 2 > most_triangles)
             return lines_.error("there are more than " + std::to_string(most_triangles) +
                                 " triangles; a mesh may have so many");
-        if (face_.size() <= most_corners_of_fan)
-            append_fan(face_, content_.triangles);
-        else
-            append_halves(face_, content_.triangles);
-        content_.triangulated_faces += face_.size() > 3;
+        append_face();
         return {};
+    }
+
+    /// Positions may follow. Until all are there, the triangles of a larger face hold its corners, one after
+    /// the other: there are three times n - 2 places for n.
+    void append_face() {
+        const std::size_t first = content_.triangles.size();
+        content_.triangles.resize(first + face_.size() - 2);
+        for (std::size_t i = 0; i < face_.size(); ++i) content_.triangles[first + i / 3][i % 3] = face_[i];
+        if (face_.size() > 3) larger_faces_.push_back({first, face_.size()});
+    }
+
+    /// Precondition: all indices are in range.
+    void cut_larger_faces() {
+        std::vector<Vec3> outline;
+        std::vector<Triangle> cut;
+        for (const LargerFace& larger : larger_faces_) {
+            face_.clear(), outline.clear();
+            for (std::size_t i = 0; i < larger.corners; ++i) {
+                face_.push_back(content_.triangles[larger.first_triangle + i / 3][i % 3]);
+                outline.push_back(content_.positions[face_.back().position]);
+            }
+            content_.crossing_faces += !triangulate(outline, cut);
+            content_.touching_faces += touches_itself(outline);
+            for (std::size_t t = 0; t < cut.size(); ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    content_.triangles[larger.first_triangle + t][k] = face_[cut[t][k]];
+        }
+        content_.triangulated_faces = static_cast<std::uint32_t>(larger_faces_.size());
     }
 
     /// "v", "v/vt", "v//vn" or "v/vt/vn". Normals are not kept, so theirs need only be an index.
@@ -277,6 +299,7 @@ class Parser {
     Elements vertices_{"v", "vertex", most_vertices};
     Elements texcoords_{"vt", "texture coordinate", most_triangles};
     std::vector<Corner> face_;  // of the present line
+    std::vector<LargerFace> larger_faces_;
 };
 
 }  // namespace

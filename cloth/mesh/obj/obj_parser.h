@@ -23,10 +23,10 @@ struct ObjContent {
     std::vector<Vec3> positions;
     std::vector<Vec2> texcoords;
     std::vector<std::array<Corner, 3>> triangles;
-    std::uint32_t triangulated_faces = 0;
-    std::uint32_t ignored_lines =
-        0;                       ///< of other kinds than v, vt and f; blank lines and comments not counted
-    bool has_texcoords = false;  ///< on any corner
+    /// Lines of other kinds than v, vt and f; blank lines and comments are not counted.
+    std::uint32_t ignored_lines = 0;
+    std::uint32_t triangulated_faces = 0, crossing_faces = 0, touching_faces = 0;  ///< see ObjReport
+    bool has_texcoords = false;                                                    ///< on any corner
 };
 
 /// Error, by line: a coordinate that is no finite number, too few of them, a face of fewer than three

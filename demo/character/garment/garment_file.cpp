@@ -125,9 +125,13 @@ Result<void> check_size(const std::filesystem::path& file, const Mesh& mesh) {
     return {};
 }
 
-Result<Mesh> read_mesh(const std::filesystem::path& file) {
-    auto mesh = load_obj(file);
+Result<Mesh> read_mesh(const std::filesystem::path& file, Garment& garment) {
+    ObjReport report;
+    auto mesh = load_obj(file, {}, &report);
     if (!mesh) return mesh;
+    if (report.crossing_faces > 0)
+        garment.notes.push_back(file.string() + ": faces whose outlines cross themselves: " +
+                                std::to_string(report.crossing_faces) + "; their triangles overlap");
     mesh->pattern = mesh->texcoords;
     drop_unfit_pattern(*mesh);
     return mesh;
@@ -157,7 +161,7 @@ Result<void> hold_by_materials(const std::filesystem::path& file, const Material
 
 Result<Garment> read_garment(const std::filesystem::path& file) {
     Garment garment;
-    auto mesh = read_mesh(file);
+    auto mesh = read_mesh(file, garment);
     if (!mesh) return mesh.error();
     garment.mesh = std::move(*mesh);
     if (auto fits = check_size(file, garment.mesh); !fits) return fits.error();

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "cloth/mesh/cook.h"
+#include "engine/vector.h"
 #include "tests/cloth/meshes.h"
 #include "weft/mesh.h"
 #include "weft/world.h"
@@ -75,6 +76,76 @@ TEST_F(ObjFile, CutsFacesIntoFansAndCountsThem) {
               (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 1, 2}, {0, 2, 4}, {0, 4, 3}}));
     EXPECT_EQ(report.triangulated_faces, 2u);
     EXPECT_EQ(report.ignored_lines, 0u);
+}
+
+double area_of(const Mesh& mesh) {
+    double sum = 0;
+    for (const auto [a, b, c] : mesh.triangles) {
+        const Vector3 p = to_vector(mesh.positions[a]);
+        const Vector3 u = to_vector(mesh.positions[b]) - p, v = to_vector(mesh.positions[c]) - p;
+        sum += 0.5 * static_cast<double>(u.cross(v).norm());
+    }
+    return sum;
+}
+
+constexpr const char* letter_c = "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 2 0\nv 3 2 0\nv 3 3 0\nv 0 3 0\n";
+
+TEST_F(ObjFile, ConcaveFacesKeepTheirAreaAndTheirSide) {
+    for (const char* face : {"f 2 3 4 5 6 7 8 1\n", "f 1 2 3 4 5 6 7 8\n", "f 8 7 6 5 4 3 2 1\n"}) {
+        for (const std::string& text : {std::string(letter_c) + face, face + std::string(letter_c)}) {
+            ObjReport report;
+            const Mesh mesh = test::must(load(text, {}, &report));
+            EXPECT_EQ(mesh.triangles.size(), 6u);
+            EXPECT_NEAR(area_of(mesh), 7, 1e-6) << text;
+            EXPECT_EQ(report.triangulated_faces, 1u);
+            EXPECT_EQ(report.crossing_faces, 0u);
+            EXPECT_EQ(report.touching_faces, 0u);
+            for (const auto [a, b, c] : mesh.triangles) {
+                const Vector3 p = to_vector(mesh.positions[a]);
+                const Vector3 u = to_vector(mesh.positions[b]) - p, v = to_vector(mesh.positions[c]) - p;
+                EXPECT_EQ(u.cross(v).z() > 0, face[2] != '8');
+            }
+        }
+    }
+}
+
+TEST_F(ObjFile, CornersOfConcaveFacesKeepTheirTextureCoordinates) {
+    std::string text = letter_c, face = "f";
+    for (int i = 1; i <= 8; ++i) {
+        text.append("vt ").append(std::to_string(i)).append(" 5\n");
+        face.append(" ").append(std::to_string(i)).append("/").append(std::to_string(9 - i));
+    }
+    const Mesh mesh = test::must(load(text + face + "\n"));
+    ASSERT_EQ(mesh.positions.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(mesh.texcoords[i].x, static_cast<float>(8 - i));
+}
+
+TEST_F(ObjFile, FacesWithHolesAreCutAndCounted) {
+    ObjReport report;
+    const std::string frame = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n";
+    const Mesh mesh = test::must(load(frame + "f 1 2 3 4 1 5 6 7 8 5\nf 1 2 3\nf 1 2 3 4\n", {}, &report));
+    EXPECT_EQ(mesh.triangles.size(), 8u + 1 + 2);
+    EXPECT_NEAR(area_of(mesh), 8 + 4.5 + 9, 1e-5);
+    EXPECT_EQ(report.triangulated_faces, 2u);
+    EXPECT_EQ(report.touching_faces, 1u);
+    EXPECT_EQ(report.crossing_faces, 0u);
+
+    World world = test::must(World::create({.threads = 1}));
+    const Mesh alone = test::must(load(frame + "f 1 2 3 4 1 5 6 7 8 5\n"));
+    const ClothInfo info = test::must(world.cloth_info(test::must(world.add_cloth(alone))));
+    EXPECT_EQ(info.particles, 8u);
+    EXPECT_EQ(info.border_edges, 8u);
+    EXPECT_EQ(info.dropped_triangles, 0u);
+}
+
+TEST_F(ObjFile, OutlinesThatCrossThemselvesAreCounted) {
+    ObjReport report;
+    const Mesh mesh =
+        test::must(load(std::string(square) + "f 1 3 2 4\nf 1 2 3 4\nf 4 2 3 1\n", {}, &report));
+    EXPECT_EQ(mesh.triangles.size(), 6u);
+    EXPECT_EQ(report.triangulated_faces, 3u);
+    EXPECT_EQ(report.crossing_faces, 2u);
+    EXPECT_EQ(report.touching_faces, 0u);
 }
 
 TEST_F(ObjFile, ToleratesAndCountsLinesOfOtherKinds) {

@@ -257,6 +257,33 @@ TEST(Crossings, SignsOfVolumesAreExact) {
     }
 }
 
+TEST(Crossings, SignsOfAreasAreExact) {
+    std::mt19937 random(11);
+    for (int k = 0; k < 2000; ++k) {
+        std::array<std::array<long long, 3>, 4> x;  // a, b, c and the normal
+        for (auto& p : x)
+            for (long long& coordinate : p) coordinate = static_cast<int>(random() % 2001) - 1000;
+        if (k % 2 == 0)  // on one line, as seen along the normal
+            for (std::size_t i = 0; i < 3; ++i) x[2][i] = 3 * x[1][i] - 2 * x[0][i] + (k % 4) / 2 * x[3][i];
+        if (k % 3 == 0) ++x[2][std::size_t(k / 3 % 3)];
+        const auto edge = [&](std::size_t p, std::size_t i) { return x[p][i] - x[0][i]; };
+        long long area = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+            area += x[3][i] * (edge(1, j) * edge(2, l) - edge(1, l) * edge(2, j));
+        }
+        const int sign = area > 0 ? 1 : area < 0 ? -1 : 0;
+        for (const float scale : {1.0f, 0x1p-60f, 0x1p+50f, 0x1p-140f}) {
+            std::array<Vec3, 4> p;
+            for (std::size_t i = 0; i < 4; ++i)
+                p[i] = {scale * float(x[i][0]), scale * float(x[i][1]), scale * float(x[i][2])};
+            ASSERT_EQ(area_sign(p[0], p[1], p[2], p[3]), sign) << k << " " << scale;
+            ASSERT_EQ(area_sign(p[2], p[0], p[1], p[3]), sign) << k << " " << scale;
+            ASSERT_EQ(area_sign(p[1], p[0], p[2], p[3]), -sign) << k << " " << scale;
+        }
+    }
+}
+
 TEST(Crossings, SignsOfVolumesAreExactWhereDoubleRoundsDifferences) {
     const float far = 0x1p+40f;
     const Vec4 a = {0, 0, 0, 0}, b = {far, far, 0, 0}, c = {0, far, far, 0};  // plane x - y + z = 0

@@ -58,6 +58,18 @@ TEST(GarmentFile, GoesOnWithoutItsMaterialsFile) {
     ASSERT_EQ(read_garment(none.path())->notes.size(), 1u);
 }
 
+TEST(GarmentFile, NotesOutlinesThatCrossThemselves) {
+    const TemporaryFile materials("whole.mtl", "newmtl Top\nnewmtl SilkFree\n");
+    const std::string text =
+        strip("mtllib " + materials.path().filename().string() + "\n", "usemtl Top\n", "usemtl SilkFree\n") +
+        "v 0 0.6 0\nv 0.2 0.6 0\nv 0.2 0.4 0\nv 0 0.4 0\n";
+    EXPECT_TRUE(read_garment(TemporaryFile("square.obj", text + "f -4 -3 -2 -1\n").path())->notes.empty());
+    const auto crossing = read_garment(TemporaryFile("bow_tie.obj", text + "f -4 -2 -3 -1\n").path());
+    ASSERT_TRUE(crossing.ok());
+    ASSERT_EQ(crossing->notes.size(), 1u);
+    EXPECT_NE(crossing->notes[0].find("cross themselves: 1;"), std::string::npos);
+}
+
 TEST(GarmentFile, FacesBeforeTheFirstMaterialAreFixed) {
     const TemporaryFile file("first.obj", strip("", "", "usemtl SkirtFree\n"));
     EXPECT_EQ(read_garment(file.path())->fixed, (std::vector<std::uint32_t>{0, 1}));

@@ -4,6 +4,7 @@
 #include "host.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -101,8 +102,25 @@ static void files(const WeftMesh* mesh, const char* folder) {
         fclose(text);
         TAKES(weft_mesh_load_obj(file, 1, &report, &loaded));
         CHECK(report.ignored_lines == 2 && report.triangulated_faces == 1);
+        CHECK(report.crossing_faces == 0 && report.touching_faces == 0);
         TAKES(weft_mesh_view(loaded, &view));
         CHECK(view.pattern.count == 4 && view.triangles.count == 2);
+        weft_mesh_destroy(loaded);
+    }
+    {
+        /* A host that was built against the report's first version. */
+        FILE* const text = fopen(file, "w");
+        CHECK(text != NULL);
+        fputs("v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 3 2 4\n", text);
+        fclose(text);
+        report.struct_size = offsetof(WeftObjReport, crossing_faces);
+        report.crossing_faces = 77;
+        TAKES(weft_mesh_load_obj(file, 0, &report, &loaded));
+        CHECK(report.triangulated_faces == 1 && report.crossing_faces == 77);
+        weft_mesh_destroy(loaded);
+        report.struct_size = sizeof report;
+        TAKES(weft_mesh_load_obj(file, 0, &report, &loaded));
+        CHECK(report.crossing_faces == 1 && report.touching_faces == 0);
         weft_mesh_destroy(loaded);
     }
     REFUSES(WEFT_FILE_NOT_FOUND, "nothing.obj", weft_mesh_load_obj("nothing.obj", 0, NULL, &loaded));

@@ -77,7 +77,8 @@ bool read_obj(Random& random, const std::filesystem::path& folder) {
     static const std::string text =
         "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 1 0\nv 1 1 0 0 1 0\nv 0 1 0.5 0 0 1\nv 0 2 0 1 1 1\n"
         "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nusemtl aFree\nf 1/1/1 2/2/1 3/3/1\nf 1//1 3//1 4//1\n"
-        "f -2 -1 -3\nf 1 2 3 4 5\n# end\n";
+        "f -2 -1 -3\nf 1 2 3 4 5\nv 0.5 0.9 0\nv 0.4 0.5 0\nv 0.6 0.5 0\nf 1 2 3 6 4\nf 1 3 2 4\n"
+        "f 1 2 3 4 1 7 6 8 7\nf 3 6 8 6 7 2 2 5 1 4 8\n# end\n";
     const auto file = folder / "damaged.obj";
     write_file(file, mutated_text(random, text));
     ObjReport report;

@@ -66,6 +66,7 @@ typedef struct WeftCookReport {
 typedef struct WeftObjReport {
     uint32_t struct_size;
     uint32_t ignored_lines, triangulated_faces;
+    uint32_t crossing_faces, touching_faces;
 } WeftObjReport;
 
 typedef struct WeftShapeInfo {

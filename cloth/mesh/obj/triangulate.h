@@ -1,0 +1,25 @@
+#pragma once
+// Faces of many corners, cut into triangles.
+
+#include <span>
+#include <vector>
+
+#include "weft/mesh.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// Fills `triangles` with the n - 2 triangles that a face with this outline is cut into, by numbers of its
+/// corners. They turn as the outline does, and cover the face once, as seen along its normal (Newell's:
+/// Sutherland, Sproull, Schumacker 1974). Faces of up to 64 corners are cut into fans about their first
+/// corner, larger ones by halving; where such a cut would turn a triangle over, by ears (Meisters 1975,
+/// "Polygons have ears"), the smallest circumscribed circle first. Outlines that touch themselves, as one
+/// with a hole does that an edge there and back joins to it, get triangles without area where there is
+/// nothing between them.
+///
+/// False: the outline crosses itself, so that no cut is right. The triangles are the fan's, or the halving's.
+///
+/// Precondition: the outline has at least three corners, all finite.
+[[nodiscard]] bool triangulate(std::span<const Vec3> outline, std::vector<Triangle>& triangles);
+
+}  // namespace weft
