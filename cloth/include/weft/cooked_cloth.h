@@ -70,10 +70,10 @@ struct CookReport {
         DropReason why;
         friend bool operator==(const Dropped&, const Dropped&) = default;
     };
-    /// A sliver whose springs would be stiffer than 50 times the membrane and pull at random, for rounding: a
-    /// cap lower than a tenth of its longest side, a needle lower than a hundredth. `left` is the least part
-    /// of its stiffness that is left, above 0 and below 1, across the longest side; along it, all is. A
-    /// finite element has the same part, or more, in all directions.
+    /// A sliver, a triangle lower than 1/10 of its longest side, that no flip made sound. Its springs would
+    /// be over five times as stiff as the membrane, and pull at random, for rounding. `left` is the part of
+    /// its stiffness that is left, above 0 and below 1, across the longest side; along it, all is. A finite
+    /// element has the same part, or more, in all directions.
     struct Softened {
         std::uint32_t triangle;
         float left;

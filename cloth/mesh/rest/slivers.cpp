@@ -20,7 +20,7 @@ double area_of(const std::array<Eigen::Vector2d, 3>& sides) {
 }
 
 double greatest_stiffness(double height) {
-    return greatest_side_stiffness * std::sqrt(std::min(1.0, height / least_resolved_height));
+    return greatest_side_stiffness * std::min(1.0, height / least_resolved_height);
 }
 
 }  // namespace

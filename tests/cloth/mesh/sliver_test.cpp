@@ -145,10 +145,9 @@ const std::vector<Kind>& kinds() {
 }
 
 std::vector<ClothSettings> models() {
-    std::vector<ClothSettings> models(4);
+    std::vector<ClothSettings> models(3);
     models[1].finite_elements.enabled = true;
-    models[2].finite_elements = {.enabled = true, .dihedral = true};
-    models[3].method = Jacobi{};
+    models[2].method = Jacobi{};
     return models;
 }
 
