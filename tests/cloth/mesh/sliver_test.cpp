@@ -298,6 +298,32 @@ TEST(Sliver, IsFlippedWithoutChangingTheSurface) {
     }
 }
 
+// Needles rest nearer to one another than contact lets features come.
+TEST(Sliver, FallsInContactWithoutBeingDrawnOut) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        std::mt19937 random(seed);
+        Mesh mesh = sound_sheet(0.5f, false, random);
+        for (int fan = 0; fan < 4; ++fan) {
+            const Triangle& corners = mesh.triangles[any_triangle(mesh, random) % 128];
+            const std::uint32_t a = corners[0];
+            std::uint32_t b = corners[1];
+            float there = 1;
+            for (int k = 8; k > 0; --k) {
+                const float part = 1e-3f * static_cast<float>(k);
+                b = divide(mesh, a, b, part / std::exchange(there, part));
+            }
+        }
+        ClothSettings settings;
+        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        World world = World::create({.threads = 1}).value();
+        (void)test::must(world.add_cloth(mesh, settings));
+        float beyond = 0;
+        for (int i = 1; i <= 120; ++i)
+            beyond = std::max(beyond, world.step(1.0f / 60).peak_speed - 9.81f * static_cast<float>(i) / 60);
+        EXPECT_LT(beyond, 0.03f) << seed;
+    }
+}
+
 TEST(Sliver, CutAlongTheEdgeThatWasFlippedParts) {
     for (const float height : {1e-2f, 0.0f}) {
         const Mesh mesh = square_with_sliver(height, 1);
