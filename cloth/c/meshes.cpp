@@ -179,6 +179,8 @@ WeftResult weft_cooked_cloth_report(const WeftCookedCloth* cooked, WeftCookRepor
         all.welded = list<WeftWelded>(std::span(of.welded), &all.welded_count);
         all.dropped = list<WeftDropped>(std::span(of.dropped), &all.dropped_count);
         all.turned = list<uint32_t>(std::span(of.turned), &all.turned_count);
+        all.flipped = list<uint32_t>(std::span(of.flipped), &all.flipped_count);
+        all.softened = list<WeftSoftened>(std::span(of.softened), &all.softened_count);
         all.loose = list<uint32_t>(std::span(of.loose), &all.loose_count);
         return fill("report", all, report);
     });

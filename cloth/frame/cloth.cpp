@@ -23,6 +23,14 @@ std::vector<std::uint32_t> particles_of(std::span<const Pin> pins) {
 // rounding crosses them.
 constexpr float floor_per_radius = 2e-3f / 0.3f;
 
+/// The floor of a cloth with slivers is half of their height, but no less than a fiftieth of what it would
+/// be. Features that rest nearer than the floor may part and never come back: that would draw slivers out,
+/// step by step, and throw the cloth about.
+float floor_of(const ContactMesh& mesh, float radius) {
+    const float floor = floor_per_radius * radius;
+    return std::clamp(0.5f * mesh.least_height(), 0.02f * floor, floor);
+}
+
 float distance_of(const ClothModel& model, const SelfCollision& of) {
     const float part = of.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
     return of.distance > 0 ? of.distance : part * model.info.mean_edge;
@@ -273,7 +281,7 @@ ContactCloth Cloth::as_body() const {
     return {.mesh = contact_mesh.get(),
             .near_at_rest = rest_neighbours->filter(),
             .radius = radius,
-            .floor = floor_per_radius * radius,
+            .floor = contact_mesh ? floor_of(*contact_mesh, radius) : floor_per_radius * radius,
             .friction = settings.self_collision.friction,
             .layer = settings.self_collision.layers,
             .mask = settings.self_collision.mask,

@@ -9,6 +9,7 @@
 
 #include "cloth/mesh/ordering.h"
 #include "cloth/mesh/rest/linear_bending.h"
+#include "cloth/mesh/rest/slivers.h"
 #include "cloth/mesh/topology.h"
 #include "engine/state_hash.h"
 
@@ -243,6 +244,7 @@ ClothInfo make_info(const Mesh& mesh, const Topology& topology) {
     info.border_edges = topology.border_edges;
     info.dropped_triangles = static_cast<std::uint32_t>(topology.dropped.size());
     info.turned_triangles = static_cast<std::uint32_t>(topology.turned.size());
+    info.flipped_triangles = static_cast<std::uint32_t>(topology.flipped.size());
     info.misoriented_edges = topology.misoriented_edges;
     info.loose_particles = topology.loose_particles;
     return info;
@@ -250,7 +252,12 @@ ClothInfo make_info(const Mesh& mesh, const Topology& topology) {
 
 /// Before particles are renumbered.
 CookReport make_report(const Topology& topology) {
-    CookReport report{.welded = {}, .dropped = topology.dropped, .turned = topology.turned, .loose = {}};
+    CookReport report{.welded = {},
+                      .dropped = topology.dropped,
+                      .turned = topology.turned,
+                      .flipped = topology.flipped,
+                      .softened = {},
+                      .loose = {}};
     std::vector<bool> has_triangle(topology.particle_count());
     for (const Triangle& triangle : topology.triangles)
         for (const std::uint32_t particle : triangle) has_triangle[particle] = true;
@@ -261,6 +268,15 @@ CookReport make_report(const Topology& topology) {
         if (!has_triangle[particle]) report.loose.push_back(vertex);
     }
     return report;
+}
+
+/// Slivers that stayed, see stiffness_left().
+std::vector<CookReport::Softened> softened_triangles(const ClothModel& cloth, const Topology& topology) {
+    std::vector<CookReport::Softened> softened;
+    for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
+        if (const double left = stiffness_left(rest_sides(cloth, t)); left < 1)
+            softened.push_back({topology.sources[t], static_cast<float>(left)});
+    return softened;
 }
 
 bool is_grid(const Mesh& mesh) {
@@ -365,6 +381,9 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     cloth.component_particles = SharedBuffer<std::uint32_t>(topology.component_particles);
     cloth.vertex_to_particle = SharedBuffer<std::uint32_t>(topology.vertex_to_particle);
     store_texcoords(mesh, topology, cloth);
+    const std::vector<CookReport::Softened> softened = softened_triangles(cloth, topology);
+    cloth.info.softened_triangles = static_cast<std::uint32_t>(softened.size());
+    if (report != nullptr) report->softened = softened;
     progress.reach(Progress::stored);
     const std::vector<BendingElement> bending = linear_bending(cloth);
     cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());

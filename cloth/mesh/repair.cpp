@@ -17,23 +17,6 @@ namespace weft {
 
 namespace {
 
-std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = triangles[t][corner];
-            const std::uint32_t to = triangles[t][(corner + 1) % 3];
-            const std::uint32_t opposite = triangles[t][(corner + 2) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), t, opposite});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
-    return sides;
-}
-
 /// Whether all triangles can stay: no edge has more than two of them, no two are of the same particles, and
 /// no particle has too many.
 bool are_simple(std::span<const Side> sides, std::span<const std::uint32_t> counts) {
@@ -114,11 +97,6 @@ std::vector<std::array<std::uint32_t, 3>> edges_of_triangles(const Topology& top
         for (const std::uint32_t t : topology.edges[e].triangles)
             if (t != Edge::none) *std::ranges::find(edges[t], none) = e;
     return edges;
-}
-
-std::uint32_t count_misoriented(const Topology& topology) {
-    return static_cast<std::uint32_t>(std::ranges::count_if(
-        topology.edges, [&](const Edge& edge) { return is_misoriented(topology, edge); }));
 }
 
 /// An edge of one triangle, by where it lies. `lower` and `higher` are its vertices at these places.
@@ -248,7 +226,23 @@ std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh) {
     return numbers;
 }
 
-/// The sides of an edge that begin at `begin`.
+std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t from = triangles[t][corner];
+            const std::uint32_t to = triangles[t][(corner + 1) % 3];
+            const std::uint32_t opposite = triangles[t][(corner + 2) % 3];
+            sides.push_back({std::min(from, to), std::max(from, to), t, opposite});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    });
+    return sides;
+}
+
 std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin) {
     std::size_t end = begin + 1;
     while (end < sides.size() && sides[end].low == sides[begin].low && sides[end].high == sides[begin].high)
@@ -268,6 +262,11 @@ std::vector<Side> leave_out_crowding(Topology& topology) {
     if (are_simple(sides, triangle_counts(topology))) return sides;
     keep_what_finds_room(sides, topology);
     return sides_by_edge(topology.triangles);
+}
+
+std::uint32_t count_misoriented(const Topology& topology) {
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        topology.edges, [&](const Edge& edge) { return is_misoriented(topology, edge); }));
 }
 
 void turn_alike(const Mesh& mesh, Topology& topology) {

@@ -17,6 +17,8 @@ struct Side {
     std::uint32_t opposite;
 };
 
+/// The sides of all triangles, ascending by edges and in these by triangles.
+[[nodiscard]] std::vector<Side> sides_by_edge(std::span<const Triangle> triangles);
 /// The sides of the edge of sides[begin], which follow one another.
 [[nodiscard]] std::span<const Side> sides_of_edge(std::span<const Side> sides, std::size_t begin);
 /// How many triangles each particle has.
@@ -33,6 +35,9 @@ struct Side {
 /// Takes triangle by triangle, as the mesh has them, each only if it finds room. Returns the sides of those
 /// that stay, by edges and in these by triangles: two at most of an edge.
 std::vector<Side> leave_out_crowding(Topology& topology);
+
+/// Edges whose two triangles are wound against each other.
+[[nodiscard]] std::uint32_t count_misoriented(const Topology& topology);
 
 /// Turns the smaller part of each connected piece whose parts are wound against each other; a piece that no
 /// turning makes alike stays, and its misoriented edges are counted. Needs the edges.

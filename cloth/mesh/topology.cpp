@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "cloth/mesh/coordinates.h"
+#include "cloth/mesh/flip_slivers.h"
 #include "cloth/mesh/mesh_limits.h"
 #include "cloth/mesh/repair.h"
 #include "engine/error_text.h"
@@ -136,17 +137,9 @@ std::vector<std::uint32_t> particles_of(const Mesh& mesh) {
     return numbers;
 }
 
-bool has_area(const Mesh& mesh, const Triangle& vertices) {
-    const Eigen::Vector3d a = rest_point(mesh, vertices[0]);
-    const Eigen::Vector3d b = rest_point(mesh, vertices[1]);
-    const Eigen::Vector3d c = rest_point(mesh, vertices[2]);
-    const double longest_squared =
-        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    const double area = rest_area(mesh, vertices);
-    return 2 * area > least_relative_height * longest_squared && area >= least_area;
-}
-
-void build_edges(std::span<const Side> sides, Topology& topology) {
+void store_edges(std::span<const Side> sides, Topology& topology) {
+    topology.edges.clear();
+    topology.border_edges = 0;
     topology.edges.reserve(sides.size() / 2);
     for (std::size_t begin = 0; begin < sides.size();) {
         const std::span<const Side> same = sides_of_edge(sides, begin);
@@ -201,6 +194,10 @@ std::vector<std::uint32_t> component_roots(const Topology& topology) {
 
 }  // namespace
 
+void build_edges(Topology& topology) {
+    store_edges(sides_by_edge(topology.triangles), topology);
+}
+
 void build_components(Topology& topology) {
     topology.component_offsets.clear();
     const std::vector<std::uint32_t> roots = component_roots(topology);
@@ -230,6 +227,16 @@ Eigen::Vector3d rest_point(const Mesh& mesh, std::uint32_t vertex) {
 double rest_area(const Mesh& mesh, const Triangle& vertices) {
     const Eigen::Vector3d a = rest_point(mesh, vertices[0]);
     return 0.5 * (rest_point(mesh, vertices[1]) - a).cross(rest_point(mesh, vertices[2]) - a).norm();
+}
+
+bool has_area(const Mesh& mesh, const Triangle& vertices) {
+    const Eigen::Vector3d a = rest_point(mesh, vertices[0]);
+    const Eigen::Vector3d b = rest_point(mesh, vertices[1]);
+    const Eigen::Vector3d c = rest_point(mesh, vertices[2]);
+    const double longest_squared =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double area = rest_area(mesh, vertices);
+    return 2 * area > least_relative_height * longest_squared && area >= least_area;
 }
 
 std::vector<std::uint32_t> weld(std::span<const Vec3> positions) {
@@ -275,8 +282,9 @@ Result<Topology> build_topology(const Mesh& mesh) {
         return invalid_mesh(
             "all " + text(mesh.triangles.size()) + " triangles of the mesh have no area in its " +
             (mesh.pattern.empty() ? "positions" : "pattern") + "; a cloth needs at least one that has");
-    build_edges(leave_out_crowding(topology), topology);
+    store_edges(leave_out_crowding(topology), topology);
     turn_alike(mesh, topology);
+    if (mesh.rows == 0) flip_slivers(mesh, topology);
     build_components(topology);
     topology.loose_particles = static_cast<std::uint32_t>(std::ranges::count(triangle_counts(topology), 0u));
     return topology;

@@ -1,7 +1,7 @@
 #pragma once
 // From the vertices and faces of a mesh to particles, triangles, edges and components. The only measure taken
 // is the rest area of a face: those without are left out, and where two sides are wound against each other
-// the smaller one is turned.
+// the smaller one is turned; slivers are flipped away.
 
 #include <array>
 #include <cstdint>
@@ -42,7 +42,14 @@ struct Topology {
 
     std::vector<std::uint32_t> sources;  ///< of each triangle: its number in the mesh
     std::vector<CookReport::Dropped> dropped;
-    std::vector<std::uint32_t> turned;  ///< by their numbers in the mesh
+    std::vector<std::uint32_t> turned;   ///< by their numbers in the mesh
+    std::vector<std::uint32_t> flipped;  ///< by their numbers in the mesh, see flip_slivers()
+    /// An edge that was flipped away: its ends, and the sliver's apex, which lies beside it.
+    struct Replaced {
+        std::array<std::uint32_t, 2> particles;  ///< ascending
+        std::uint32_t apex;
+    };
+    std::vector<Replaced> replaced;  ///< in the order of the flips
     std::uint32_t misoriented_edges = 0;
     std::uint32_t border_edges = 0;
     std::uint32_t loose_particles = 0;
@@ -52,8 +59,15 @@ struct Topology {
     }
 };
 
-/// Leaves out and turns triangles as CookReport says. Error: see check_mesh; or no triangle that has an area.
+/// Leaves out, turns and flips triangles as CookReport says. Error: see check_mesh; or no triangle that has
+/// an area.
 [[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
+
+/// Finds the edges of the present triangles. Precondition: no edge has more than two.
+void build_edges(Topology& topology);
+
+/// Whether a triangle of vertices is neither lower nor smaller than what counts as none.
+[[nodiscard]] bool has_area(const Mesh& mesh, const Triangle& vertices);
 
 /// Finds the components of the present edges and particles.
 void build_components(Topology& topology);

@@ -285,6 +285,8 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("border_edges", a.border_edges, b.border_edges);
     way("dropped_triangles", a.dropped_triangles, b.dropped_triangles);
     way("turned_triangles", a.turned_triangles, b.turned_triangles);
+    way("flipped_triangles", a.flipped_triangles, b.flipped_triangles);
+    way("softened_triangles", a.softened_triangles, b.softened_triangles);
     way("misoriented_edges", a.misoriented_edges, b.misoriented_edges);
     way("loose_particles", a.loose_particles, b.loose_particles);
     way("mean_edge", a.mean_edge, b.mean_edge);

@@ -43,6 +43,9 @@ void log_repairs(const ClothInfo& info) noexcept {
     tell(LogLevel::note, info.welded_vertices, "vertices were welded");
     tell(LogLevel::warning, info.dropped_triangles, "triangles were left out");
     tell(LogLevel::warning, info.turned_triangles, "triangles were turned");
+    tell(LogLevel::note, info.flipped_triangles, "triangles were flipped, since slivers were among them");
+    tell(LogLevel::warning, info.softened_triangles,
+         "triangles are slivers, and less stiff than the fabric: see CookReport::softened");
     tell(LogLevel::warning, info.misoriented_edges, "edges have triangles that are wound against each other");
     tell(LogLevel::warning, info.loose_particles, "particles are of no triangle");
 }

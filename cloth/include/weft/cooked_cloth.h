@@ -22,12 +22,14 @@ struct ClothInfo {
     std::uint32_t triangles = 0;
     std::uint32_t components = 0;
     std::uint32_t structural_springs = 0, shear_springs = 0;
-    std::uint32_t bending_elements = 0;   ///< threads' triples and cells of a sheet; shared edges of a mesh
-    std::uint32_t border_edges = 0;       ///< edges of one triangle
-    std::uint32_t dropped_triangles = 0;  ///< warning: left out, see DropReason
-    std::uint32_t turned_triangles = 0;   ///< warning: wound the other way than their neighbours, and turned
-    std::uint32_t misoriented_edges = 0;  ///< warning: shared edges whose two triangles stay wound against
-                                          ///< each other, as on a Moebius strip
+    std::uint32_t bending_elements = 0;    ///< threads' triples and cells of a sheet; shared edges of a mesh
+    std::uint32_t border_edges = 0;        ///< edges of one triangle
+    std::uint32_t dropped_triangles = 0;   ///< warning: left out, see DropReason
+    std::uint32_t turned_triangles = 0;    ///< warning: wound the other way than their neighbours, and turned
+    std::uint32_t flipped_triangles = 0;   ///< slivers, and their neighbours, that have other corners
+    std::uint32_t softened_triangles = 0;  ///< warning: slivers that are less stiff than the fabric
+    std::uint32_t misoriented_edges = 0;   ///< warning: shared edges whose two triangles stay wound against
+                                           ///< each other, as on a Moebius strip
     std::uint32_t loose_particles =
         0;                ///< warning: particles of no triangle; they have no mass and stay where they are
     float mean_edge = 0;  ///< mean rest length of structural springs [m]
@@ -50,7 +52,7 @@ struct ClothInfo {
 
 /// Why a triangle is left out. Triangles are taken in the mesh's order, each if it has none of these.
 enum class DropReason : std::uint32_t {
-    no_area,         ///< lower than a millionth of its longest side, or smaller than 1e-14 m^2
+    no_area,         ///< lower than a millionth of its longest side, or smaller than 1e-14 m^2; see flipped
     doubled,         ///< of the same three vertices, once welded, as an earlier one
     crowded_edge,    ///< a third one at an edge, which bends between two
     crowded_vertex,  ///< another one at a vertex that has 1024
@@ -68,11 +70,26 @@ struct CookReport {
         DropReason why;
         friend bool operator==(const Dropped&, const Dropped&) = default;
     };
+    /// A sliver, a triangle lower than 1/10 of its longest side, that no flip made sound. Its springs would
+    /// be over five times as stiff as the membrane, and pull at random, for rounding. `left` is the part of
+    /// its stiffness that is left, above 0 and below 1, across the longest side; along it, all is. A finite
+    /// element has the same part, or more, in all directions.
+    struct Softened {
+        std::uint32_t triangle;
+        float left;
+        friend bool operator==(const Softened&, const Softened&) = default;
+    };
     std::vector<Welded> welded;
     std::vector<Dropped> dropped;
     /// Triangles that are now wound the other way. Of triangles that edges join, those turn that have less
     /// area than those that stay; of equal areas those stay that the first one agrees with.
     std::vector<std::uint32_t> turned;
+    /// Triangles that have other corners than the mesh's. Between a sliver, even one without area, and its
+    /// neighbour across the longest side the edge runs the other way, where that makes both sounder: so a
+    /// T-junction that a sliver closes stays closed. The surface moves by less than the sliver's height. Not
+    /// across seams, and not in grids.
+    std::vector<std::uint32_t> flipped;
+    std::vector<Softened> softened;    ///< slivers that no flip makes sound, as at borders
     std::vector<std::uint32_t> loose;  ///< vertices of no triangle that is left
 
     friend bool operator==(const CookReport&, const CookReport&) = default;

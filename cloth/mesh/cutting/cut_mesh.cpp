@@ -1,6 +1,7 @@
 // The mesh once edges of it have parted.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -44,6 +45,19 @@ class Fans {
     std::vector<std::uint32_t> parents_;
 };
 
+/// Marks the edge of two particles, or the two sides of the sliver that it was flipped away from. False:
+/// there is no such edge.
+bool mark(const Topology& topology, std::uint32_t a, std::uint32_t b, std::vector<std::uint8_t>& marks) {
+    if (const Edge* const edge = find_edge(topology, a, b)) {
+        marks[static_cast<std::size_t>(edge - topology.edges.data())] = 1;
+        return true;
+    }
+    const std::array ends{std::min(a, b), std::max(a, b)};
+    const auto flip = std::ranges::find(topology.replaced, ends, &Topology::Replaced::particles);
+    return flip != topology.replaced.end() && mark(topology, a, flip->apex, marks) &&
+           mark(topology, flip->apex, b, marks);
+}
+
 /// Which edges of the topology these are. Error: one that it does not have.
 Result<std::vector<std::uint8_t>> marked(const Topology& topology, std::span<const MeshEdge> edges) {
     std::vector<std::uint8_t> marks(topology.edges.size());
@@ -54,13 +68,10 @@ Result<std::vector<std::uint8_t>> marked(const Topology& topology, std::span<con
                              "edge " + std::to_string(k) + " ends at vertex " + std::to_string(vertex) +
                                  "; the mesh has " + std::to_string(topology.vertex_to_particle.size())};
         const auto [a, b] = edges[k];
-        const Edge* const edge =
-            find_edge(topology, topology.vertex_to_particle[a], topology.vertex_to_particle[b]);
-        if (edge == nullptr)
+        if (!mark(topology, topology.vertex_to_particle[a], topology.vertex_to_particle[b], marks))
             return Error{ErrorCode::invalid_argument,
                          "edge " + std::to_string(k) + " is from vertex " + std::to_string(a) +
                              " to vertex " + std::to_string(b) + ", between which the mesh has none"};
-        marks[static_cast<std::size_t>(edge - topology.edges.data())] = 1;
     }
     return marks;
 }

@@ -131,8 +131,8 @@ double sliver_factor(const RestSides& sides) {
     const Eigen::Vector2d to1 = sides.to1.cast<double>(), to2 = sides.to2.cast<double>();
     const double twice_area = std::abs(to1.x() * to2.y() - to1.y() * to2.x());
     const double longest = std::max({to1.squaredNorm(), to2.squaredNorm(), (to2 - to1).squaredNorm()});
-    if (!(twice_area < least_sound_height * longest)) return 1;
-    const double part = twice_area / (least_sound_height * longest);
+    if (!(twice_area < least_bending_height * longest)) return 1;
+    const double part = twice_area / (least_bending_height * longest);
     return part * part * part;
 }
 

@@ -20,14 +20,12 @@ struct RestSides {
 /// the rows of a grid, or upwards in a general mesh, where triangles that lie flat take +X for it.
 [[nodiscard]] RestSides rest_sides(const ClothModel& model, std::uint32_t triangle);
 
-/// Least height of a triangle over its longest side that keeps its full stiffness. Free fall of a square with
-/// a sliver across it gains speed from 1/700 on, and its sides strain by 1 % from 1/70 on.
-constexpr double least_sound_height = 0.02;
+/// Least height of a triangle over its longest side that bends as stiffly as the fabric.
+constexpr double least_bending_height = 0.02;
 
-/// Factor of a triangle's stiffness, from 0 to 1: 1 for a sound triangle, and the cube of its height over
-/// that of a sound one for a sliver. A membrane in extensions of the sides has stiffness in proportion to the
-/// inverse cube of that height, bending to the inverse square, while mass hardly depends on it. The factor
-/// bounds both by those of a triangle of the least sound height; the triangles around it keep their own.
+/// Factor of a triangle's bending, from 0 to 1: 1 for a sound triangle, and the cube of its height over that
+/// of a sound one for a sliver. Between two needles bending is stiff by the inverse cube of that height, while
+/// mass hardly depends on it.
 [[nodiscard]] double sliver_factor(const RestSides& sides);
 
 /// Two triangles about their shared edge: (0, 1, 2) and (1, 0, 3), in the order in which the first is wound.

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "cloth/mesh/rest/rest_elements.h"
+#include "cloth/mesh/rest/slivers.h"
 
 namespace weft {
 
@@ -21,16 +22,32 @@ double bound_of(const Eigen::Matrix3d& c) {
 
 struct RestStrains {
     std::array<double, 3> lengths;  // of the sides [m]
-    double softened_area;           // times sliver_factor: what energies are multiplied by [m^2]
+    double area;                    // [m^2]
     Eigen::Matrix3d strains;        // M^-1: xx, yy and xy, the engineers' shear, by extensions of the sides
 };
+
+/// Strains xx, yy and xy, the engineers' shear, in axes whose first runs along a unit vector.
+Eigen::Matrix3d strains_along(const Eigen::Vector2d& axis) {
+    const double c = axis.x(), s = axis.y();
+    Eigen::Matrix3d turn;
+    turn << c * c, s * s, c * s,  //
+        s * s, c * c, -c * s,     //
+        -2 * c * s, 2 * c * s, c * c - s * s;
+    return turn;
+}
+
+/// What a sliver's strains are multiplied by, in the pattern's axes; see softened_strains().
+Eigen::Matrix3d softening(const SideStrains& strains) {
+    const Eigen::Vector2d back(strains.along.x(), -strains.along.y());
+    return strains_along(back) * softened_strains(strains).asDiagonal() * strains_along(strains.along);
+}
 
 RestStrains rest_strains(const ClothModel& model, std::uint32_t triangle) {
     const RestSides rest = rest_sides(model, triangle);
     const Eigen::Vector2d to1 = rest.to1.cast<double>(), to2 = rest.to2.cast<double>();
     const std::array<Eigen::Vector2d, 3> sides{to1, to2 - to1, -to2};
     RestStrains result;
-    result.softened_area = sliver_factor(rest) * (std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2);
+    result.area = std::abs(to1.x() * to2.y() - to1.y() * to2.x()) / 2;
     Eigen::Matrix3d extensions;
     for (std::size_t k = 0; k < 3; ++k) {
         const double length = result.lengths[k] = sides[k].norm();
@@ -39,6 +56,9 @@ RestStrains rest_strains(const ClothModel& model, std::uint32_t triangle) {
             length * e.x() * e.y();
     }
     result.strains = extensions.inverse();
+    const SideStrains strains = side_strains(rest);
+    if (softened_strains(strains).minCoeff() < 1)
+        result.strains = softening(strains) * result.strains;
     return result;
 }
 
@@ -52,8 +72,7 @@ TriangleMembrane triangle_membrane(const ClothModel& model, std::uint32_t triang
         stiffness_at(model, model.triangles[triangle]) * Eigen::Vector3d(static_cast<double>(fabric.warp),
                                                                          static_cast<double>(fabric.weft),
                                                                          static_cast<double>(fabric.shear));
-    const Eigen::Matrix3d c =
-        rest.softened_area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
+    const Eigen::Matrix3d c = rest.area * rest.strains.transpose() * moduli.asDiagonal() * rest.strains;
     const double scale = std::max(1.0, least_bound * bound_of(c));
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t m = 0; m < 3; ++m)
@@ -70,8 +89,8 @@ TriangleStiffening triangle_stiffening(const ClothModel& model, std::uint32_t tr
     const double stiffening =
         static_cast<double>(fabric.stiffening) * stiffness_at(model, model.triangles[triangle]);
     TriangleStiffening result;
-    result.moduli = {rest.softened_area * stiffening * static_cast<double>(fabric.warp),
-                     rest.softened_area * stiffening * static_cast<double>(fabric.weft)};
+    result.moduli = {rest.area * stiffening * static_cast<double>(fabric.warp),
+                     rest.area * stiffening * static_cast<double>(fabric.weft)};
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t k = 0; k < 3; ++k)
             result.strains[axis][k] =

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "cloth/mesh/rest/rest_elements.h"
+#include "cloth/mesh/rest/slivers.h"
 #include "cloth/mesh/rest/stiffness_map.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -96,7 +97,7 @@ TriangleElements::TriangleElements(const ClothModel& model)
         const float values[] = {
             gradients(0, 0), gradients(0, 1), gradients(1, 0), gradients(1, 1),
             0.5f * std::abs(shape.determinant()) *
-                static_cast<float>(stiffness_at(model, model.triangles[t]) * sliver_factor(sides))};
+                static_cast<float>(stiffness_at(model, model.triangles[t]) * element_stiffness_left(sides))};
         for (std::size_t k = 0; k < 5; ++k) rest[k][t] = values[k];
     }
 }

@@ -6,6 +6,7 @@
 
 #include "collision/contact/pairs/surface_order.h"
 #include "collision/search/patches.h"
+#include "engine/vector.h"
 
 namespace weft {
 
@@ -31,6 +32,17 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles) {
     edges.erase(spare.begin(), spare.end());
     edges.shrink_to_fit();
     return edges;
+}
+
+/// The least height of these triangles [m].
+float least_height_of(std::span<const Vec4> at, std::span<const Triangle> triangles) {
+    float least = std::numeric_limits<float>::max();
+    for (const auto& [i, j, k] : triangles) {
+        const Vector3 a = xyz(at[i]), b = xyz(at[j]), c = xyz(at[k]);
+        const float longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        least = std::min(least, longest > 0 ? (b - a).cross(c - a).norm() / longest : 0.0f);
+    }
+    return least;
 }
 
 /// The particles that triangles have.
@@ -111,6 +123,7 @@ ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const T
 
     std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), triangles_);
     const std::vector<Vec4> places = finite(rest_positions);
+    least_height_ = least_height_of(places, triangles_);
     order_in_patches(vertices, places);
     share_out(rest_positions, vertices);
     if (flat_rest_.has_all_triangles()) return;

@@ -58,6 +58,8 @@ class ContactMesh {
         const std::uint32_t begin = corner_starts_[particle];
         return std::span(corner_triangles_).subspan(begin, corner_starts_[particle + 1] - begin);
     }
+    /// The least height of a triangle at rest [m]: features of slivers are as near as that for ever.
+    [[nodiscard]] float least_height() const noexcept { return least_height_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// Every vertex of a triangle, every triangle and every edge belongs to one patch. Patches that follow
@@ -76,6 +78,7 @@ class ContactMesh {
     void find_corners();
 
     std::uint32_t particles_;
+    float least_height_ = 0;
     std::vector<Triangle> triangles_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> corner_starts_, corner_triangles_;  // of particles

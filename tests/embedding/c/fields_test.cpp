@@ -318,6 +318,7 @@ SAME_PLACE(WeftTransform, Transform, rotation);
 SAME_PLACE(WeftBounds, Bounds, upper);
 SAME_PLACE(WeftWelded, CookReport::Welded, into);
 SAME_PLACE(WeftDropped, CookReport::Dropped, why);
+SAME_PLACE(WeftSoftened, CookReport::Softened, left);
 
 }  // namespace
 }  // namespace weft::c

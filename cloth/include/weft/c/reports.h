@@ -40,6 +40,7 @@ typedef struct WeftClothInfo {
     uint32_t dropped_triangles, turned_triangles, misoriented_edges, loose_particles;
     float mean_edge, mass, least_bending;
     uint64_t bytes, shared_bytes;
+    uint32_t flipped_triangles, softened_triangles;
 } WeftClothInfo;
 
 // weft/cooked_cloth.h: CookReport. Valid as long as the cooked cloth is there.
@@ -51,6 +52,10 @@ typedef struct WeftDropped {
     uint32_t triangle;
     uint32_t why;  // WEFT_DROP_...
 } WeftDropped;
+typedef struct WeftSoftened {
+    uint32_t triangle;
+    float left;
+} WeftSoftened;
 typedef struct WeftCookReport {
     uint32_t struct_size;
     const WeftWelded* welded;
@@ -61,6 +66,10 @@ typedef struct WeftCookReport {
     size_t turned_count;
     const uint32_t* loose;
     size_t loose_count;
+    const uint32_t* flipped;
+    size_t flipped_count;
+    const WeftSoftened* softened;
+    size_t softened_count;
 } WeftCookReport;
 
 typedef struct WeftObjReport {
