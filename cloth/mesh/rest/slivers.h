@@ -16,8 +16,8 @@ namespace weft {
 
 /// Greatest stiffness that a sliver's springs or element may have, times the membrane's modulus: that of a
 /// needle of 1 : 10. With 50 needles of 1 : 1000 lag by .1 m/s where cloth starts to fall, and of 60 random
-/// worlds 20 gain kinetic energy where contact cuts the needles' motion, for 10; sheets hang as far either
-/// way.
+/// worlds 20 gain kinetic energy where contact cuts the needles' motion, for 10; but sheets with fans of
+/// needles hang .6 % lower than sound ones, for 3.6 %.
 constexpr double greatest_side_stiffness = 5;
 
 /// Height over longest side from which on no triangle counts as a sliver: there needles have that stiffness.
