@@ -146,7 +146,9 @@ TEST(ClothOnCloth, ACrowdGivesTheSameBytesOnAnyThreadsAndWhenItIsPutBack) {
         World world = crowd(contact, zones, 1), on_threads = crowd(contact, zones, 3);
         std::vector<std::byte> saved(world.save_size());
         for (int k = 0; k < 12; ++k) {
-            if (k == 6) ASSERT_TRUE(world.save(saved));
+            if (k == 6) {
+                ASSERT_TRUE(world.save(saved));
+            }
             world.step(h);
             on_threads.step(h);
             EXPECT_TRUE(has(world.report().flags, StepFlags::contacts_dropped));
