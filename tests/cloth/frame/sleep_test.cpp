@@ -516,6 +516,7 @@ TEST(Enabled, LooksForWhatWentIntoItMeanwhile) {
     World world = make_world();
     const ClothId off = add_sheet(world, 0.3f, that_meets());
     ASSERT_TRUE(world.pin(off, corners));
+    run(world, 5);
     ASSERT_TRUE(world.set_enabled(off, false));
     const Mesh slope = make_sheet({.rows = side,
                                    .columns = side,
