@@ -16,11 +16,11 @@ enum class FullList : std::uint8_t {
     is_empty,       ///< no pair: the search ends as soon as it knows
 };
 
-/// A crowd of n particles has n^2 pairs. A search for more pairs than there is room for takes no longer than
-/// one for as many as there is room for, on any number of threads: each block looks on only while the list
-/// has room behind the pairs that were found so far and go before its own. When a block learns that the list
-/// is full depends on threads. What is listed does not: a block ends only where every further pair of its own
-/// is certain to be left out.
+/// A crowd of n particles has n^2 pairs. A search for more pairs than there is room for counts at most as
+/// many of each kind as there is room for: each block looks on only while the list has room behind the pairs
+/// that were found so far and go before its own. When a block learns that the list is full depends on
+/// threads. The list does not: a block ends only where every further pair of its own is certain to be left
+/// out.
 class ListFill {
   public:
     /// Reallocates where there are more blocks than ever before. May throw.

@@ -41,8 +41,8 @@ class PairFinder {
     /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
     /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
     ///
-    /// Where there are more pairs than room, the list holds what `full` says, and the search takes no longer
-    /// than one for as many pairs as there is room for.
+    /// Where there are more pairs than room, the list holds what `full` says, and the search counts at most
+    /// as many of each kind as there is room for.
     ///
     /// Precondition: the bodies' meshes are among those of the last reserve(), or of has_room_for() since.
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
