@@ -9,8 +9,10 @@ namespace weft {
 
 namespace {
 
-/// Radii, with the thickness, in edges of a cloth at rest: see Thinness.
-constexpr float if_fast = 2, if_moved = 1.1f, slips_through = 0.55f, is_held_in = 0.4f;
+/// Radii, with the thickness, in edges of a cloth at rest: see Thinness. A rod slips between two rows of
+/// particles, a ball between the corners of a triangle.
+constexpr float if_fast = 2, if_moved = 1.1f, rod_slips_through = 0.55f, ball_slips_through = 0.8f,
+                is_held_in = 0.4f;
 /// Of the thickness, that a collider moves at least in a step, or it stands still.
 constexpr float moved = 0.02f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
@@ -45,6 +47,13 @@ float thinnest(const Box&) {  // at its edges
 }
 float thinnest(const HeldInstance& instance) {
     return instance.shape.is_edged() ? 0 : std::numeric_limits<float>::infinity();
+}
+
+template <class Shape>
+bool is_ball(const Shape& shape) {
+    if constexpr (std::is_same_v<Shape, Capsule> || std::is_same_v<Shape, TaperedCapsule>)
+        return to_vector(shape.a) == to_vector(shape.b);
+    return false;
 }
 
 }  // namespace

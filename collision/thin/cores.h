@@ -31,8 +31,8 @@ struct Core {
 enum class Thinness : std::uint8_t {
     thick,         ///< particles meet it; also what has jumped
     thin_if_fast,  ///< slips between particles that its speed draws apart: thinner than two edges
-    thin,          ///< slips between them, but they let it out again: thinner than an edge and a tenth while
-                   ///< the host moves it, else than half an edge and a twentieth
+    thin,          ///< slips between them, but they let it out again: thinner than 1.1 edges while the host
+                   ///< moves it, else rods than .55 and balls than .8
     thinnest       ///< does not come out between them: thinner than two fifths; moving boxes and hulls
 };
 [[nodiscard]] Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge);

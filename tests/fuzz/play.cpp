@@ -357,7 +357,8 @@ Player::Answered Player::make(const Operation&, const Restore& call) {
 namespace {
 
 bool meets_cloth(const ClothSettings& settings) {
-    return settings.self_collision.enabled && settings.self_collision.method == SelfCollisionMethod::contact;
+    return settings.self_collision.enabled &&
+           settings.self_collision.method != SelfCollisionMethod::avoidance;
 }
 
 bool overlap(const Reached& a, const Reached& b) {
@@ -437,7 +438,7 @@ void play_all_ways(const Script& script) {
     compare(expected, again(1), none, "with one thread");
     compare(expected, again(2), none, "with two threads");
     if (script.seed % 3 == 0) check_recording(script.seed, recorded);
-    const std::size_t without = script.seed % script.cloths;
+    const std::size_t without = script.mistreated.value_or(script.seed % script.cloths);
     const bool has_bodies = std::ranges::any_of(script.operations, [](const Operation& operation) {
         return std::holds_alternative<AddBody>(operation.call);
     });

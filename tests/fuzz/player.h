@@ -141,8 +141,11 @@ class Player {
         for (std::size_t i = 0; i < cloths_.size(); ++i) {
             all.push_back(0);
             if (!is_there(i)) continue;
+            all.back() = 1;
             const ClothView view = world_.cloth(*cloths_[i]).value();
-            all.back() = fingerprint(view.velocities, fingerprint(view.positions, 1));
+            for (const std::span<const Vec4> buffer :
+                 {view.positions, view.velocities, view.previous_positions, view.normals})
+                all.back() = fingerprint(buffer, all.back());
         }
         return all;
     }

@@ -53,7 +53,13 @@ class Author {
 
     Script write() {
         add_cloth();
-        while (script_.operations.size() < operations) add_operation();
+        if (is_apart_ && random_.chance(0.6)) add_mistreated_cloth();
+        while (script_.operations.size() < operations) {
+            if (script_.mistreated && random_.chance(0.25))
+                mistreat();
+            else
+                add_operation();
+        }
         script_.cloths = cloths_.size();
         return std::move(script_);
     }
@@ -61,6 +67,9 @@ class Author {
   private:
     void add_operation();
     void add_cloth();
+    void add_mistreated_cloth();
+    void mistreat();
+    void squeeze(const Vec3& place);
     void measure_cloth();
     void remove_cloth();
     void recut();
@@ -248,6 +257,79 @@ void Author::put_apart(Mesh& mesh) const {
     for (const Vec3& p : mesh.positions)
         if (!(std::abs(p.x) < farthest)) return;
     for (Vec3& p : mesh.positions) p.x += apart * static_cast<float>(cloths_.size());
+}
+
+void Author::add_mistreated_cloth() {
+    Mesh mesh = make_sheet({.rows = 9, .columns = 9, .u = {0.4f, 0, 0}, .v = {0, 0, 0.4f}}).value();
+    put_apart(mesh);
+    ClothSettings settings;
+    settings.self_collision.enabled = true;
+    settings.self_collision.method =
+        random_.one_of({SelfCollisionMethod::contact, SelfCollisionMethod::impact_zones});
+    settings.self_collision.distance = random_.one_of({0.0f, 0.05f});
+    script_.mistreated = cloths_.size();
+    cloths_.push_back({mesh, settings, false, {}});
+    add(AddCloth{std::move(mesh), settings}, Answer::accepted, *script_.mistreated);
+}
+
+/// Its pins bring it to one place, where no list has room for what is near, or far apart, or nowhere; it is
+/// let go; it is squeezed; its settings change.
+void Author::mistreat() {
+    const std::size_t chosen = *script_.mistreated;
+    PlannedCloth& cloth = cloths_[chosen];
+    const auto count = static_cast<std::uint32_t>(cloth.mesh.positions.size());
+    const Vec3 place = cloth.mesh.positions.front();
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    const auto move_all = [&](const auto& target_of) {
+        MovePins call{all, {}};
+        for (const std::uint32_t v : all) call.targets.push_back(target_of(v));
+        cloth.pinned = all;
+        add(Pin{all}, Answer::accepted, chosen);
+        add(std::move(call), Answer::either, chosen);
+        step();
+    };
+    switch (random_.below(6)) {
+        case 0:
+            return move_all([&](std::uint32_t v) {
+                const auto way = [&](std::uint32_t k) { return 1e-4f * static_cast<float>(v * k % 97); };
+                return Vec3{place.x + way(5), place.y + way(7), place.z + way(11)};
+            });
+        case 1:
+            return move_all([&](std::uint32_t v) {
+                const float farther = random_.of_any_size(0.01f, 100);
+                return Vec3{place.x, place.y + (v % 2 == 0 ? farther : -farther), place.z};
+            });
+        case 2: {
+            MovePins nowhere{all, std::vector<Vec3>(count, place)};
+            nowhere.targets[random_.below(count)].z = std::numeric_limits<float>::quiet_NaN();
+            return add(std::move(nowhere), Answer::refused, chosen);
+        }
+        case 3:
+            return squeeze(place);
+        case 4: {
+            const Drawn<ClothSettings> settings =
+                random_cloth_settings(random_, passes_left(count, work() - cloth.work()));
+            if (settings.answer != Answer::refused) cloth.settings = settings.value;
+            return add(SetClothSettings{settings.value},
+                       settings.answer == Answer::refused ? Answer::refused : Answer::either, chosen);
+        }
+        default:
+            cloth.pinned.clear();
+            add(Unpin{all}, Answer::accepted, chosen);
+            return step();
+    }
+}
+
+/// Between two spheres that overlap by more than it is thick.
+void Author::squeeze(const Vec3& place) {
+    if (colliders_.size() > 10) return;
+    for (const float side : {-1.0f, 1.0f}) {
+        const Collider collider{.shape = Sphere{{place.x + 0.2f, place.y + 0.95f * side, place.z + 0.2f}, 1}};
+        colliders_.push_back({collider, false});
+        add(AddCollider{collider});
+    }
+    step();
 }
 
 void Author::measure_cloth() {

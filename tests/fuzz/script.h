@@ -3,6 +3,7 @@
 // made again with other threads or without one of the cloths.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -143,6 +144,8 @@ struct Script {
     WorldSettings world;
     std::vector<Operation> operations;
     std::size_t cloths = 0;  ///< added in the course of it
+    /// A cloth far from the others that is crushed, torn and given bad values: no other may feel it.
+    std::optional<std::size_t> mistreated = {};
 };
 
 [[nodiscard]] Script random_script(std::uint64_t seed);

@@ -48,7 +48,7 @@ struct FeatureCounts {
     float lost = 0;                ///< part of the motion that truncation took
     TangleCounts tangles = {};     ///< what crossed at the start
     bool overflowed = false;       ///< there was no room for all pairs: nothing moved but in common
-    std::uint64_t unresolved = 0;  ///< by zones: pairs that still collide, or that there was no room for
+    std::uint64_t unresolved = 0;  ///< by zones: pairs that still collide; one more where the list was full
     bool crossed = false;          ///< see crosses_anew()
 };
 
@@ -131,6 +131,7 @@ class FeatureContact {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    void find_near(Parallel& parallel);
     void make_laws(Parallel& parallel);
     void find_tangles(Parallel& parallel);
     bool part_touching(Parallel& parallel);
@@ -142,7 +143,7 @@ class FeatureContact {
         float of_borders = 1;  ///< see PairFinder::find
     };
     void set_reach(float ContactCloth::*of_cloth);
-    void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach);
+    void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach, FullList full);
     void find_for_cut(Parallel& parallel);
     /// For as much of the way as there is room for pairs. Returns by how much pins are kept from their places
     /// at most.
@@ -175,6 +176,8 @@ class FeatureContact {
     PairList pairs_;
     bool has_all_near_ = false;    // pairs_ has all within the radius, over the motions in searched_
     bool can_look_again_ = false;  // at what the finder kept of that search
+    /// The first cloth's mesh of the bodies that filled the list last, without any motion. Changes no result.
+    const ContactMesh* crowded_ = nullptr;
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;

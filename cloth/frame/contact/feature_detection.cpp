@@ -14,32 +14,47 @@ void FeatureContact::set_reach(float ContactCloth::*of_cloth) {
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*of_cloth;
 }
 
-void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach) {
+void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach,
+                          FullList full) {
     set_reach(reach.of_cloth);
-    finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders);
+    finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders, full);
 }
 
 // No more than the rigid motion is taken out: a common motion that brings layers together, which keeps them
 // from meeting but not from coming within the radius, would hide them until they are too near. A turn brings
 // nothing nearer, and a garment that turns has ten times as many pairs with it.
 void FeatureContact::detect(Parallel& parallel) {
-    const auto search = [&] {
+    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
+    find_near(parallel);
+    if (part_touching(parallel)) find_near(parallel);
+    if (may_cross_) find_tangles(parallel);
+    make_laws(parallel);
+}
+
+// Where too much comes near on the way, the list has what is near now. In a crowd that alone is too much, and
+// so it mostly is again in the next substep. What is near now is near on the way, too: of a crowd that is
+// searched first, and there the list is the same.
+void FeatureContact::find_near(Parallel& parallel) {
+    const auto search = [&](FullList full) {
         set_reach(&ContactCloth::radius);
         const bool is_kept = finder_.find_to_look_again(parallel, bodies_, start_.span(), searched_.span(),
-                                                        pairs_, of_borders);
+                                                        pairs_, of_borders, full);
         has_all_near_ = !pairs_.overflowed;
         can_look_again_ = is_kept && has_all_near_;
     };
-    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
-    std::ranges::copy(settler_.relative(), searched_.data());
-    search();
-    if (pairs_.overflowed) {
+    const auto search_standing = [&] {
         std::ranges::fill(searched_.span(), Vec4{});
-        search();
-    }  // what is near now, where too much would come near on the way
-    if (part_touching(parallel)) search();
-    if (may_cross_) find_tangles(parallel);
-    make_laws(parallel);
+        search(FullList::has_the_first);
+        crowded_ = pairs_.overflowed ? cloths_.front().mesh : nullptr;
+    };
+    const auto is_finite = [](const Vec4& motion) { return xyz(motion).allFinite(); };
+    if (crowded_ == cloths_.front().mesh && std::ranges::all_of(settler_.relative(), is_finite)) {
+        search_standing();
+        if (pairs_.overflowed) return;
+    }
+    std::ranges::copy(settler_.relative(), searched_.data());
+    search(FullList::is_empty);
+    if (pairs_.overflowed) search_standing();
 }
 
 /// Surfaces at exactly one place begin the substep a hair apart instead. Returns whether any did.
@@ -52,7 +67,7 @@ bool FeatureContact::part_touching(Parallel& parallel) {
     for (int k = 0; k < most_layers; ++k) {
         if (!weft::part_touching(bodies_, pairs_, hair * floor, start_.span(), base_.span())) break;
         any = true;
-        find(parallel, {}, {&ContactCloth::floor});
+        find(parallel, {}, {&ContactCloth::floor}, FullList::has_the_first);
     }
     may_cross_ |= any;  // a mesh may be folded into itself
     return any;
@@ -97,7 +112,8 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
             return;
         }
     }
-    if (!can_look_again_) return find(parallel, settler_.relative(), {&ContactCloth::floor});
+    if (!can_look_again_)
+        return find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     set_reach(&ContactCloth::floor);
     finder_.find_again(parallel, bodies_, start_.span(), settler_.relative(), searched_.span(), pairs_);
 }
@@ -145,7 +161,7 @@ FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pus
     for (const ParticleRange& range : ranges_)
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::none);
-    find(parallel, settler_.relative(), {&ContactCloth::floor});
+    find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     return counts_of(parallel, cut_listed(parallel, is_pushed));
 }
 

@@ -25,7 +25,7 @@ bool FeatureContact::uses_zones() const {
 /// All that the motion can bring near. A turn brings nothing nearer, and is left out.
 void FeatureContact::find_for_zones(Parallel& parallel) {
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
-    find(parallel, settler_.relative(), {&ContactCloth::radius, of_borders});
+    find(parallel, settler_.relative(), {&ContactCloth::radius, of_borders}, FullList::has_the_first);
 }
 
 /// Of what was found, pairs that the motion brings too near, but for what is near at rest.
@@ -61,7 +61,7 @@ FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
     for (int search = 0; search < searches && !counts.overflowed; ++search) {
         find_for_zones(parallel);
         counts.overflowed = pairs_.overflowed;
-        counts.unresolved = pairs_.dropped;
+        counts.unresolved = pairs_.overflowed ? 1 : 0;
         colliding = find_colliding_pairs();
         if (search == 0) counts.pairs = static_cast<std::uint32_t>(colliding.size());
         if (colliding.empty()) break;

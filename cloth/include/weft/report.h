@@ -77,9 +77,10 @@ struct StepReport {
     /// state that was given so has any, or one that was put back. They are let apart, which may take a
     /// second, and are more for a while on the way. Hooked folds can stay.
     std::uint32_t crossings = 0;
-    /// By impact zones: pairs of features that still collide after all rounds of the last substep, and those
-    /// that the list had no room for. Pairs of edges are dropped first, then those of a vertex and a
-    /// triangle, of late vertices before early ones.
+    /// By impact zones: pairs of features that still collide after all rounds of the last substep. One more
+    /// where the list had no room for all (StepFlags::contacts_dropped): those left out are not counted.
+    /// Pairs of edges are left out first, then those of a vertex and a triangle, of late vertices before
+    /// early ones.
     std::uint32_t unresolved_pairs = 0;
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]

@@ -12,10 +12,6 @@ constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
 constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
 constexpr std::uint32_t kept_crossings = 64;
 
-/// Blocks that are searched before what they found is counted: a crowd of n particles has n^2 pairs, and a
-/// search for more of them than there is room for is to be as short as one that has room for all.
-constexpr std::uint32_t blocks_at_a_time = 64;
-
 AlignedBuffer<Boxes> no_boxes(std::size_t count) {
     AlignedBuffer<Boxes> boxes(count);
     for (Boxes& group : boxes.span())
@@ -53,6 +49,7 @@ PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
     }
     is_calm_.resize(blocks_.size());
     block_pairs_.resize(blocks_.size());
+    fill_.reserve(blocks_.size());
     block_crossings_.resize(blocks_.size());
     return groups;
 }
@@ -91,8 +88,8 @@ bool PairFinder::has_room_for(std::span<const ContactBody> bodies) {
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                      float of_borders) {
-    find_all(parallel, bodies, positions, motions, found, of_borders, false);
+                      float of_borders, FullList full) {
+    find_all(parallel, bodies, positions, motions, found, of_borders, false, full);
 }
 
 bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
@@ -103,15 +100,15 @@ bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
 
 bool PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
                                     std::span<const Vec4> positions, std::span<const Vec4> motions,
-                                    PairList& found, float of_borders) {
+                                    PairList& found, float of_borders, FullList full) {
     const bool keeps = can_keep(bodies);
-    find_all(parallel, bodies, positions, motions, found, of_borders, keeps);
+    find_all(parallel, bodies, positions, motions, found, of_borders, keeps, full);
     return keeps;
 }
 
 void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodies,
                           std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                          float of_borders, bool keeps) {
+                          float of_borders, bool keeps, FullList full) {
     choose(bodies);
     if (keeps) {
         kept_reach_.clear();
@@ -119,7 +116,7 @@ void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodie
     }
     const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
     place(parallel, search);
-    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
+    list(parallel, positions.data(), found, full, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
         KeptBlock* const kept = keeps && is_first ? &kept_[block] : nullptr;
         if (kept != nullptr) kept->clear();
         if (is_calm_[block] == 0) find_pairs(search, block, pairs, kept);
@@ -151,37 +148,37 @@ void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bod
         search.only = beyond_.data();
         place(parallel, search);
     }
-    list(parallel, positions.data(), found, [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
-        find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
-    });
+    list(parallel, positions.data(), found, FullList::is_empty,
+         [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
+             find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
+         });
 }
 
 template <class FindBlock>
-void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found,
+void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
                       const FindBlock& find_block) {
-    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()), find_block);
+    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()), full, find_block);
     number(found);
+    if (found.overflowed && full == FullList::is_empty) {
+        found.size = found.vertex_triangle = 0;
+        return;
+    }
     parallel.blocks(static_cast<std::uint32_t>(blocks_.size()),
                     [&](std::uint32_t block) { write(positions, block, found, find_block); });
 }
 
 template <class FindBlock>
-void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block) {
+void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, FullList full,
+                             const FindBlock& find_block) {
     const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-    std::ranges::fill(block_pairs_, BlockPairs{});
-    std::uint64_t count = 0;
-    for (std::uint32_t first = 0; first < blocks && count <= capacity; first += blocks_at_a_time) {
-        const std::uint32_t here = std::min(blocks_at_a_time, blocks - first);
-        parallel.blocks(here, [&](std::uint32_t k) {
-            const std::uint32_t block = first + k;
-            FoundPairs pairs = room_of(block);
-            pairs.vertex_triangle.enough = pairs.edge_edge.enough = capacity + 1;
-            find_block(block, pairs, true);
-            block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
-        });
-        for (const BlockPairs& block : std::span(block_pairs_).subspan(first, here))
-            count += block.vertex_triangle + block.edge_edge;
-    }
+    fill_.begin(blocks, capacity, full);
+    parallel.blocks(blocks, [&](std::uint32_t block) {
+        FoundPairs pairs = room_of(block);
+        pairs.fill = &fill_;
+        pairs.block = block;
+        find_block(block, pairs, true);
+        block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
+    });
 }
 
 void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -250,7 +247,6 @@ void PairFinder::number(PairList& found) {
     for (BlockPairs& block : block_pairs_) block.first_edge_edge = take(block.edge_edge);
     found.size = take(0);
     found.overflowed = count > found.capacity();
-    found.dropped = count - found.size;
 }
 
 template <class FindBlock>
@@ -261,7 +257,7 @@ void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& fou
         part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
     const std::span<FeaturePair> edge_edge =
         part_of(found.pairs.span(), here.first_edge_edge, here.edge_edge);
-    if (here.vertex_triangle > kept_vertex_triangle || here.edge_edge > kept_edge_edge) {
+    if (vertex_triangle.size() > kept_vertex_triangle || edge_edge.size() > kept_edge_edge) {
         FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
                          {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
         find_block(block, pairs, false);
@@ -276,7 +272,7 @@ void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& fou
 
 std::size_t PairFinder::bytes() const noexcept {
     return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) +
-           boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) +
+           boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) + fill_.bytes() +
            kept_.capacity() * sizeof(KeptBlock) + kept_reach_.capacity() * sizeof(float) + changes_.bytes() +
            beyond_.bytes() + crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) +
            is_calm_.capacity();

@@ -41,19 +41,24 @@ class PairFinder {
     /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
     /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
     ///
+    /// Where there are more pairs than room, the list holds what `full` says, and the search counts at most
+    /// as many of each kind as there is room for.
+    ///
     /// Precondition: the bodies' meshes are among those of the last reserve(), or of has_room_for() since.
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-              std::span<const Vec4> motions, PairList& found, float of_borders = 1);
+              std::span<const Vec4> motions, PairList& found, float of_borders = 1,
+              FullList full = FullList::has_the_first);
 
     /// find(), and keeps what it looked at until the next such search. Returns whether it did: of meshes
     /// without FlatRest alone, since many pairs of patches are looked at of these.
     bool find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
                             std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                            float of_borders);
+                            float of_borders, FullList full = FullList::has_the_first);
 
     /// find() with other motions and another reach, but of the same bodies at the same positions as the last
-    /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order. Where
-    /// features stay within the boxes they had, it looks among what was kept.
+    /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order, or none
+    /// where they are more than there is room for. Where features stay within the boxes they had, it looks
+    /// among what was kept.
     ///
     /// Preconditions: that search kept what it looked at, its list did not overflow, and no reach was less
     /// than it is now.
@@ -67,6 +72,9 @@ class PairFinder {
     void find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
                         std::span<const Vec4> positions, CrossingList& found);
 
+    /// Pairs that the last search for pairs counted, listed or not: its work. Where the list was full this
+    /// depends on threads.
+    [[nodiscard]] std::uint64_t counted() const noexcept { return fill_.found(); }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -85,14 +93,16 @@ class PairFinder {
     std::size_t reserved_blocks_ = 0;
     [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;
     void find_all(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-                  std::span<const Vec4> motions, PairList& found, float of_borders, bool keeps);
+                  std::span<const Vec4> motions, PairList& found, float of_borders, bool keeps,
+                  FullList full);
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     /// find_block(block, pairs, is_first) finds those of a block; once more where it has many.
     template <class FindBlock>
-    void list(Parallel& parallel, const Vec4* positions, PairList& found, const FindBlock& find_block);
+    void list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
+              const FindBlock& find_block);
     template <class FindBlock>
-    void count_pairs(Parallel& parallel, std::uint32_t capacity, const FindBlock& find_block);
+    void count_pairs(Parallel& parallel, std::uint32_t capacity, FullList full, const FindBlock& find_block);
     void number(PairList& found);
     template <class FindBlock>
     void write(const Vec4* positions, std::uint32_t block, PairList& found, const FindBlock& find_block);
@@ -105,6 +115,7 @@ class PairFinder {
     FeatureBoxes boxes_;
     AlignedBuffer<FeaturePair> room_;  // for the pairs of each block, until all are counted
     std::vector<BlockPairs> block_pairs_;
+    ListFill fill_;
     AlignedBuffer<Crossing> crossing_room_;
     std::vector<std::uint32_t> block_crossings_;
 

@@ -58,8 +58,10 @@ HWY_INLINE void keep(const Candidates& of, std::uint32_t first, Lanes gaps, Kept
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
                                   Found<FeaturePair>& found, KeptCandidates* kept) {
-    if (found.has_enough()) candidates.count = 0;
-    if (candidates.count == 0) return;
+    if (found.has_enough()) {
+        candidates.count = 0;
+        return;
+    }
     pad(candidates);
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
         const ShapeLanes shape =
@@ -134,12 +136,16 @@ struct PairCollector {
         : search(s), found(f), kept(k) {}
 
     HWY_INLINE void test_vertex_triangle() {
+        if (vertex_triangle.count == 0) return;
         test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle,
                                              kept != nullptr ? &kept->vertex_triangle : nullptr);
+        found.update_fill();
     }
     HWY_INLINE void test_edge_edge() {
+        if (edge_edge.count == 0) return;
         test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge,
                                        kept != nullptr ? &kept->edge_edge : nullptr);
+        found.update_fill();
     }
     void test_all() {
         test_vertex_triangle();
@@ -263,6 +269,7 @@ HWY_INLINE void visit_near_patches(const PairSearch& search, std::uint32_t block
 }
 
 void find(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+    found.update_fill();  // what other blocks have found may be enough
     PairCollector collector(search, found, kept);
     visit_near_patches(search, block, collector);
     collector.test_all();
@@ -271,6 +278,7 @@ void find(const PairSearch& search, std::uint32_t block, FoundPairs& found, Kept
 void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
                 const PatchChange* changes, FoundPairs& found) {
     constexpr float with_rounding = 1.001f;
+    found.update_fill();
     PairCollector collector(search, found, nullptr);
     KeptBlock::OfPatches from{};
     const std::uint32_t count = kept.is_whole() ? kept.pairs_of_patches : 0;

@@ -7,6 +7,7 @@
 
 #include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/pairs/list_fill.h"
 #include "collision/contact/pairs/pairs.h"
 #include "collision/search/patch_kernels.h"
 #include "weft/types.h"
@@ -73,7 +74,7 @@ struct PairSearch {
     const std::uint16_t* only = nullptr;
 };
 
-/// Items found, as far as there is room; `count` goes on, until there are `enough` and the search is over.
+/// Items found, as far as there is room. `count` goes on, until there are `enough` and the search ends.
 template <class Item>
 struct Found {
     std::span<Item> room;
@@ -88,8 +89,15 @@ struct Found {
     }
 };
 
+/// The pairs of a block. `fill`, unless null, is told how many they are while they are searched.
 struct FoundPairs {
     Found<FeaturePair> vertex_triangle, edge_edge;
+    ListFill* fill = nullptr;
+    std::uint32_t block = 0;
+
+    void update_fill() {
+        if (fill != nullptr) fill->update(block, *this);
+    }
 };
 
 /// Pairs of features of one kind whose boxes overlapped in a search.

@@ -46,7 +46,6 @@ struct PairList {
     std::uint32_t vertex_triangle = 0;  ///< of these
     /// There were more pairs than there is room for: what is listed is not all.
     bool overflowed = false;
-    std::uint64_t dropped = 0;  ///< how many more
 
     /// Pairs are listed as if there were room for no more.
     std::size_t limit = std::numeric_limits<std::size_t>::max();

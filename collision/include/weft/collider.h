@@ -74,10 +74,10 @@ struct Collider {
 };
 
 /// What colliders do to cloth. Particles are met on their way, triangles by what is so thin that it slips
-/// between them: balls and capsules that are, with the thickness, thinner than .55 of the cloth's mean edge,
-/// 1.1 while the host moves them, 2 where they meet it fast, and the edges and corners of boxes, hulls and
-/// closed convex meshes (of at most 32 corners) while the host moves these. Sides are kept half the
-/// thickness outside. Cloth on what is thinner than .55 of an edge is held and does not come to rest;
+/// between them. Such are, with the thickness, in the cloth's mean edges: capsules thinner than .55 and
+/// balls than .8, both than 1.1 while the host moves them and than 2 where they meet it fast; the edges and
+/// corners of boxes, hulls and closed convex meshes (of at most 32 corners) while the host moves these. Sides
+/// are kept half the thickness outside. Cloth on such capsules and balls is held and does not come to rest;
 /// over edges of a box that stands still triangles cut its corners.
 ///
 /// How deep a step finds a particle in a collider when it begins, where it was placed over cloth or cloth was

@@ -115,6 +115,52 @@ TEST(ClothOnCloth, GivesTheSameBytesOnAnyThreads) {
     }
 }
 
+/// Ten sheets within a millimetre, kept 5 cm apart: far more pairs than the list has room for.
+World crowd(bool with_contact, bool with_zones, int threads) {
+    World world = World::create(still_air(threads)).value();
+    EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
+    for (std::uint32_t k = 0; k < 10; ++k) {
+        const float height = 0.01f + 1e-4f * static_cast<float>(k), shift = 1e-3f * static_cast<float>(k);
+        const Mesh mesh =
+            make_sheet(
+                {.rows = 6, .columns = 6, .origin = {shift, height, 0}, .u = {0.1f, 0, 0}, .v = {0, 0, 0.1f}})
+                .value();
+        ClothSettings cloth;
+        cloth.method = Xpbd{.iterations = 10};
+        cloth.substeps = 2;
+        const bool by_zones = with_zones && (!with_contact || k % 2 == 0);
+        cloth.self_collision = {
+            .enabled = true,
+            .method = by_zones ? SelfCollisionMethod::impact_zones : SelfCollisionMethod::contact,
+            .distance = 0.05f};
+        EXPECT_TRUE(world.add_cloth(mesh, cloth));
+    }
+    return world;
+}
+
+// The search ends when its threads learn that the list is full, and takes a crowd that was met before in
+// another order: neither may show.
+TEST(ClothOnCloth, ACrowdGivesTheSameBytesOnAnyThreadsAndWhenItIsPutBack) {
+    for (const auto& [contact, zones] : {std::pair(true, false), {false, true}, {true, true}}) {
+        SCOPED_TRACE(testing::Message() << contact << zones);
+        World world = crowd(contact, zones, 1), on_threads = crowd(contact, zones, 3);
+        std::vector<std::byte> saved(world.save_size());
+        for (int k = 0; k < 12; ++k) {
+            if (k == 6) {
+                ASSERT_TRUE(world.save(saved));
+            }
+            world.step(h);
+            on_threads.step(h);
+            EXPECT_TRUE(has(world.report().flags, StepFlags::contacts_dropped));
+            ASSERT_EQ(on_threads.state_hash(), world.state_hash()) << k;
+        }
+        World put_back = crowd(contact, zones, 2);
+        ASSERT_TRUE(put_back.restore(saved));
+        for (int k = 6; k < 12; ++k) put_back.step(h);
+        EXPECT_EQ(put_back.state_hash(), world.state_hash());
+    }
+}
+
 TEST(ClothOnCloth, FarClothDoesNotNotice) {
     const auto far_cloth_after = [](bool alone) {
         World world = World::create(still_air()).value();

@@ -246,6 +246,44 @@ TEST(Budget, WhatMovesOrHasContactTakesNoLongSteps) {
     }
 }
 
+// A step of its own would come too late where the cloth is to follow at once.
+TEST(Budget, WhatIsWornTakesNoLongSteps) {
+    Hall hall(0.001f, 3);
+    hall.run(30);
+    AlignedBuffer<float> leash(side * side);
+    std::ranges::fill(leash.span(), 0.1f);
+    hall.cloths[0]->set_map(Map::leash, std::move(leash));
+    hall.cloths[1]->state.frame.emplace();
+    hall.run(30);
+    EXPECT_EQ(hall.cloths[0]->state.detail->rate, 1u);
+    EXPECT_EQ(hall.cloths[1]->state.detail->rate, 1u);
+    EXPECT_EQ(hall.cloths[2]->state.detail->rate, 4u);
+}
+
+// One rung at a time, for others see what it leaves unsolved; and not to and fro.
+TEST(Budget, RungsAreKeptForAWhile) {
+    Hall hall(0.4f, 8);
+    std::vector<std::uint32_t> rungs(8, 0);
+    std::vector<int> since(8, -100);
+    int falls = 0, rises = 0;
+    for (int s = 0; s < 300; ++s) {
+        hall.simulation.settings.budget = s % 60 < 30 ? 0.05f : 1.8f;
+        hall.step();
+        for (std::size_t c = 0; c < 8; ++c) {
+            const std::uint32_t rung = hall.rung(c);
+            if (rung == rungs[c]) continue;
+            const bool falls_now = rung > rungs[c];
+            (falls_now ? falls : rises) += 1;
+            EXPECT_EQ(std::max(rung, rungs[c]) - std::min(rung, rungs[c]), 1u);
+            EXPECT_GE(s - since[c], falls_now ? 4 : 10) << "step " << s;
+            rungs[c] = rung;
+            since[c] = s;
+        }
+    }
+    EXPECT_GT(falls, 30);
+    EXPECT_GT(rises, 15);
+}
+
 TEST(Budget, RefusesWhatIsNoTimeAndNoPriority) {
     const auto refuses = [](const auto& answer, const std::string& name) {
         ASSERT_FALSE(answer);

@@ -166,10 +166,12 @@ TEST(ForgedSave, SaysWhatIsWrong) {
     refuses(one.positions + 4, nan, "cloth 0 a particle is at no place");
     refuses(one.positions + one.rows, 1e30f, "cloth 0 a particle is at no place");
     refuses(one.velocities, -nan, "cloth 0 a particle has no velocity");
+    refuses(one.velocities, 2e6f, "cloth 0 a particle has no velocity");
     refuses(one.pins, 9u, "pin 0 holds particle 9; it must be from 0 to 8");
     refuses(one.pins + 16, 0u, "pin 1 holds particle 0; it must be from 1 to 8");
     refuses(one.pins + 4, nan, "pin 0 has a target that is no place");
     refuses(one.record, nan, "its last step");
+    refuses(one.record, -0.01f, "its last step");
     refuses(one.record + 4, nan, "its last step");
     refuses(one.head, ~0u, "is not whole");
     refuses(one.head + offsetof(ClothHead, frame), 2u, "2 frames");
@@ -182,6 +184,60 @@ TEST(ForgedSave, SaysWhatIsWrong) {
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 4, 0u), "its step is 0 long");
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 8, 2u), "of which 2 are left");
     EXPECT_TRUE(budgeted.world.restore(budgeted.good));
+}
+
+/// Where two saves of one World differ.
+std::vector<std::size_t> places_of_change(const Bytes& a, const Bytes& b) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = sizeof(SaveHead); k < a.size(); ++k)
+        if (a[k] != b[k]) places.push_back(k);
+    return places;
+}
+
+TEST(ForgedSave, ABoolThatIsNoneIsRefused) {
+    World world = World::create({.threads = 1}).value();
+    const ColliderId ball = world.add_collider({.shape = Sphere{}}).value();
+    const Bytes solid = bytes_of(world);
+    ASSERT_TRUE(world.place_collider(ball, {.shape = Sphere{}, .is_trigger = true}));
+    const Bytes trigger = bytes_of(world);
+    const std::vector<std::size_t> places = places_of_change(solid, trigger);
+    ASSERT_EQ(places.size(), 2u) << "now, and at the step's end";
+    for (const std::size_t at : places) {
+        EXPECT_TRUE(world.restore(changed_in(trigger, at, std::byte{0})));
+        EXPECT_FALSE(world.restore(changed_in(trigger, at, std::byte{2})));
+    }
+}
+
+TEST(ForgedSave, ABodyOrAShapeThatIsNowhereIsRefused) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    World world = World::create({.gravity = {}, .threads = 1}).value();
+    const BodyId body = world.add_body({}, {.position = {1, 2, 3}}).value();
+    const Solid solid = box_mesh({0.1f, 0.1f, 0.1f});
+    const ShapeId shape = world.add_shape(solid.mesh()).value();
+    for (int k = 0; k < 2; ++k)  // with two, whose bools take four bytes, numbers begin at multiples of four
+        ASSERT_TRUE(world.add_collider({.shape = PlacedShape{.shape = shape}}));
+    std::vector<Vec3> larger = solid.vertices;
+    for (Vec3& v : larger) v.y *= 1.2f;
+    ASSERT_TRUE(world.deform_shape(shape, larger));
+    const Bytes good = bytes_of(world);
+    const auto refuses_nan_where = [&](const auto& change) {
+        change();
+        const std::vector<std::size_t> places = places_of_change(good, bytes_of(world));
+        EXPECT_FALSE(places.empty());
+        for (const std::size_t at : places)
+            EXPECT_FALSE(world.restore(changed_in(good, at / 4 * 4, nan))) << at;
+        ASSERT_TRUE(world.restore(good));
+    };
+    const auto moves_body = [&](const BodyState& state) {
+        return [&world, body, state] { ASSERT_TRUE(world.set_body_state(body, state)); };
+    };
+    refuses_nan_where(moves_body({.position = {2, 3, 4}}));
+    refuses_nan_where(moves_body({.position = {1, 2, 3}, .velocity = {1, 1, 1}}));
+    refuses_nan_where(moves_body({.position = {1, 2, 3}, .angular_velocity = {1, 1, 1}}));
+    refuses_nan_where([&] {
+        for (Vec3& v : larger) v.y *= 1.1f;
+        ASSERT_TRUE(world.deform_shape(shape, larger));
+    });
 }
 
 // Masses are the cloth's own: no save makes it heavier, or lets a pin go.

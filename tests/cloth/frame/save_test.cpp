@@ -251,6 +251,15 @@ TEST(SaveRefuses, AWorldOfOtherThings) {
     EXPECT_TRUE(finer.add_collider({.shape = Plane{}}));
     EXPECT_TRUE(finer.add_cloth(make_sheet({.rows = 4, .columns = 3}).value()));
     expect_refused(finer, good, "cloth 0 has 9 particles, the one here 12");
+
+    // As many particles, joined otherwise.
+    World other = World::create().value();
+    EXPECT_TRUE(other.add_collider({.shape = Plane{}}));
+    Mesh mesh = make_sheet({.rows = 3, .columns = 3}).value();
+    mesh.rows = mesh.columns = 0;
+    mesh.triangles = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {3, 4, 6}, {4, 7, 6}, {4, 5, 8}, {4, 8, 7}};
+    EXPECT_TRUE(other.add_cloth(mesh));
+    expect_refused(other, good, "cloth 0 has other triangles");
 }
 
 TEST(SaveRefuses, SettingsByWhichAClothHasAnotherState) {
@@ -269,6 +278,12 @@ TEST(SaveRefuses, SettingsByWhichAClothHasAnotherState) {
         s.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
     });
     expect_refused(world, good, "contact");
+    with([](ClothSettings& s) {
+        s.method = ConjugateGradient{};
+        s.time_scheme = TimeScheme::bdf2;
+        s.collider_response = ColliderResponse::velocity_filter;
+    });
+    expect_refused(world, good, "held by colliders");
     with([](ClothSettings&) {});
     EXPECT_TRUE(world.restore(good));
 }

@@ -169,6 +169,19 @@ TEST(Sleep, WakesByWhatMovesNearIt) {
     }));
 }
 
+TEST(Sleep, WakesByAnyChangeOfTheSurfaceThatItLiesOn) {
+    const std::vector<std::function<void(Collider&)>> changes{
+        [](Collider& c) { c.friction = 0.1f; }, [](Collider& c) { c.thickness = 0.01f; },
+        [](Collider& c) { c.restitution = 0.5f; }, [](Collider& c) { c.layers = 3; },
+        [](Collider& c) { c.is_trigger = true; }};
+    for (std::size_t k = 0; k < changes.size(); ++k)
+        EXPECT_TRUE(wakes_by([&](Room& room) {
+            Collider ground = room.world.collider(room.ground).value();
+            changes[k](ground);
+            ASSERT_TRUE(room.world.move_collider(room.ground, ground));
+        })) << k;
+}
+
 TEST(Sleep, WakesByWhatTheHostChanges) {
     EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.wake(room.cloth)); }));
     EXPECT_TRUE(wakes_by([](Room& room) { ASSERT_TRUE(room.world.pin(room.cloth, 4)); }));
@@ -239,6 +252,99 @@ TEST(Sleep, WakesWhenWhatItIsWornOnMoves) {
     ASSERT_TRUE(room.world.set_skin(room.cloth, places(room.world, room.cloth, 0.1f), {}));
     room.world.step(h);
     EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
+}
+
+TEST(Sleep, WakesWhenTheBackstopTurnsInItsPlace) {
+    Room room;
+    std::vector<Vec3> places, normals(side * side, Vec3{0, 1, 0});
+    const ClothView view = *room.world.cloth(room.cloth);
+    for (const std::uint32_t i : view.vertex_to_particle)
+        places.push_back({view.positions[i].x, view.positions[i].y, view.positions[i].z});
+    ASSERT_TRUE(room.world.set_map(room.cloth, Map::backstop, std::vector<float>(side * side, 0.05f)));
+    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
+    ASSERT_TRUE(sleeps_within(room.world, room.cloth, 600));
+    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
+    room.world.step(h);
+    EXPECT_TRUE(room.world.is_asleep(room.cloth).value());
+    normals.assign(side * side, Vec3{0.6f, 0.8f, 0});
+    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
+    room.world.step(h);
+    EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
+}
+
+// The last step's motion is no part of what comes after a sleep, by whatever time scheme.
+TEST(Sleep, BeginsFromRestWhenItWakes) {
+    for (const TimeScheme scheme : {TimeScheme::backward_euler, TimeScheme::bdf2}) {
+        WorldSettings settings;
+        settings.wind.air_density = 0;
+        settings.gravity = {0, -1, 0};
+        World world = World::create(settings).value();
+        ClothSettings drifting;
+        drifting.sleep_speed = 0.5f;
+        drifting.time_scheme = scheme;
+        const ClothId cloth = add_sheet(world, 1, drifting);
+        run(world, 6);
+        settings.gravity = {};
+        ASSERT_TRUE(world.set_settings(settings));
+        const std::vector<Vec4> before = positions_of(world, cloth);
+        world.step(h);
+        EXPECT_GT(farthest(world, cloth, before), 1e-3f);
+        ASSERT_TRUE(sleeps_within(world, cloth, 60));
+        const std::vector<Vec4> asleep = positions_of(world, cloth);
+        ASSERT_TRUE(world.wake(cloth));
+        run(world, 3);
+        EXPECT_LT(farthest(world, cloth, asleep), 1e-5f);
+    }
+}
+
+// Faster than any reach in a step.
+TEST(Sleep, WakesBeforeWhatIsThrownAtItGoesThrough) {
+    for (const float above : {3.0f, 3.03f, 3.06f, 3.09f}) {
+        WorldSettings settings;
+        settings.wind.air_density = 0;
+        World world = World::create(settings).value();
+        const ClothId lower = add_sheet(world, 0, that_meets());
+        ASSERT_TRUE(world.pin(lower, corners));
+        ASSERT_TRUE(sleeps_within(world, lower, 3000));
+        ClothSettings thrown = that_meets();
+        thrown.air_damping = 0;
+        const ClothId upper = add_sheet(world, above, thrown);
+        while (world.is_asleep(lower).value() && world.report().step < 5000) world.step(h);
+        EXPECT_FALSE(world.is_asleep(lower).value());
+        EXPECT_GT(world.cloth(upper)->positions[middle].y, world.cloth(lower)->positions[middle].y) << above;
+    }
+}
+
+TEST(Sleep, IsNotDisturbedByClothThatItDoesNotMeet) {
+    for (const std::uint32_t layers : {1u, 2u}) {
+        World world = make_world();
+        ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
+        const ClothId cloth = add_sheet(world, 0.02f, that_meets());
+        ClothSettings settings = that_meets();
+        settings.self_collision.layers = settings.self_collision.mask = layers;
+        const ClothId other = add_sheet(world, 0.03f, settings, 0.05f);
+        ASSERT_TRUE(sleeps_within(world, cloth, 1200));
+        ASSERT_TRUE(sleeps_within(world, other, 1200));
+        ASSERT_TRUE(world.is_asleep(cloth).value());
+        ASSERT_TRUE(world.remove_cloth(other));
+        EXPECT_EQ(world.is_asleep(cloth).value(), layers == 2) << layers;
+    }
+}
+
+// What is put back where its step began stands still, and is not at rest.
+TEST(Sleep, NeverWhereEachStepIsPutBack) {
+    WorldSettings settings;
+    settings.gravity = {0, -1e4f, 0};
+    settings.max_speed = 1e4f;
+    settings.wind.air_density = 0;
+    World world = World::create(settings).value();
+    const ClothId cloth = add_sheet(world, 0, ClothSettings{.sleep_speed = sleepy});
+    for (int k = 0; k < 30 && world.report().restored_cloths == 0; ++k) world.step(1);
+    ASSERT_EQ(world.report().restored_cloths, 1u);
+    for (int k = 0; k < 4; ++k) {
+        world.step(1);
+        EXPECT_FALSE(world.is_asleep(cloth).value()) << k;
+    }
 }
 
 TEST(Sleep, GustsLetNoneAndSteadyAirDoes) {
@@ -404,6 +510,26 @@ TEST(Enabled, SwitchedOnItFallsFromRestAndComesClearOfWhatWentIntoIt) {
     EXPECT_EQ(world.report().crossings, 0u);
     EXPECT_EQ(world.report().restored_cloths, 0u);
     EXPECT_LT(world.cloth(falls)->positions[middle].y, held.y + 0.005f);
+}
+
+TEST(Enabled, LooksForWhatWentIntoItMeanwhile) {
+    World world = make_world();
+    const ClothId off = add_sheet(world, 0.3f, that_meets());
+    ASSERT_TRUE(world.pin(off, corners));
+    run(world, 5);
+    ASSERT_TRUE(world.set_enabled(off, false));
+    const Mesh slope = make_sheet({.rows = side,
+                                   .columns = side,
+                                   .origin = {-0.15f, 0.35f, -0.15f},
+                                   .u = {0.28f, 0.1f, 0},
+                                   .v = {0, 0, 0.3f}})
+                           .value();
+    const ClothId falls = world.add_cloth(slope, that_meets()).value();
+    while (world.cloth(falls)->positions[0].y > 0.25f) world.step(h);
+    EXPECT_EQ(world.report().crossings, 0u);
+    ASSERT_TRUE(world.set_enabled(off, true));
+    world.step(h);
+    EXPECT_GT(world.report().crossings, 0u);
 }
 
 TEST(Enabled, FeelsNothingOfWhereItsFrameWentMeanwhile) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <Eigen/Geometry>
 #include <limits>
 #include <random>
@@ -137,11 +138,10 @@ inline std::vector<Vec4> random_vectors(std::size_t count, float size, std::uint
 
 /// Meshes, their bodies, and where all is.
 struct ContactScene {
-    std::vector<ContactMesh> meshes;
+    std::deque<ContactMesh> meshes;  // bodies point into it
     std::vector<ContactBody> bodies;
     std::vector<Vec4> positions, motions;
 
-    ContactScene() { meshes.reserve(16); }
     ContactBody& add(const std::vector<Vec4>& rest, const std::vector<Vec4>& now,
                      const std::vector<Triangle>& triangles, float reach) {
         meshes.emplace_back(rest, triangles);

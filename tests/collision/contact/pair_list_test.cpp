@@ -7,6 +7,7 @@
 #include <set>
 
 #include "collision/contact/pairs/narrowing.h"
+#include "tests/cloth/as_for_threads.h"
 #include "tests/collision/contact/pair_finder_scenes.h"
 #include "tests/collision/contact/pair_list_reference.h"
 
@@ -47,11 +48,65 @@ TEST(PairFinder, WhatDoesNotFitIsLeftOutFromTheEnd) {
     }
 }
 
-TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
-    ContactScene scene = waving(16, 0);
-    for (Vec4& p : scene.positions) p = {0.02f * p.x, 0, 0.02f * p.z, 0};
+/// Sheets of 16 x 16 that are crushed to within an edge of one another: nearly every pair is near.
+ContactScene crushed(std::uint32_t sheets) {
+    ContactScene scene;
+    for (std::uint32_t k = 0; k < sheets; ++k) {
+        std::vector<Vec4> now = flat(16, 16);
+        for (Vec4& p : now) p = {0.02f * p.x, 0, 0.02f * p.z, 0};
+        scene.add(flat(16, 16), now, grid_triangles(16, 16), edge);
+    }
     scene.jitter(0.3f * edge);
-    scene.bodies[0].reach = edge;
+    return scene;
+}
+
+// A full list costs what a list of as many pairs costs: the search counts no more than what it may list, of
+// both kinds, and what each thread tests at a time.
+TEST(PairFinder, CountsNoMorePairsThanAFullListHasRoomFor) {
+    constexpr std::uint64_t capacity = 1 << 14, at_a_time = 2048;
+    for (const std::uint32_t sheets : {1u, 10u, 80u}) {
+        const ContactScene scene = crushed(sheets);
+        PairFinder finder;
+        finder.reserve(scene.bodies);
+        PairList first(capacity), list(capacity);
+        for (const std::uint32_t threads : {1u, 4u}) {
+            SCOPED_TRACE(testing::Message() << sheets << " sheets, " << threads << " threads");
+            Parallel parallel(static_cast<int>(threads));
+            finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
+            EXPECT_TRUE(list.overflowed);
+            EXPECT_LE(finder.counted(), (threads == 1 ? 2 : 4) * capacity + threads * at_a_time);
+            if (threads == 1)
+                std::swap(first, list);
+            else
+                expect_equal(list, first);
+            finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
+            EXPECT_TRUE(list.overflowed);
+            EXPECT_EQ(list.size, 0u);
+            EXPECT_LE(finder.counted(), capacity + threads * at_a_time);
+        }
+        Parallel backwards = as_for_threads(2);
+        backwards.lend([&] { finder.find(backwards, scene.bodies, scene.positions, scene.motions, list); });
+        expect_equal(list, first);
+    }
+}
+
+TEST(PairFinder, AListThatIsToBeEmptyWhereItIsFullIsWholeWhereItIsNot) {
+    const ContactScene scene = crowded();
+    const PairList expected = pairs_of(scene);
+    PairFinder finder;
+    finder.reserve(scene.bodies);
+    Parallel serial(1);
+    PairList list(expected.size);
+    finder.find(serial, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
+    expect_equal(list, expected);
+    list.limit = expected.size - 1;
+    finder.find(serial, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
+    EXPECT_TRUE(list.overflowed);
+    EXPECT_EQ(list.size + list.vertex_triangle, 0u);
+}
+
+TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
+    const ContactScene scene = crushed(1);
     const PairList expected = pairs_of(scene, 1, 1 << 20);
     EXPECT_FALSE(expected.overflowed);
     EXPECT_GT(expected.size, 200000u);

@@ -275,6 +275,44 @@ TEST(Settle, AGapBelowTheFloorDoesNotShrinkAndMayGrow) {
     EXPECT_EQ(cut(mesh, all_pairs(mesh), motions).fractions[3], 0.0f);
     motions[3].y = 1;
     EXPECT_EQ(cut(mesh, all_pairs(mesh), motions).fractions[3], 1.0f);
+    motions[3] = {0.1f, 0, 0, 0};
+    EXPECT_EQ(cut(mesh, all_pairs(mesh), motions).fractions[3], 1.0f) << "it slides";
+}
+
+TEST(Settle, AMotionThatWouldEndWithinTheFloorEndsAtIt) {
+    const Triangles mesh = vertex_above_triangle(0.01f);
+    Rows motions(mesh.size());
+    motions[3].y = -0.008f;
+    EXPECT_NEAR(cut(mesh, all_pairs(mesh), motions, {5e-3f, 30}).fractions[3], 0.625f, 1e-2f);
+    motions[3].y = -0.004f;
+    EXPECT_EQ(cut(mesh, all_pairs(mesh), motions, {5e-3f, 30}).fractions[3], 1.0f);
+}
+
+// What is cut of the motion of some goes to all alike, where nothing holds any of them.
+TEST(Settle, CuttingKeepsTheMomentumOfWhatIsFree) {
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        Triangles mesh = triangle_soup(40, 0.5f, seed);
+        for (std::uint32_t i = 0; i < mesh.size(); ++i)
+            mesh.positions[i].w = 0.5f + 0.1f * static_cast<float>(i % 17);
+        const PairList pairs = all_pairs(mesh);
+        const Rows wanted = random_vectors(mesh.size(), 0.3f, seed + 10);
+        const auto momentum = [&](const Rows& displacements) {
+            Point sum = Point::Zero();
+            for (std::uint32_t i = 0; i < mesh.size(); ++i)
+                sum += point(displacements[i]) / double{mesh.positions[i].w};
+            return sum;
+        };
+        Parallel serial(1);
+        Settler settler;
+        settler.reserve(mesh.positions.size(), 1, pairs.size);
+        const ParticleRange all{0, mesh.size()};
+        const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_free = true};
+        Rows displacements = wanted;
+        settler.split(serial, island, displacements, CommonMotionKind::affine);
+        const SettleResult result = settler.settle(serial, island, pairs, {}, settings, displacements);
+        EXPECT_GT(result.truncated, 20u);
+        EXPECT_LT((momentum(displacements) - momentum(wanted)).norm(), 1e-4) << seed;
+    }
 }
 
 TEST(Settle, TheFloorIsWiderThanTheRoundingOfCoordinates) {
@@ -376,6 +414,10 @@ TEST(Settle, AnIncompleteListLeavesTheCommonMotionAlone) {
     double fallen = 0;
     for (const Vec4& d : settled.displacements) fallen += double{d.y} / mesh.size();
     EXPECT_NEAR(fallen, -2, 0.1);
+
+    // A pin that went along would leave its place by more than it was to.
+    const Settled held = settle(mesh, pairs, wanted, 1, settings, {}, true);
+    for (const Vec4& d : held.displacements) EXPECT_TRUE(xyz(d).isZero(0));
 }
 
 TEST(Settle, NothingListedAndNothingThere) {

@@ -1,0 +1,48 @@
+#pragma once
+// A search's early end: how many pairs its blocks have found so far, against the room in the list.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace weft {
+
+struct FoundPairs;
+
+/// What a search lists if there are more pairs than room.
+enum class FullList : std::uint8_t {
+    has_the_first,  ///< as many pairs as there is room for
+    is_empty,       ///< no pair: the search ends as soon as it knows
+};
+
+/// A crowd of n particles has n^2 pairs. A search for more pairs than there is room for counts at most as
+/// many of each kind as there is room for: each block looks on only while the list has room behind the pairs
+/// that were found so far and go before its own. When a block learns that the list is full depends on
+/// threads. The list does not: a block ends only where every further pair of its own is certain to be left
+/// out.
+class ListFill {
+  public:
+    /// Reallocates where there are more blocks than ever before. May throw.
+    void reserve(std::size_t blocks);
+    void begin(std::uint32_t blocks, std::uint32_t capacity, FullList full);
+
+    /// Stores what `block` has found, and ends the search of it for those kinds whose further pairs the list
+    /// has no room for. Each block is updated by one thread.
+    void update(std::uint32_t block, FoundPairs& found) noexcept;
+
+    /// Pairs that all blocks have found.
+    [[nodiscard]] std::uint64_t found() const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept { return counts_.capacity() * sizeof(Counts); }
+
+  private:
+    struct Counts {
+        std::atomic<std::uint64_t> vertex_triangle, edge_edge;
+    };
+
+    std::vector<Counts> counts_ = std::vector<Counts>(1);  // of all blocks together; then by block
+    std::uint64_t capacity_ = 0;
+    FullList full_ = FullList::has_the_first;
+};
+
+}  // namespace weft
