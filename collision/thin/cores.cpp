@@ -50,7 +50,7 @@ float thinnest(const HeldInstance& instance) {
 }
 
 template <class Shape>
-bool is_ball(const Shape& shape) {
+bool is_ball([[maybe_unused]] const Shape& shape) {
     if constexpr (std::is_same_v<Shape, Capsule> || std::is_same_v<Shape, TaperedCapsule>)
         return to_vector(shape.a) == to_vector(shape.b);
     return false;
@@ -68,8 +68,9 @@ Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, flo
         if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thinnest : Thinness::thick;
         if (thin < is_held_in * mean_edge) return Thinness::thinnest;
         const bool moves = motion.body < 0 && sweep.way > moved * thickness;
-        return thin < (moves ? if_moved : slips_through) * mean_edge ? Thinness::thin
-                                                                     : Thinness::thin_if_fast;
+        const float slips_through = is_ball(end) ? ball_slips_through : rod_slips_through;
+        const bool slips = thin < (moves ? if_moved : slips_through) * mean_edge;
+        return slips ? Thinness::thin : Thinness::thin_if_fast;
     });
 }
 
