@@ -59,9 +59,9 @@ constexpr int lines_of() {
     [[maybe_unused]] auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18,
                             m19, m20, m21] = m;
     static_assert(lines_of<StepReport>() == 21);
-    [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18] =
-        n;
-    static_assert(lines_of<ClothInfo>() == 18);
+    [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18,
+                            n19, n20] = n;
+    static_assert(lines_of<ClothInfo>() == 20);
     [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
     static_assert(lines_of<ShapeInfo>() == 4);
 }
