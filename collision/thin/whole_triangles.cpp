@@ -148,7 +148,7 @@ WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_
                       [&](std::uint32_t t) { return std::pair(std::ranges::min(triangles[t]), t); });
     find_owned();
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        const auto [least, most] = std::ranges::minmax(corners_of(t));
+        const auto [least, most] = std::ranges::minmax(triangles[order_[t]]);
         ParticleSpan& span = spans_[t / block_size];
         if (t % block_size == 0) span = {least, most};
         span = {std::min(span.first, least), std::max(span.last, most)};
@@ -165,7 +165,7 @@ void WholeTriangles::find_owned() {
     sides.reserve(3 * triangles_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t i = corners_of(t)[k], j = corners_of(t)[(k + 1) % 3];
+            const std::uint32_t i = triangles_[t][k], j = triangles_[t][(k + 1) % 3];
             if (i != j) sides.push_back({std::min(i, j), std::max(i, j), t, k});
         }
     std::ranges::sort(sides);
@@ -241,6 +241,7 @@ std::uint32_t WholeTriangles::gather_near() {
         std::copy(begin, begin + counts_[block], near_.data() + near);
         near += counts_[block];
     }
+    std::ranges::sort(near_.span().first(near));
     return near;
 }
 
@@ -257,9 +258,10 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const Vector3 margin = Vector3::Constant(gap);
     const ParticleSides sides(meeting.cores.turning_box(gap), meeting.particles.starts,
                               meeting.particles.positions, span.first, span.last);
-    for (std::uint32_t t = range.begin; t < range.end; ++t) {
-        if (sides.leave_out(corners_of(t))) continue;
-        const CornerPaths corners = meeting.paths(corners_of(t));
+    for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin)) {
+        const Triangle& triangle = triangles_[t];
+        if (sides.leave_out(triangle)) continue;
+        const CornerPaths corners = meeting.paths(triangle);
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
         box = Eigen::AlignedBox3f(box.min() - margin, box.max() + margin);
@@ -287,7 +289,7 @@ std::uint32_t WholeTriangles::push_out(const Meeting& meeting, std::uint32_t nea
 }
 
 bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t triangle) {
-    const Triangle& corners = corners_of(triangle);
+    const Triangle& corners = triangles_[triangle];
     const float gap = meeting.gap(corners);
     bool any = false;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
@@ -326,8 +328,8 @@ std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& ske
         const ParticleSpan& span = spans_[range.block];
         if (!overlap(joined(span.first / block_size, span.last / block_size).ends, bounds)) return;
         const ParticleSides sides(box, positions, positions, span.first, span.last);
-        for (std::uint32_t t = range.begin; t < range.end; ++t)
-            if (!sides.leave_out(corners_of(t)) && skewer.goes_through(corners_of(t), positions))
+        for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin))
+            if (!sides.leave_out(triangles_[t]) && skewer.goes_through(triangles_[t], positions))
                 near_[range.begin + count++] = t;
     });
     return gather_near();
@@ -343,7 +345,7 @@ std::uint32_t WholeTriangles::take_off(Parallel& parallel, const Meeting& meetin
     skewer->find_ways(meeting.motion, colliders, meeting.cloth, meeting.h);
     std::uint32_t moved = 0;
     for (const std::uint32_t triangle : near_.span().first(pierced))
-        moved += skewer->take_off(corners_of(triangle), meeting.h, meeting.particles.positions) ? 1 : 0;
+        moved += skewer->take_off(triangles_[triangle], meeting.h, meeting.particles.positions) ? 1 : 0;
     return moved;
 }
 

@@ -55,14 +55,12 @@ class WholeTriangles {
                            std::span<const ColliderMotion> colliders);
     std::uint32_t gather_near();
 
-    [[nodiscard]] const Triangle& corners_of(std::uint32_t t) const { return triangles_[order_[t]]; }
-
     std::span<const Triangle> triangles_;
-    AlignedBuffer<std::uint32_t> order_;  // of triangles, by their first particles: blocks lie together
+    AlignedBuffer<std::uint32_t> order_;  // of triangles, by their first particles: so blocks lie together
     float mean_edge_;
     AlignedBuffer<std::uint8_t> owned_;    // by triangle: bit k of its side from corner k to the next
     AlignedBuffer<ParticleSpan> spans_;    // by block of triangles: their particles
-    AlignedBuffer<std::uint32_t> near_;    // places in that order, from each block's begin on
+    AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
     AlignedBuffer<std::uint32_t> counts_;  // of these, by block
     AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
     AlignedBuffer<BlockPaths> paths_;      // by block of particles

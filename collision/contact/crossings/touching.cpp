@@ -32,26 +32,15 @@ class TouchingPairs {
     TouchingPairs(std::span<const ContactBody> bodies, std::span<const Vec4> positions)
         : bodies_(bodies), positions_(positions) {}
 
-    /// visit(pair, shape, corners of A) for those that touch and are not neighbours in the mesh.
+    /// visit(pair, shape, corners of A) for those that touch.
     template <class Visit>
     void for_each(const PairList& pairs, const Visit& visit) const {
         for (std::uint32_t k = 0; k < pairs.size; ++k) {
             const FeaturePair& pair = pairs.pairs[k];
             const PairShape& shape = pairs.shapes[k];
-            const std::uint32_t of_a = pairs.corners_of_a(k);
-            if (is_touching(pair, shape) && !are_neighbours(pair, of_a)) visit(pair, shape, of_a);
+            if (is_touching(pair, shape)) visit(pair, shape, pairs.corners_of_a(k));
         }
     }
-    [[nodiscard]] bool is_one_body(const FeaturePair& pair) const {
-        return first_of_later_body(pair) == first_of_earlier_body(pair);
-    }
-    [[nodiscard]] std::uint32_t first_of_later_body(const FeaturePair& pair) const {
-        return body_of(std::max(pair.corners[0], pair.corners[3])).first;
-    }
-    [[nodiscard]] std::uint32_t first_of_earlier_body(const FeaturePair& pair) const {
-        return body_of(std::min(pair.corners[0], pair.corners[3])).first;
-    }
-
     /// Where A is to go against B, of unit length; 0: nobody can tell. `both`: B goes the opposite way, too.
     [[nodiscard]] Vector3 way_of_a(const FeaturePair& pair, const PairShape& shape,
                                    std::uint32_t corners_of_a, bool& both) const {
@@ -65,7 +54,7 @@ class TouchingPairs {
             return std::copysign(1.0f, off) * (is_off_b ? b.normal : a.normal);
         both = a.normal.dot(b.normal) < 0;
         if (both) return (a.normal - b.normal).stableNormalized();
-        if (is_one_body(pair)) return Vector3::Zero();
+        if (&body_of(pair.corners[0]) == &body_of(pair.corners[3])) return Vector3::Zero();
         const Vector3 front = (a.normal + b.normal).stableNormalized();
         return pair.corners[0] > pair.corners[3] ? front : Vector3(-front);
     }
@@ -78,17 +67,6 @@ class TouchingPairs {
         return std::abs(shape.normal.w) <= rounding_per_coordinate * largest;
     }
 
-    [[nodiscard]] bool are_neighbours(const FeaturePair& pair, std::uint32_t corners_of_a) const {
-        if (!is_one_body(pair)) return false;
-        const ContactBody& body = body_of(pair.corners[0]);
-        const auto corners_of_b = std::span(pair.corners).subspan(corners_of_a);
-        for (std::uint32_t a = 0; a < corners_of_a; ++a)
-            for (const std::uint32_t t : body.mesh->triangles_of(pair.corners[a] - body.first))
-                for (const std::uint32_t corner : body.mesh->triangles()[t])
-                    if (std::ranges::find(corners_of_b, body.first + corner) != corners_of_b.end())
-                        return true;
-        return false;
-    }
     [[nodiscard]] const ContactBody& body_of(std::uint32_t particle) const {
         return bodies_[weft::body_of(bodies_, particle)];
     }
@@ -116,20 +94,12 @@ class TouchingPairs {
     std::span<const Vec4> positions_;
 };
 
-/// Sums, of each particle, where pairs tell it to go. Returns whether any does. Bodies that lie on others
-/// wait until those lie apart, so that each stack is parted from its lowest body up, however few pairs are
-/// listed.
+/// Sums, of each particle, where pairs tell it to go. Returns whether any does.
 bool gather_ways(const TouchingPairs& touching, const PairList& pairs, std::span<Vec4> ways) {
     bool any = false;
-    touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape&, std::uint32_t) {
+    touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape& shape, std::uint32_t of_a) {
         if (!any) std::ranges::fill(ways, Vec4{});
         any = true;
-        if (!touching.is_one_body(pair))
-            ways[touching.first_of_later_body(pair)].w = 1;  // it lies on another
-    });
-    if (!any) return false;
-    touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape& shape, std::uint32_t of_a) {
-        if (!touching.is_one_body(pair) && ways[touching.first_of_earlier_body(pair)].w > 0) return;
         bool both = false;
         const Vector3 way = touching.way_of_a(pair, shape, of_a, both);
         const bool a_is_later = pair.corners[0] > pair.corners[3];
@@ -140,7 +110,7 @@ bool gather_ways(const TouchingPairs& touching, const PairList& pairs, std::span
             set_xyz(sum, xyz(sum) + (is_a ? way : Vector3(-way)));
         }
     });
-    return true;
+    return any;
 }
 
 }  // namespace

@@ -10,11 +10,11 @@
 
 namespace weft {
 
-/// Moves features that touch within rounding `distance` [m] apart, each pair's later feature in the order of
-/// particles: off the surface that it stands on, or, where both lie along one surface, out on its own front.
-/// Layers that face opposite ways go both out on their fronts. Neighbours in the mesh stay as they are.
-/// `ways` is scratch. Both spans are of all bodies' particles.
-/// Returns whether anything moved. Of n layers at one place, all are apart after at most n - 1 calls.
+/// Moves features that touch within rounding `distance` [m] apart: of each pair the one of the later body,
+/// off the surface that it stands on or, where both lie along one surface, out on its front. Layers that face
+/// opposite ways go both out on their fronts; layers of one body that face the same way stay. `ways` is
+/// scratch. Both spans are of all bodies' particles.
+/// Returns whether anything moved. Of n layers at one place, all are apart after n - 1 calls.
 bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
                    std::span<Vec4> positions, std::span<Vec4> ways);
 

@@ -173,15 +173,21 @@ TEST(TouchingLayers, LieInTheOrderInWhichTheyWereAdded) {
         EXPECT_GT(scene.mean_height(k), scene.mean_height(k - 1) + 0.8 * double{thickness}) << k;
 }
 
-TEST(TouchingLayers, StayOnTheSideOnWhichTheyStand) {
-    for (const bool standing_first : {false, true}) {
-        std::vector<Mesh> meshes = {level(), upright()};
-        if (standing_first) std::swap(meshes[0], meshes[1]);
-        Scene scene(vacuum(), meshes);
-        for (int step = 0; step < 40; ++step) scene.world.step(h);
-        EXPECT_GT(scene.mean_height(standing_first ? 0 : 1), scene.mean_height(standing_first ? 1 : 0))
-            << standing_first;
-    }
+TEST(TouchingLayers, StayOnTheSideOnWhichTheyStandOrHang) {
+    for (const bool level_first : {false, true})
+        for (const bool hangs : {false, true}) {
+            Mesh other = upright();
+            if (hangs)
+                for (Vec3& p : other.positions) p.y -= size;
+            std::vector<Mesh> meshes = {level(), other};
+            if (!level_first) std::swap(meshes[0], meshes[1]);
+            Scene scene(vacuum(), meshes);
+            for (int step = 0; step < 40; ++step) scene.world.step(h);
+            const double above =
+                scene.mean_height(level_first ? 1 : 0) - scene.mean_height(level_first ? 0 : 1);
+            EXPECT_GT(hangs ? -above : above, 0.4 * double{size}) << level_first << hangs;
+            EXPECT_EQ(crossings(scene.world, scene.cloths), 0) << level_first << hangs;
+        }
 }
 
 // Layers of a skirt that share their waist touch there for ever.
