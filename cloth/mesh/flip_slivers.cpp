@@ -36,18 +36,22 @@ RestSides flat_sides(const Mesh& mesh, const Triangle& vertices) {
             Eigen::Vector2d(to1.dot(to2) / length, to1.cross(to2).norm() / length).cast<float>()};
 }
 
-/// Of its springs, times the membrane's modulus; infinite without an area.
+/// The stiffness of a triangle's springs, times the membrane's modulus; infinite without an area.
 double stiffness_of(const Mesh& mesh, const Triangle& vertices) {
     if (!has_area(mesh, vertices)) return std::numeric_limits<double>::infinity();
     return side_strains(flat_sides(mesh, vertices)).stiffness().maxCoeff();
 }
 
-/// Lower than a sound triangle.
-bool is_low(const Mesh& mesh, const Triangle& vertices) {
-    double longest = 0;
+std::array<double, 3> squared_sides(const Mesh& mesh, const Triangle& vertices) {
+    std::array<double, 3> squares;
     for (std::size_t k = 0; k < 3; ++k)
-        longest = std::max(
-            longest, (rest_point(mesh, vertices[(k + 1) % 3]) - rest_point(mesh, vertices[k])).squaredNorm());
+        squares[k] = (rest_point(mesh, vertices[(k + 1) % 3]) - rest_point(mesh, vertices[k])).squaredNorm();
+    return squares;
+}
+
+/// A low triangle is lower than a sound one.
+bool is_low(const Mesh& mesh, const Triangle& vertices) {
+    const double longest = std::ranges::max(squared_sides(mesh, vertices));
     return normal_of(mesh, vertices).norm() < least_sound_height * longest;
 }
 
@@ -143,7 +147,7 @@ class Flips {
         if (is_sliver(t)) waiting_.push_back(t);
     }
 
-    /// Those that no flip gave an area; the rest in the mesh's order.
+    /// Drops triangles that no flip gave an area; the others are in the mesh's order then.
     void leave_out_flat() {
         std::vector<std::uint32_t> kept;
         for (std::uint32_t t = 0; t < topology_.triangles.size(); ++t)
@@ -181,12 +185,8 @@ class Flips {
     }
 
     [[nodiscard]] std::size_t longest_side(std::uint32_t t) const {
-        const Triangle& vertices = topology_.corners[t];
-        std::array<double, 3> lengths;
-        for (std::size_t k = 0; k < 3; ++k)
-            lengths[k] =
-                (rest_point(mesh_, vertices[(k + 1) % 3]) - rest_point(mesh_, vertices[k])).squaredNorm();
-        return static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
+        const std::array<double, 3> squares = squared_sides(mesh_, topology_.corners[t]);
+        return static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
     }
 
     [[nodiscard]] std::optional<Quad> quad_about(std::uint32_t t) const {

@@ -66,7 +66,7 @@ struct Topology {
 /// Finds the edges of the present triangles. Precondition: no edge has more than two.
 void build_edges(Topology& topology);
 
-/// Whether a triangle of vertices is neither lower nor smaller than what counts as none.
+/// A triangle has an area unless it is so low or so small that it counts as none.
 [[nodiscard]] bool has_area(const Mesh& mesh, const Triangle& vertices);
 
 /// Finds the components of the present edges and particles.

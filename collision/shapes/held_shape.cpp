@@ -102,7 +102,7 @@ Result<HeldShape::Data> make_data(const DistanceField& field) {
     return HeldShape::Data(std::move(made));
 }
 
-/// Whether all corners lie behind every face.
+/// A body is convex if all its corners lie behind every face.
 bool is_convex_body(const TriangleTree& tree) {
     const float rounding = 1e-4f * tree.box().diagonal().norm();
     for (std::uint32_t t = 0; t < tree.size(); ++t) {

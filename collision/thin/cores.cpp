@@ -13,7 +13,7 @@ namespace {
 /// particles, a ball between the corners of a triangle.
 constexpr float if_fast = 2, if_moved = 1.1f, rod_slips_through = 0.55f, ball_slips_through = 0.8f,
                 is_held_in = 0.4f;
-/// Of the thickness, that a collider moves at least in a step, or it stands still.
+/// A collider that moves by less than this part of the thickness in a step stands still.
 constexpr float moved = 0.02f;
 /// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
 /// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing

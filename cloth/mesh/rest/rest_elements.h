@@ -24,8 +24,8 @@ struct RestSides {
 constexpr double least_bending_height = 0.02;
 
 /// Factor of a triangle's bending, from 0 to 1: 1 for a sound triangle, and the cube of its height over that
-/// of a sound one for a sliver. Between two needles bending is stiff by the inverse cube of that height, while
-/// mass hardly depends on it.
+/// of a sound one for a sliver. Between two needles bending is stiff by the inverse cube of that height,
+/// while mass hardly depends on it.
 [[nodiscard]] double sliver_factor(const RestSides& sides);
 
 /// Two triangles about their shared edge: (0, 1, 2) and (1, 0, 3), in the order in which the first is wound.

@@ -39,7 +39,7 @@ struct SideStrains {
 };
 [[nodiscard]] SideStrains side_strains(const RestSides& sides);
 
-/// What each strain of side_strains() is multiplied by, 0 to 1, so that none of a sliver's asks for more than
+/// Factors of the strains of side_strains(), 0 to 1, such that none of a sliver's asks for more than
 /// greatest_side_stiffness, or less below least_resolved_height. A cap gives way across its longest side, and
 /// keeps what it has along it.
 [[nodiscard]] Eigen::Vector3d softened_strains(const SideStrains& strains);

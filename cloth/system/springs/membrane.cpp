@@ -36,7 +36,7 @@ Eigen::Matrix3d strains_along(const Eigen::Vector2d& axis) {
     return turn;
 }
 
-/// What a sliver's strains are multiplied by, in the pattern's axes; see softened_strains().
+/// Factors of a sliver's strains in the pattern's axes; see softened_strains().
 Eigen::Matrix3d softening(const SideStrains& strains) {
     const Eigen::Vector2d back(strains.along.x(), -strains.along.y());
     return strains_along(back) * softened_strains(strains).asDiagonal() * strains_along(strains.along);
@@ -57,8 +57,7 @@ RestStrains rest_strains(const ClothModel& model, std::uint32_t triangle) {
     }
     result.strains = extensions.inverse();
     const SideStrains strains = side_strains(rest);
-    if (softened_strains(strains).minCoeff() < 1)
-        result.strains = softening(strains) * result.strains;
+    if (softened_strains(strains).minCoeff() < 1) result.strains = softening(strains) * result.strains;
     return result;
 }
 

@@ -30,7 +30,10 @@ struct Side {
 class TouchingPairs {
   public:
     TouchingPairs(std::span<const ContactBody> bodies, std::span<const Vec4> positions)
-        : bodies_(bodies), positions_(positions) {}
+        : bodies_(bodies), positions_(positions) {
+        for (const Vec4& x : positions)
+            largest_ = std::max({largest_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+    }
 
     /// visit(pair, shape, corners of A) for those that touch.
     template <class Visit>
@@ -60,7 +63,9 @@ class TouchingPairs {
     }
 
   private:
+    /// Most pairs are farther apart than the largest coordinate of all is rounded, which takes no gathering.
     [[nodiscard]] bool is_touching(const FeaturePair& pair, const PairShape& shape) const {
+        if (std::abs(shape.normal.w) > rounding_per_coordinate * largest_) return false;
         float largest = 0;
         for (const std::uint32_t i : pair.corners)
             largest = std::max(largest, xyz(positions_[i]).cwiseAbs().maxCoeff());
@@ -70,7 +75,7 @@ class TouchingPairs {
     [[nodiscard]] const ContactBody& body_of(std::uint32_t particle) const {
         return bodies_[weft::body_of(bodies_, particle)];
     }
-    /// Around the closest point: of the corners of a pair in [begin, end).
+    /// The surface around the closest point of a pair's corners in [begin, end).
     [[nodiscard]] Side side_of(const FeaturePair& pair, const PairShape& shape, std::uint32_t begin,
                                std::uint32_t end) const {
         Side side;
@@ -92,6 +97,7 @@ class TouchingPairs {
 
     std::span<const ContactBody> bodies_;
     std::span<const Vec4> positions_;
+    float largest_ = 0;  // coordinate [m]
 };
 
 /// Sums, of each particle, where pairs tell it to go. Returns whether any does.

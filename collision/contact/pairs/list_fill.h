@@ -10,7 +10,7 @@ namespace weft {
 
 struct FoundPairs;
 
-/// What a search lists if there are more pairs than room.
+/// The list of a search that finds more pairs than there is room for.
 enum class FullList : std::uint8_t {
     has_the_first,  ///< as many pairs as there is room for
     is_empty,       ///< no pair: the search ends as soon as it knows

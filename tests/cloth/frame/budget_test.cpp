@@ -260,7 +260,7 @@ TEST(Budget, WhatIsWornTakesNoLongSteps) {
     EXPECT_EQ(hall.cloths[2]->state.detail->rate, 4u);
 }
 
-// One rung at a time, for others see what it leaves unsolved; and not to and fro.
+// A budget changes one rung at a time, since others see what it leaves unsolved, and not to and fro.
 TEST(Budget, RungsAreKeptForAWhile) {
     Hall hall(0.4f, 8);
     std::vector<std::uint32_t> rungs(8, 0);

@@ -186,7 +186,7 @@ TEST(ForgedSave, SaysWhatIsWrong) {
     EXPECT_TRUE(budgeted.world.restore(budgeted.good));
 }
 
-/// Where two saves of one World differ.
+/// Places at which two saves of one World differ.
 std::vector<std::size_t> places_of_change(const Bytes& a, const Bytes& b) {
     std::vector<std::size_t> places;
     for (std::size_t k = sizeof(SaveHead); k < a.size(); ++k)

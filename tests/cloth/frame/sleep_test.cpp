@@ -331,7 +331,7 @@ TEST(Sleep, IsNotDisturbedByClothThatItDoesNotMeet) {
     }
 }
 
-// What is put back where its step began stands still, and is not at rest.
+// Cloth that the guard puts back stands still, and is not at rest.
 TEST(Sleep, NeverWhereEachStepIsPutBack) {
     WorldSettings settings;
     settings.gravity = {0, -1e4f, 0};

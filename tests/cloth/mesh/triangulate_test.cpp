@@ -210,7 +210,7 @@ Polygon with_holes_about_a_corner(int holes) {
 }
 
 /// The outline of squares of a grid, each beside one of the others, with a corner at every point of the grid.
-/// It meets itself where two squares share only a corner. Empty: they enclose a hole.
+/// The outline meets itself where two squares share only a corner. Empty: they enclose a hole.
 Polygon random_squares(std::size_t count, std::mt19937& random) {
     using Cell = std::pair<int, int>;
     std::vector<Cell> cells{{0, 0}};

@@ -288,7 +288,7 @@ TEST(Settle, AMotionThatWouldEndWithinTheFloorEndsAtIt) {
     EXPECT_EQ(cut(mesh, all_pairs(mesh), motions, {5e-3f, 30}).fractions[3], 1.0f);
 }
 
-// What is cut of the motion of some goes to all alike, where nothing holds any of them.
+// Momentum that cutting takes from some goes to all alike, where nothing holds any of them.
 TEST(Settle, CuttingKeepsTheMomentumOfWhatIsFree) {
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
         Triangles mesh = triangle_soup(40, 0.5f, seed);
