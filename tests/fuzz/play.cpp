@@ -87,6 +87,18 @@ Player::Answered Player::make(const Operation& operation, const SetClothSettings
     return answer;
 }
 
+Player::Answered Player::make(const Operation& operation, const SetEnabled& call) {
+    return world_.set_enabled(*cloths_[operation.cloth], call.on);
+}
+
+Player::Answered Player::make(const Operation& operation, const Wake&) {
+    return world_.wake(*cloths_[operation.cloth]);
+}
+
+Player::Answered Player::make(const Operation& operation, const SetImportance& call) {
+    return world_.set_importance(*cloths_[operation.cloth], call.priority, call.view_distance);
+}
+
 Player::Answered Player::make(const Operation& operation, const Pin& call) {
     const auto answer = world_.pin(*cloths_[operation.cloth], call.vertices);
     if (!answer) return answer;
@@ -194,6 +206,14 @@ Player::Answered Player::make(const Operation&, const AttachCollider& call) {
     return answer;
 }
 
+Player::Answered Player::make(const Operation&, const DetachCollider& call) {
+    const auto& collider = colliders_[call.collider];
+    if (!collider) return std::nullopt;
+    const auto answer = world_.detach_collider(*collider);
+    if (answer) carried_.erase(call.collider);
+    return answer;
+}
+
 Player::Answered Player::make(const Operation& operation, const Attach& call) {
     const auto& body = bodies_[call.body];
     if (!body) return std::nullopt;
@@ -271,9 +291,14 @@ Player::Answered Player::make(const Operation&, const ShiftOrigin& call) {
 
 Player::Answered Player::make(const Operation& operation, const Step& call) {
     const std::uint64_t steps = steps_, hash = world_.state_hash();
-    const StepReport& report = world_.step(call.dt);
-    if (operation.answer == Answer::refused) {
-        check(report.flags == StepFlags::invalid_dt, "dt is invalid, and flags say otherwise");
+    const bool is_refused = operation.answer == Answer::refused;
+    if (call.apart)
+        step_apart(call.dt, is_refused);
+    else
+        world_.step(call.dt);
+    const StepReport& report = world_.report();
+    if (is_refused) {
+        check(call.apart || report.flags == StepFlags::invalid_dt, "dt is invalid, and flags say otherwise");
         check(report.step == steps && world_.state_hash() == hash, "a step of invalid dt changed the World");
     } else {
         check_step(report, steps);

@@ -12,7 +12,14 @@ Player::Answered Player::make(const Operation& operation, const Recut& call) {
         view_before
             ? std::vector(view_before->vertex_to_particle.begin(), view_before->vertex_to_particle.end())
             : std::vector<std::uint32_t>();
+    const std::string unchanged = snapshot_now();
     const auto answer = world_.recut_cloth(id, call.cut.mesh, call.cut.from);
+    if (!answer && operation.answer == Answer::either && view_before) {
+        // The script goes on with vertices that this cloth does not have.
+        check(snapshot_now() == unchanged, "failed (" + answer.error().message + ") and changed the World");
+        check(world_.remove_cloth(id).ok(), "a cloth is not there any more");
+        return std::nullopt;
+    }
     if (!answer) return answer;
     std::map<std::uint32_t, Vec3> now;
     for (std::uint32_t v = 0; v < call.cut.from.size(); ++v) {

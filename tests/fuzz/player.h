@@ -66,6 +66,10 @@ class Player {
     Answered make(const Operation& operation, const RemoveCloth&);
     Answered make(const Operation& operation, const Recut& call);
     Answered make(const Operation& operation, const SetClothSettings& call);
+    Answered make(const Operation& operation, const SetEnabled& call);
+    Answered make(const Operation& operation, const Wake&);
+    Answered make(const Operation& operation, const SetImportance& call);
+    Answered make(const Operation& operation, const Ask&);
     Answered make(const Operation& operation, const Pin& call);
     Answered make(const Operation& operation, const MovePin& call);
     Answered make(const Operation& operation, const Unpin& call);
@@ -77,6 +81,7 @@ class Player {
     Answered make(const Operation&, const SetBody& call);
     Answered make(const Operation&, const RemoveBody& call);
     Answered make(const Operation&, const AttachCollider& call);
+    Answered make(const Operation&, const DetachCollider& call);
     Answered make(const Operation& operation, const Attach& call);
     Answered make(const Operation& operation, const Detach& call);
     Answered make(const Operation&, const SetWorldSettings& call);
@@ -109,6 +114,10 @@ class Player {
                       const std::string& before) const;
     void check_vertices(std::size_t cloth, const ClothView& view) const;
     void check_cloth(std::size_t cloth) const;
+    void step_apart(float dt, bool is_refused);
+    void read_beside_work();
+    void ask_of_world();
+    void ask_of_cloth(ClothId id);
     void check_step(const StepReport& report, std::uint64_t steps_before) const;
     void check_contacts(const StepReport& report) const;
     void check_pins(std::size_t cloth) const;

@@ -77,10 +77,16 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
     check(report.step == steps_before + 1, "the report counts another number of steps");
     check(!has(report.flags, StepFlags::invalid_dt), "dt is valid, and flags say otherwise");
     check(!has(report.flags, StepFlags::crossed), "cloth went through cloth");
-    std::uint32_t cloths = 0, particles = 0;
+    std::uint32_t cloths = 0, sleeping = 0, particles = 0;
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         if (!is_there(i)) continue;
+        const ClothReport own = world_.cloth_report(*cloths_[i]).value();
+        if (!own.enabled) continue;
         ++cloths;
+        if (own.asleep) {
+            ++sleeping;
+            continue;
+        }
         const ClothView view = world_.cloth(*cloths_[i]).value();
         particles += static_cast<std::uint32_t>(view.positions.size());
         // A cloth that was restored stands where the step began, its pins where they are told.
@@ -90,7 +96,8 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
             check(length(v) <= most, "cloth " + std::to_string(i) + ": " + text_of(length(v)) +
                                          " m/s, and max_speed is " + text_of(world_.settings().max_speed));
     }
-    check(report.cloths == cloths && report.particles == particles, "the report counts other cloths");
+    check(report.cloths == cloths && report.sleeping_cloths == sleeping && report.particles == particles,
+          "the report counts other cloths");
     check(report.restored_cloths <= cloths, "more cloths restored than there are");
     check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
           "the flag and the count of restored cloths differ");

@@ -22,7 +22,8 @@ struct PlannedCloth {
     ClothSettings settings;
     bool removed = false;
     std::vector<std::uint32_t> pinned;
-    bool may_have_maps = false;  ///< of mass or stiffness
+    bool may_have_maps = false;      ///< of mass or stiffness
+    bool may_have_distance = false;  ///< of self-collision, which a mesh of more particles may refuse
 
     [[nodiscard]] std::uint64_t work() const {
         return removed ? 0 : mesh.positions.size() * passes_of(settings);
@@ -38,6 +39,10 @@ struct PlannedShape {
     OwnedShape shape;
     bool removed = false;
 };
+
+void note_distance(PlannedCloth& cloth, const ClothSettings& settings) {
+    cloth.may_have_distance |= settings.self_collision.enabled && settings.self_collision.distance > 0;
+}
 
 /// Draws operation by operation, with what the earlier ones have left in mind.
 class Author {
@@ -84,8 +89,13 @@ class Author {
     void set_body();
     void remove_body();
     void attach_collider();
+    void detach_collider();
     void attach();
     void detach();
+    void set_enabled();
+    void wake();
+    void set_importance();
+    void ask();
     void set_world_settings();
     void step();
     void start_trace();
@@ -159,8 +169,13 @@ void Author::add_operation() {
         {3, &Author::set_body},
         {1, &Author::remove_body},
         {3, &Author::attach_collider},
+        {1, &Author::detach_collider},
         {3, &Author::attach},
         {1, &Author::detach},
+        {4, &Author::set_enabled},
+        {1, &Author::wake},
+        {2, &Author::set_importance},
+        {2, &Author::ask},
         {8, &Author::set_cloth_settings},
         {6, &Author::set_world_settings},
         {1, &Author::start_trace},
@@ -240,6 +255,7 @@ void Author::add_cloth() {
     const bool accepted = mesh.answer == Answer::accepted && settings.answer == Answer::accepted;
     // What is refused has no place among the cloths, but for what the mesh alone decides.
     cloths_.push_back({mesh.value, settings.value, refused, {}});
+    note_distance(cloths_.back(), settings.value);
     const bool cooked = random_.chance(0.4);
     const Vec3 place = cooked ? random_.point(0.3f) : Vec3{};
     const std::uint32_t damaged = cooked ? random_.below(1u << 31) : 0;
@@ -269,6 +285,7 @@ void Author::add_mistreated_cloth() {
     settings.self_collision.distance = random_.one_of({0.0f, 0.05f});
     script_.mistreated = cloths_.size();
     cloths_.push_back({mesh, settings, false, {}});
+    note_distance(cloths_.back(), settings);
     add(AddCloth{std::move(mesh), settings}, Answer::accepted, *script_.mistreated);
 }
 
@@ -311,6 +328,7 @@ void Author::mistreat() {
             const Drawn<ClothSettings> settings =
                 random_cloth_settings(random_, passes_left(count, work() - cloth.work()));
             if (settings.answer != Answer::refused) cloth.settings = settings.value;
+            note_distance(cloth, settings.value);
             return add(SetClothSettings{settings.value},
                        settings.answer == Answer::refused ? Answer::refused : Answer::either, chosen);
         }
@@ -361,7 +379,10 @@ void Author::recut() {
         cut->from[random_.below(cut->from.size())] = static_cast<std::uint32_t>(cloth.mesh.positions.size());
     else
         cloth.mesh = cut->mesh;
-    add(Recut{*std::move(cut)}, is_wrong ? Answer::refused : Answer::accepted, chosen);
+    const Answer answer = is_wrong                  ? Answer::refused
+                          : cloth.may_have_distance ? Answer::either
+                                                    : Answer::accepted;
+    add(Recut{*std::move(cut)}, answer, chosen);
 }
 
 void Author::set_cloth_settings() {
@@ -371,6 +392,7 @@ void Author::set_cloth_settings() {
         random_cloth_settings(random_, passes_left(cloth.mesh.positions.size(), work() - cloth.work()));
     const bool may_refuse = cloth.may_have_maps && settings.value.finite_elements.consistent_mass;
     if (settings.answer != Answer::refused && !may_refuse) cloth.settings = settings.value;
+    note_distance(cloth, settings.value);
     add(SetClothSettings{settings.value},
         settings.answer == Answer::accepted && may_refuse ? Answer::either : settings.answer, chosen);
 }
@@ -506,6 +528,31 @@ void Author::attach_collider() {
     add(AttachCollider{random_.below(bodies_), any_of(colliders_)}, Answer::either);
 }
 
+void Author::detach_collider() {
+    if (colliders_.empty()) return add_collider();
+    add(DetachCollider{any_of(colliders_)}, Answer::either);
+}
+
+void Author::set_enabled() {
+    add(SetEnabled{random_.chance(0.6)}, Answer::accepted, any_of(cloths_));
+}
+
+void Author::wake() {
+    add(Wake{}, Answer::accepted, any_of(cloths_));
+}
+
+void Author::set_importance() {
+    const bool is_wrong = random_.chance(0.1);
+    const float wrong = random_.one_of({-1.0f, std::numeric_limits<float>::quiet_NaN(), 1.1e6f});
+    const float priority = random_.one_of({0.0f, 1.0f, 1e6f}), distance = random_.one_of({0.0f, 1.0f, 1e6f});
+    add(SetImportance{priority, is_wrong ? wrong : distance}, is_wrong ? Answer::refused : Answer::accepted,
+        any_of(cloths_));
+}
+
+void Author::ask() {
+    add(Ask{}, Answer::either, any_of(cloths_));
+}
+
 void Author::attach() {
     if (bodies_ == 0) return add_body();
     const std::size_t chosen = any_of(cloths_);
@@ -527,12 +574,14 @@ void Author::set_world_settings() {
 
 void Author::step() {
     const float infinity = std::numeric_limits<float>::infinity();
+    const bool apart = random_.chance(0.2);
     if (random_.chance(0.05))
         return add(Step{random_.one_of({0.0f, -1.0f / 60, infinity, -infinity, 1.01f, 1e-38f,
-                                        0.99f * least_step, std::numeric_limits<float>::quiet_NaN()})},
+                                        0.99f * least_step, std::numeric_limits<float>::quiet_NaN()}),
+                        apart},
                    Answer::refused);
     const float dt = random_.chance(0.7) ? 1.0f / 60 : random_.of_any_size(least_step, greatest_step);
-    for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt});
+    for (std::uint32_t n = random_.chance(0.3) ? 1 + random_.below(6) : 1; n > 0; --n) add(Step{dt, apart});
     if (random_.chance(0.03)) add(MoveWorld{});
 }
 

@@ -28,6 +28,13 @@ struct RemoveCloth {};
 struct Recut {
     MeshCut cut;  ///< of the mesh that it has
 };
+struct SetEnabled {
+    bool on;
+};
+struct Wake {};
+struct SetImportance {
+    float priority, view_distance;
+};
 struct SetClothSettings {
     ClothSettings settings;
 };
@@ -74,6 +81,9 @@ struct RemoveBody {
 struct AttachCollider {
     std::size_t body, collider;
 };
+struct DetachCollider {
+    std::size_t collider;
+};
 struct Attach {
     std::size_t body;
     std::vector<std::uint32_t> vertices;
@@ -86,7 +96,10 @@ struct SetWorldSettings {
 };
 struct Step {
     float dt;
+    bool apart = false;  ///< by begin_step(), work() and end_step()
 };
+/// All that a host can ask without changing anything.
+struct Ask {};
 struct StartTrace {
     std::size_t max_events;
 };
@@ -133,7 +146,7 @@ struct Operation {
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
                  Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, SetFrame,
                  LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape, Save,
-                 Restore, Recut>
+                 Restore, Recut, SetEnabled, Wake, SetImportance, DetachCollider, Ask>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

@@ -110,14 +110,26 @@ static std::string text_of(const SelfCollision& s) {
                    text_of(s.search), text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
-    return braced(
-        "ClothSettings",
-        {text_of(s.fabric), text_of(s.finite_elements),
-         std::visit([](const auto& method) { return text_of(method); }, s.method), text_of(s.time_scheme),
-         text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision), text_of(s.air_damping),
-         text_of(s.thickness), text_of(s.friction), text_of(s.restitution), text_of(s.collider_mask),
-         text_of(s.collider_response), text_of(s.frame_inertia.linear), text_of(s.frame_inertia.angular),
-         text_of(s.frame_inertia.centrifugal), text_of(s.priority), text_of(s.view_distance)});
+    return braced("ClothSettings", {text_of(s.fabric),
+                                    text_of(s.finite_elements),
+                                    std::visit([](const auto& method) { return text_of(method); }, s.method),
+                                    text_of(s.time_scheme),
+                                    text_of(s.substeps),
+                                    text_of(s.tethers),
+                                    text_of(s.self_collision),
+                                    text_of(s.air_damping),
+                                    text_of(s.thickness),
+                                    text_of(s.friction),
+                                    text_of(s.restitution),
+                                    text_of(s.collider_mask),
+                                    text_of(s.collider_response),
+                                    text_of(s.frame_inertia.linear),
+                                    text_of(s.frame_inertia.angular),
+                                    text_of(s.frame_inertia.centrifugal),
+                                    text_of(s.enabled),
+                                    text_of(s.sleep_speed),
+                                    text_of(s.priority),
+                                    text_of(s.view_distance)});
 }
 
 static std::string text_of(const AirSource& a) {
@@ -233,6 +245,9 @@ static std::string text_of(const RemoveBody& call) {
 static std::string text_of(const AttachCollider& call) {
     return "attach_collider(" + std::to_string(call.body) + ", " + std::to_string(call.collider) + ")";
 }
+static std::string text_of(const DetachCollider& call) {
+    return "detach_collider(" + std::to_string(call.collider) + ")";
+}
 static std::string text_of(const Attach& call) {
     return "attach(" + std::to_string(call.body) + ", " + text_of(call.vertices) + ")";
 }
@@ -243,7 +258,7 @@ static std::string text_of(const SetWorldSettings& call) {
     return "set_settings(" + text_of(call.settings) + ")";
 }
 static std::string text_of(const Step& call) {
-    return "step(" + text_of(call.dt) + ")";
+    return "step(" + text_of(call.dt) + (call.apart ? ") in three" : ")");
 }
 static std::string text_of(const PlaceCollider& call) {
     return "place_collider(" + text_of(call.collider) + ", " + text_of(call.place) + ")";
@@ -289,6 +304,18 @@ static std::string text_of(const LeaveFrame&) {
 }
 static std::string text_of(const Recut& call) {
     return "recut_cloth(" + std::to_string(call.cut.added_particles) + " particles more)";
+}
+static std::string text_of(const SetEnabled& call) {
+    return call.on ? "set_enabled(true)" : "set_enabled(false)";
+}
+static std::string text_of(const Wake&) {
+    return "wake()";
+}
+static std::string text_of(const SetImportance& call) {
+    return "set_importance(" + text_of(call.priority) + ", " + text_of(call.view_distance) + ")";
+}
+static std::string text_of(const Ask&) {
+    return "all that can be asked";
 }
 static std::string text_of(const SetMap& call) {
     return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";
