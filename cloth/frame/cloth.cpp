@@ -395,6 +395,13 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
     if (any_released) state.record.h = 0;
 }
 
+float Cloth::farthest_pin() const noexcept {
+    float farthest = 0;
+    for (const Pin& pin : state.pins)
+        farthest = std::max(farthest, (pin.target - xyz(state.positions[pin.particle])).norm());
+    return farthest;
+}
+
 void Cloth::prepare_restore(std::span<const Pin> pins) {
     const std::vector<std::uint32_t> particles = particles_of(pins);
     for (const std::unique_ptr<Limit>& limit : limits) limit->prepare(model, particles);

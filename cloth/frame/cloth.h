@@ -263,6 +263,7 @@ struct Cloth {
     FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
     std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
+    float pin_lag = 0;                    ///< of its farthest pin, which cloth has stopped [m]
     LimitLag limit_lag{};                 ///< of its worn limits, at the end
     bool is_disturbed = false;            ///< see Simulation::find_disturbed()
     bool was_stepped = false;             ///< by the last step; if not, it says nothing of the above
@@ -281,6 +282,8 @@ struct Cloth {
     }
     /// It goes no further to where its last step ended.
     void land() noexcept;
+    /// How far the pin that is farthest from its target is from it [m].
+    [[nodiscard]] float farthest_pin() const noexcept;
     /// Coefficients of its next step, or part of one, of h seconds.
     [[nodiscard]] Bdf bdf_of(float h, float least_gamma = 0) const {
         return bdf_after(history ? state.record.h : 0, h, least_gamma);

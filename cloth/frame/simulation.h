@@ -200,7 +200,6 @@ struct Simulation {
     void predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
     void settle(Worker& worker, Cloth& cloth, const Substep& part);
-    [[nodiscard]] ExpectedMotion expected_motion(const Cloth& cloth, float h) const;
     template <class StartOf>
     void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                         const StartOf& start_of, float h) const;

@@ -381,6 +381,7 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
     const bool is_too_fast = cloth.extent.peak_speed_squared > settings.max_speed * settings.max_speed;
     if (is_too_fast) limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
     if (cloth.restored || is_too_fast) cloth.extent = look();
+    cloth.pin_lag = cloth.features && !cloth.restored ? cloth.farthest_pin() : 0;
 }
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {

@@ -134,7 +134,7 @@ void Player::check_pins(std::size_t cloth) const {
         // By impact zones beside cloth by contact, too: both are cut.
         const SelfCollision self = world_.cloth_settings(*cloths_[cloth]).value().self_collision;
         const bool may_lag = self.enabled && self.method != SelfCollisionMethod::avoidance;
-        if (may_lag && world_.report().pin_lag > 0) continue;  // cloth was in its way
+        if (may_lag && world_.cloth_report(*cloths_[cloth])->pin_lag > 0) continue;  // cloth was in its way
         check(p.x == target.x && p.y == target.y && p.z == target.z,
               "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +
                   text_of(target) + " and lies at " + text_of(Vec3{p.x, p.y, p.z}));

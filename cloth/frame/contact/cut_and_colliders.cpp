@@ -19,7 +19,6 @@ void Simulation::keep_cut_out_of_colliders(Worker& worker, FeatureContact& space
     if (!any) return;
     const FeatureCounts anew = space.cut_without_common(worker.parallel, true);
     counts.truncated = anew.truncated;
-    counts.pin_lag = std::max(counts.pin_lag, anew.pin_lag);
     counts.lost = anew.lost;
     counts.overflowed |= anew.overflowed;
 }

@@ -55,7 +55,6 @@ FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
     narrowing_.reserve(pairs);
     const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
     partials_ = AlignedBuffer<float>(blocks);
-    holders_ = AlignedBuffer<Holder>(blocks);
     for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
         *buffer = AlignedBuffer<Vec4>(particles);
     if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
@@ -83,7 +82,7 @@ void FeatureContact::begin() noexcept {
     restitutions_.clear();
     if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
     may_cross_ = is_uncertain_ = has_all_near_ = can_look_again_ = false;
-    holder_ = Holder::none;
+    is_pinned_ = false;
     tangles_.clear();
 }
 
@@ -104,23 +103,14 @@ void FeatureContact::add(const ContactCloth& body) {
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                            const ExpectedMotion& expected) {
     const std::uint32_t first = bodies_[body].first;
-    const auto holder_of = [&](std::uint32_t i) {
-        if (positions[i].w == 0) return Holder::pin;
-        return expected.held.empty() || xyz(expected.held[i]).isZero(0) ? Holder::none : Holder::collider;
-    };
     h_ = expected.h;
-    const auto place_block = [&](const BlockRange& range) {
-        Holder firmest = Holder::none;
+    is_pinned_ |= std::ranges::any_of(positions, [](const Vec4& x) { return x.w == 0; });
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Holder holder = holder_of(i);
             start_[first + i] = positions[i];
             displacements_[first + i] = to_vec4(expected.h * xyz(expected.velocities[i]), 0);
-            firmest = std::max(firmest, holder);
         }
-        return firmest;
-    };
-    holder_ = parallel.reduce(static_cast<std::uint32_t>(positions.size()), holders_.span(), holder_,
-                              place_block, [](Holder a, Holder b) { return std::max(a, b); });
+    });
 }
 
 void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
@@ -258,7 +248,7 @@ std::size_t FeatureContact::bytes() const noexcept {
     return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
            laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
            exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + holders_.bytes() + zones_.bytes() + colliding_.bytes();
+           partials_.bytes() + zones_.bytes() + colliding_.bytes();
 }
 
 }  // namespace weft

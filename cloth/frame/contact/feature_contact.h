@@ -31,20 +31,16 @@ struct ContactCloth {
     float restitution = 0;  ///< of these
 };
 
-/// Where a body is expected to go in a substep: on, as it does. What gravity adds is the same for all and
-/// brings nothing nearer, but that something is held; and that is felt within the radius, a step later.
-/// Counted for what falls alone, it would be the spread of all cloth that lies or hangs.
+/// Predicted motion for detection: h v. Gravity is left out: it is common to everything that falls.
 struct ExpectedMotion {
     std::span<const Vec4> velocities;
-    float h = 0;                      ///< [s]
-    std::span<const Vec4> held = {};  ///< not 0: what a collider holds; may be empty
+    float h = 0;  ///< [s]
 };
 
 /// What came of a substep.
 struct FeatureCounts {
     std::uint32_t pairs = 0;       ///< of features, for which the equation has a row
     std::uint32_t truncated = 0;   ///< particles that went less far than was solved for
-    float pin_lag = 0;             ///< the largest distance by which a pin missed its target [m]
     float lost = 0;                ///< part of the motion that truncation took
     TangleCounts tangles = {};     ///< what crossed at the start
     bool overflowed = false;       ///< there was no room for all pairs: nothing moved but in common
@@ -145,9 +141,8 @@ class FeatureContact {
     void set_reach(float ContactCloth::*of_cloth);
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach, FullList full);
     void find_for_cut(Parallel& parallel);
-    /// For as much of the way as there is room for pairs. Returns by how much pins are kept from their places
-    /// at most.
-    [[nodiscard]] float find_for_part_of_way(Parallel& parallel);
+    /// Shortens the motion until there is room for its pairs, and finds these.
+    void find_for_part_of_way(Parallel& parallel);
     [[nodiscard]] SettleResult cut_listed(Parallel& parallel, bool is_pushed);
     [[nodiscard]] FeatureCounts counts_of(Parallel& parallel, const SettleResult& result);
     FeatureCounts stand_still();
@@ -186,15 +181,13 @@ class FeatureContact {
     AlignedBuffer<std::uint8_t> exempt_;  // by pair
     bool may_cross_ = false;
     bool is_uncertain_ = false;  // rounding may have made features cross
-    enum class Holder : std::uint8_t { none, collider, pin };
-    Holder holder_ = Holder::none;  // of some particle, as the substep begins: the firmest
+    bool is_pinned_ = false;     // some particle is
     float h_ = 0;
     AlignedBuffer<PairLaw> laws_;
     AlignedBuffer<float> wanted_;
     AlignedBuffer<Vec4> start_, displacements_, base_;
     AlignedBuffer<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     AlignedBuffer<float> partials_;  // by block
-    AlignedBuffer<Holder> holders_;  // by block
     ImpactZones zones_;
     AlignedBuffer<std::uint32_t> colliding_;  // room for as many as pairs_; empty if no body needs zones
 };

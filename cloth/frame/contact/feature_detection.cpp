@@ -118,43 +118,32 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     finder_.find_again(parallel, bodies_, start_.span(), settler_.relative(), searched_.span(), pairs_);
 }
 
-// Were all to stand still where too much is near on the way, cloth that is drawn out would want to go as far
-// in the next step, and never come home.
-float FeatureContact::find_for_part_of_way(Parallel& parallel) {
+// A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it
+// come home.
+void FeatureContact::find_for_part_of_way(Parallel& parallel) {
     constexpr float shorter = 0.25f;
     constexpr int most_tries = 4;
-    float longest_cut = 0;
-    for (int k = 0;; ++k) {
+    find_for_cut(parallel);
+    for (int k = 0; pairs_.overflowed && k < most_tries; ++k) {
+        const CommonMotion common = is_pinned_ ? CommonMotion{} : settler_.common();
+        for_ranges(parallel, ranges_, [&](const BlockRange& range) {
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                set_xyz(displacements_[i],
+                        give_back(common, xyz(start_[i]), xyz(displacements_[i]), shorter));
+        });
         find_for_cut(parallel);
-        if (!pairs_.overflowed || k == most_tries) return longest_cut;
-        const CommonMotion common = holder_ == Holder::pin ? CommonMotion{} : settler_.common();
-        const auto shorten_block = [&](const BlockRange& range) {
-            float longest = 0;
-            for (std::uint32_t i = range.begin; i < range.end; ++i) {
-                const Vector3 way = xyz(displacements_[i]);
-                const Vector3 part = give_back(common, xyz(start_[i]), way, shorter);
-                set_xyz(displacements_[i], part);
-                if (start_[i].w == 0) longest = std::max(longest, (way - part).norm());
-            }
-            return longest;
-        };
-        const auto greater = [](float a, float b) { return std::max(a, b); };
-        longest_cut += reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, shorten_block, greater);
     }
 }
 
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
-    const float pins_cut = find_for_part_of_way(parallel);
+    find_for_part_of_way(parallel);
     can_look_again_ = false;  // the first search's motions make room
     for (const ParticleRange& range : ranges_)
         std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
     const SettleResult result = cut_listed(parallel, is_pushed);
-    FeatureCounts counts =
-        result.draws_pins ? cut_without_common(parallel, is_pushed) : counts_of(parallel, result);
-    counts.pin_lag += pins_cut;
-    return counts;
+    return result.draws_pins ? cut_without_common(parallel, is_pushed) : counts_of(parallel, result);
 }
 
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
@@ -169,8 +158,8 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
     float least_floor = cloths_.front().floor;
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
     Island all = island();
-    all.is_pinned = holder_ == Holder::pin;
-    all.is_free = holder_ == Holder::none && !is_pushed;
+    all.is_pinned = is_pinned_;
+    all.is_free = !is_pinned_ && !is_pushed;
     return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},
                            displacements_.span());
 }
@@ -178,10 +167,8 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
 FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& result) {
     is_uncertain_ = result.uncertain > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
-    return {.truncated = result.truncated,
-            .pin_lag = result.pinned_lag,
-            .lost = result.motion_lost,
-            .overflowed = result.list_was_incomplete};
+    return {
+        .truncated = result.truncated, .lost = result.motion_lost, .overflowed = result.list_was_incomplete};
 }
 
 // Rounding can take the gap of a pair that is not listed, even where all move alike.

@@ -135,11 +135,7 @@ void Simulation::meet(const Substep& substep) {
     solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
 }
 
-ExpectedMotion Simulation::expected_motion(const Cloth& cloth, float h) const {
-    return {.velocities = cloth.state.velocities.span(), .h = h, .held = cloth.state.held.normals.span()};
-}
-
-/// Where the cloths are; start_of(cloth) has the positions.
+/// Places the cloths at the positions that start_of(cloth) returns.
 template <class StartOf>
 void Simulation::place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                                 const StartOf& start_of, float h) const {
@@ -147,7 +143,8 @@ void Simulation::place_features(Worker& worker, FeatureContact& space, std::span
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         const Cloth& cloth = *cloths[k];
         space.add(cloth.as_body());
-        space.place(worker.parallel, k, start_of(cloth), expected_motion(cloth, h));
+        space.place(worker.parallel, k, start_of(cloth),
+                    {.velocities = cloth.state.velocities.span(), .h = h});
         if (cloth.state.may_cross != 0) space.recall(k, cloth.state.tangles.span());
     }
 }
@@ -406,7 +403,6 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> cloths, cons
     const FeatureCounts counts = space.cut(worker.parallel, touches_colliders(cloths));
     FeatureCounts& sum = cloths.front()->feature_counts;
     sum.truncated += counts.truncated;
-    sum.pin_lag = std::max(sum.pin_lag, counts.pin_lag);
     sum.overflowed |= counts.overflowed;
     if constexpr (looks_for_new_crossings) sum.crossed |= space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) hand_back(worker, space, k, *cloths[k], substep.h);

@@ -19,7 +19,7 @@ StepFlags flags_of(const Cloth& cloth, float max_speed) {
     raise(cloth.pins_limited || std::sqrt(cloth.extent.peak_speed_squared) > 0.999f * max_speed,
           StepFlags::speed_limited);
     raise(cloth.unsolved, StepFlags::unsolved);
-    raise(cloth.feature_counts.pin_lag > 0, StepFlags::pins_stopped);
+    raise(cloth.pin_lag > 0, StepFlags::pins_stopped);
     raise(cloth.feature_counts.crossed, StepFlags::crossed);
     raise(cloth.self_counts.dropped > 0 || cloth.feature_counts.overflowed, StepFlags::contacts_dropped);
     return flags;
@@ -44,7 +44,7 @@ ClothReport Simulation::report_of(const Cloth& cloth) const {
     of.truncated_particles = cloth.feature_counts.truncated;
     of.crossings = cloth.feature_counts.tangles.crossings;
     of.unresolved_pairs = sum_at_most(0, cloth.feature_counts.unresolved);
-    of.pin_lag = cloth.feature_counts.pin_lag;
+    of.pin_lag = cloth.pin_lag;
     of.limits_exceeded = cloth.limit_lag.particles;
     of.limit_lag = cloth.limit_lag.most;
     of.peak_speed = std::sqrt(cloth.extent.peak_speed_squared);

@@ -102,8 +102,8 @@ struct ClothReport {
     bool enabled = true, asleep = false;
     std::uint32_t particles = 0;
     std::uint32_t collider_contacts = 0;
-    /// Of cloths that were solved together in contact, the first has all pairs, crossings, truncations and
-    /// lags of pins, and the flags of these.
+    /// Of cloths that were solved together in contact, the first has all pairs, crossings and truncations,
+    /// and the flags of these.
     std::uint32_t self_contacts = 0;
     std::uint32_t peak_self_contacts = 0;
     std::uint32_t truncated_particles = 0;

@@ -65,11 +65,7 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     for (int round = 0; pairs.size > 0 && !result.list_was_incomplete; ++round) {
         place_ends(parallel, island, displacements);
         const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result.uncertain);
-        if (to_hold == 0) break;
-        if (round == most_rounds_of_rounding) {
-            result.uncertain += to_hold;
-            break;
-        }
+        if (to_hold == 0 || round == most_rounds_of_rounding) break;
         truncation_.cut_again(parallel, pairs, held_.span(), settings);
         given_back_ = mean_loss(parallel, island, displacements);
         result.sweeps = truncation_.sweeps();
@@ -80,7 +76,6 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     result.common = common_.kind;
     result.truncated = totals.truncated;
     result.standing_planes = truncation_.standing_planes(parallel, pairs);
-    result.pinned_lag = totals.lag;
     result.motion_lost = totals.wanted > 0 ? static_cast<float>(totals.lost / totals.wanted) : 0;
     return result;
 }
@@ -160,12 +155,9 @@ std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pai
             const Vector3 normal = to_ends * xyz(pairs.shapes[k].normal);
             const float gap = gap_along(normal, pairs.pairs[k], pairs.corners_of_a(k), ends_.span());
             if (gap >= left_after_rounding * kept) continue;
-            if (stands_still(pairs.pairs[k])) {
-                failures.uncertain += gap > 0 ? 0 : 1;
-            } else {
-                held_[k] = 1;
-                ++failures.to_hold;
-            }
+            failures.uncertain += gap > 0 ? 0 : 1;
+            held_[k] = stands_still(pairs.pairs[k]) ? 0 : 1;
+            failures.to_hold += held_[k];
         }
         return failures;
     };
@@ -191,15 +183,12 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
             if (tau >= 1) continue;
             const float lost = (wanted - had).norm();
             ++totals.truncated;
-            if (!std::isfinite(lost)) continue;
-            totals.lost += double{lost};
-            if (!(island.positions[i].w > 0)) totals.lag = std::max(totals.lag, lost);
+            if (std::isfinite(lost)) totals.lost += double{lost};
         }
         return totals;
     };
     const auto add = [](const Totals& a, const Totals& b) {
-        return Totals{a.wanted + b.wanted, a.lost + b.lost, std::max(a.lag, b.lag),
-                      a.truncated + b.truncated};
+        return Totals{a.wanted + b.wanted, a.lost + b.lost, a.truncated + b.truncated};
     };
     return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, apply_block, add);
 }

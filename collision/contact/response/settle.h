@@ -36,7 +36,6 @@ struct SettleResult {
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
     std::uint32_t uncertain = 0;  ///< pairs as near as rounding, which may have crossed by it
-    float pinned_lag = 0;         ///< [m]; how far the farthest pinned particle is from its place
     /// Share of the way that all particles wanted to go: the sum of |wanted - had| over that of |wanted|.
     float motion_lost = 0;
 };
@@ -81,7 +80,6 @@ class Settler {
   private:
     struct Totals {
         double wanted = 0, lost = 0;
-        float lag = 0;
         std::uint32_t truncated = 0;
     };
     struct Momentum {

@@ -14,7 +14,8 @@ namespace {
 // A gap counts as kept if this share of it is: rounding then asks for no further sweep.
 constexpr float tolerance = 0.99f;
 
-// A cut vertex stops this share of its way short of its plane, for the same reason.
+// A cut vertex stops this share of its way short of its plane, for the same reason. It takes more than the
+// rounding of that share: the vertex, rounded to the nearest float, is within its plane, which is a float.
 constexpr float short_of_plane = 0.999f;
 
 // Rounding of coordinates to float takes up to 2^-24 of the largest from each, of three on two sides: of the
@@ -213,7 +214,6 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
             if (!is_beyond(tau[i])) continue;
             const float most = (plane - lane.start[i]) / lane.motion[i];
             limits.of[i] = short_of_plane * std::clamp(most, 0.0f, tau[i]);
-            if (is_beyond(limits.of[i])) limits.of[i] = 0;
             any = true;
         }
         return any;

@@ -274,10 +274,11 @@ struct Slope {
     static constexpr std::uint32_t side = 13;
     static constexpr float edge = 0.3f / (side - 1);
 
-    Slope(float angle, float friction)
+    Slope(float angle, float friction) : Slope(angle, friction, friction) {}
+    Slope(float angle, float friction_below, float friction)
         : down(std::cos(angle), -std::sin(angle), 0), up(std::sin(angle), std::cos(angle), 0) {
         ClothSettings settings = with_contact();
-        settings.self_collision.friction = friction;
+        settings.self_collision.friction = friction_below;
         settings.air_damping = 0;
         const auto lying = [&](float height, float length, std::uint32_t particles) {
             const Eigen::Vector3f at = height * up - 0.5f * length * down, along = length * down;
@@ -290,6 +291,7 @@ struct Slope {
         };
         const ClothId below = world.add_cloth(lying(0, 20 * edge, 21), settings).value();
         for (std::uint32_t i = 0; i < 21 * 21; ++i) EXPECT_TRUE(world.pin(below, i));
+        settings.self_collision.friction = friction;
         cloth = world.add_cloth(lying(0.31f * edge, 0.3f, side), settings).value();
         cloths = {below, cloth};
     }
@@ -329,6 +331,35 @@ TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
         const float seconds = steps * h;
         const float way = 0.5f * 9.81f * (std::sin(angle) - friction * std::cos(angle)) * seconds * seconds;
         EXPECT_NEAR((slope.mean(slope.down) - before) / way, 1, 0.45f) << friction;
+    }
+}
+
+TEST(ClothOnCloth, RubsByTheGeometricMeanOfBothFrictions) {
+    const auto way = [](float below, float above) {
+        Slope slope(0.611f, below, above);
+        const float before = slope.mean(slope.down);
+        for (int k = 0; k < 20; ++k) slope.world.step(h);
+        return slope.mean(slope.down) - before;
+    };
+    const float expected = way(0.3f, 0.3f);
+    EXPECT_NEAR(way(0.1f, 0.9f), expected, 0.01f * expected);
+    EXPECT_NEAR(way(0.9f, 0.1f), expected, 0.01f * expected);
+}
+
+// Particles within the distance along the cloth are no layers.
+TEST(FoldedCloth, AtRestStaysAtRestWhateverTheDistance) {
+    const Mesh mesh = make_sheet({.rows = 13, .columns = 13, .u = {0.3f, 0, 0}, .v = {0, 0, 0.3f}}).value();
+    for (const float edges : {0.75f, 1.6f, 2.1f, 3.3f}) {
+        World world = World::create(still_air(1, {})).value();
+        ClothSettings settings = with_contact();
+        settings.self_collision.distance = edges * 0.3f / 12;
+        const ClothId cloth = world.add_cloth(mesh, settings).value();
+        for (int k = 0; k < 20; ++k) world.step(h);
+        const ClothView view = world.cloth(cloth).value();
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const Vec4& x = view.positions[view.vertex_to_particle[v]];
+            ASSERT_LT((xyz(x) - to_vector(mesh.positions[v])).norm(), 1e-5f) << edges << " edges, " << v;
+        }
     }
 }
 
@@ -400,6 +431,40 @@ TEST(FoldedCloth, HasNoCrossingHoweverFastItIsThrown) {
             ASSERT_EQ(crossings(world, cloths), 0) << speed << " m/s, step " << k;
         }
     }
+}
+
+// Each cloth says so of its own pins, whichever of them was solved first.
+TEST(ClothOnCloth, APinThatIsStoppedLagsAsFarAsIsSaid) {
+    for (const float speed : {1.0f, 5.0f, 50.0f})
+        for (const bool moved_first : {false, true}) {
+            World world = World::create(still_air(1, {})).value();
+            const float heights[] = {moved_first ? 0.2f : 0.0f, moved_first ? 0.0f : 0.2f};
+            const std::array cloths{world.add_cloth(turned_sheet(heights[0]), with_contact()).value(),
+                                    world.add_cloth(turned_sheet(heights[1], 0.4f), with_contact()).value()};
+            for (const ClothId id : cloths) ASSERT_TRUE(world.pin(id, border_of(13)));
+            const ClothId still = cloths[moved_first ? 1 : 0], moved = cloths[moved_first ? 0 : 1];
+            float most = 0;
+            for (int k = 0; k < 16; ++k) {
+                std::vector<Vec3> targets;
+                for (const std::uint32_t i : border_of(13)) {
+                    const Vec4 x = world.cloth(moved)->positions[i];
+                    targets.push_back({x.x, x.y - speed * h, x.z});
+                }
+                ASSERT_TRUE(world.move_pins(moved, border_of(13), targets));
+                const StepReport& report = world.step(h);
+                float lag = 0;
+                for (std::size_t p = 0; p < targets.size(); ++p)
+                    lag = std::max(
+                        lag, (xyz(world.cloth(moved)->positions[border_of(13)[p]]) - to_vector(targets[p]))
+                                 .norm());
+                EXPECT_FLOAT_EQ(world.cloth_report(moved)->pin_lag, lag) << speed << ", step " << k;
+                EXPECT_EQ(has(world.cloth_report(moved)->flags, StepFlags::pins_stopped), lag > 0);
+                EXPECT_EQ(report.pin_lag,
+                          std::max(world.cloth_report(moved)->pin_lag, world.cloth_report(still)->pin_lag));
+                most = std::max(most, lag);
+            }
+            EXPECT_GT(most, 0.1f * speed * h) << speed;
+        }
 }
 
 TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {

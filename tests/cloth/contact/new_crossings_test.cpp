@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -114,6 +115,104 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     soup.add({.positions = end, .triangles = corners});
     EXPECT_EQ(soup.crossings(), 0);
     EXPECT_FLOAT_EQ(velocities[0].y, -(0.8f + 0.37f * start[0].x - 0.21f * start[0].z) / h);
+}
+
+// A space is used for one island after another.
+TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
+    TwoTriangles scene;
+    const std::vector<Vec4> above = scene.high;
+    for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;
+    scene.high[2].y -= 0.05f;
+    scene.high[0].y += 0.05f;
+    const std::vector<Vec4> crossing = scene.high;
+    const std::vector<TangleMemory> nothing(3);
+    const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
+    const auto place = [&](std::size_t recalled) {
+        scene.space.begin();
+        for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+        scene.space.place(scene.parallel, 0, scene.low, still);
+        scene.space.place(scene.parallel, 1, scene.high, still);
+        for (std::size_t body = 0; body < recalled; ++body) scene.space.recall(body, nothing);
+        scene.space.detect(scene.parallel);
+    };
+    const auto remembers = [&](std::size_t body) {
+        return std::ranges::any_of(scene.space.memory(body),
+                                   [](const TangleMemory& m) { return m.name != 0; });
+    };
+    place(2);
+    ASSERT_TRUE(scene.space.may_cross());
+    ASSERT_TRUE(remembers(1));
+    scene.high = above;
+    place(1);
+    EXPECT_FALSE(remembers(1)) << "nobody has recalled anything of it";
+    scene.high = crossing;
+    place(2);
+    ASSERT_TRUE(scene.space.may_cross());
+    scene.high = above;
+    place(0);
+    EXPECT_FALSE(scene.space.may_cross());
+    scene.arrive(1.5f * TwoTriangles::apart);
+    const FeatureCounts counts = scene.space.settle(scene.parallel, false);
+    EXPECT_GT(counts.truncated, 0u);
+    EXPECT_EQ(counts.tangles.contours, 0u);
+    EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
+}
+
+// At ten kilometres the gap between the two is less than a rounding.
+TEST(NewCrossings, AreLookedForWhereRoundingMayHaveMadeThem) {
+    for (const float way : {1.0f, 1e4f}) {
+        TwoTriangles scene;
+        for (Vec4& x : scene.high) x.y = 5e-5f;
+        scene.space.begin();
+        for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+        const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
+        scene.space.place(scene.parallel, 0, scene.low, still);
+        scene.space.place(scene.parallel, 1, scene.high, still);
+        scene.space.detect(scene.parallel);
+        for (auto* rows : {&scene.low, &scene.high})
+            for (Vec4& x : *rows) x.y += way;
+        scene.arrive(0);
+        scene.space.cut(scene.parallel, false);
+        EXPECT_EQ(scene.space.may_cross(), way > 1) << way;
+    }
+}
+
+// Every other one of a pile of triangles is to pass all above it: for a part of that way the list has room.
+TEST(FullList, ShortensTheMotionUntilThereIsRoom) {
+    constexpr std::uint32_t triangles = 80;
+    constexpr float apart = 0.05f, way = 8;
+    std::vector<Vec4> start, end;
+    std::vector<ContactMesh::Triangle> corners;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const float angle = 0.37f * static_cast<float>(t) + 2.1f * static_cast<float>(k);
+            start.push_back(
+                {0.3f * std::cos(angle), apart * static_cast<float>(t), 0.3f * std::sin(angle), 1});
+            end.push_back(start.back());
+            end.back().y += t % 2 == 0 ? 0 : way;
+        }
+        corners.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const ContactMesh mesh{start, corners};
+    const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
+    for (const bool is_pinned : {false, true}) {
+        start[0].w = is_pinned ? 0.0f : 1.0f;
+        FeatureContact space{std::span(&body, 1)};
+        Parallel parallel{1};
+        const std::vector<Vec4> velocities(start.size());
+        space.begin();
+        space.add(body);
+        space.place(parallel, 0, start, {.velocities = velocities, .h = 0.01f});
+        space.detect(parallel);
+        space.arrive(parallel, 0, end);
+        const FeatureCounts counts = space.settle(parallel, false);
+        EXPECT_FALSE(counts.overflowed) << is_pinned;
+        EXPECT_FALSE(space.crosses_anew(parallel)) << is_pinned;
+        double farther = 0;
+        for (std::uint32_t t = 0; t + 1 < triangles; t += 2)
+            farther += double{space.displacements(0)[3 * t + 3].y - space.displacements(0)[3 * t].y};
+        EXPECT_GT(farther / (triangles / 2), 0.3 * double{apart}) << is_pinned;
+    }
 }
 
 }  // namespace
