@@ -42,6 +42,7 @@ void Player::ask_of_world() {
           "nothing is described");
     check(draws_finite_things(world_), "something is drawn at no place");
     check(!world_.profile().empty(), "no stage is timed");
+    static_cast<void>(world_.write_trace("/dev/null"));  // refused where no trace was started
     const std::array<Vec3, 3> points{{{}, {1, 2, 3}, {-9e4f, 5, 9e4f}}};
     std::array<Vec3, 3> air{};
     check(world_.sample_air(points, air).ok() && std::ranges::all_of(air, is_finite_point),

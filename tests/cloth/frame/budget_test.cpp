@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloth/frame/settings/validate.h"
@@ -138,6 +139,48 @@ TEST(Budget, GoesToWhatCounts) {
     for (std::size_t i = 0; i < 19; ++i) EXPECT_LE(hall.rung(19), hall.rung(i)) << i;
     EXPECT_LE(hall.rung(19), 1u);
     EXPECT_GE(hall.rung(0), 1u) << "it keeps what nobody else needs";
+}
+
+TEST(Budget, NobodyLooksFromNearerThanTenCentimetres) {
+    Hall hall(0.18f, 2);  // for one of the two as it is set
+    hall.cloths[0]->settings.priority = 2;
+    hall.cloths[0]->settings.view_distance = 0.1f;
+    hall.cloths[1]->settings.view_distance = 0;
+    hall.run(200);
+    EXPECT_EQ(hall.rung(0), 0u);
+    EXPECT_GT(hall.rung(1), 0u);
+}
+
+// What is learnt of a rung when it is new says nothing of the others.
+TEST(Budget, KnowsWhatEachRungCostsHoweverRungsChange) {
+    Hall hall(3, 2);
+    for (int s = 0; s < 600; ++s) {
+        hall.simulation.settings.budget = s / 60 % 2 == 0 ? 3 : 0.15f;
+        hall.run(1);
+        if (s < 60) continue;
+        for (const Cloth* cloth : hall.cloths)
+            ASSERT_NEAR(cloth->budgeted->costs.all()[0], 100'000, 1000) << "step " << s;
+    }
+    EXPECT_GT(hall.changes, 10u);
+}
+
+TEST(Budget, ALongStepThatIsPutBackIsReportedAndNotGoneThrough) {
+    Hall hall(0.001f, 3);
+    hall.run(30);
+    Cloth& cloth = *hall.cloths[1];
+    while (cloth.state.detail->left > 0) hall.run(1);
+    const auto positions = std::as_const(cloth.state.positions).span();
+    const std::vector<Vec4> before(positions.begin(), positions.end());
+    cloth.solver_failed = true;
+    hall.run(1);
+    EXPECT_EQ(hall.simulation.report.restored_cloths, 1u);
+    EXPECT_TRUE(has(hall.simulation.report_of(cloth).flags, StepFlags::state_restored));
+    EXPECT_EQ(hall.simulation.report_of(cloth).rate, 1u);
+    EXPECT_EQ(cloth.state.detail->left, 0u);
+    EXPECT_TRUE(std::ranges::equal(before, cloth.state.positions.span(),
+                                   [](const Vec4& a, const Vec4& b) { return xyz(a) == xyz(b); }));
+    hall.run(1);
+    EXPECT_EQ(hall.simulation.report.restored_cloths, 0u);
 }
 
 TEST(Budget, ChangesNothingWhereNothingChanges) {
@@ -354,6 +397,28 @@ TEST(Budget, AReplayMakesTheSameChoices) {
         ASSERT_TRUE(replayed) << replayed.error().message;
         EXPECT_FALSE(replayed->difference) << "step " << replayed->difference->step;
         EXPECT_EQ(replayed->steps, 130u);
+    }
+}
+
+TEST(Budget, ALongStepThatASaveGoesOnWithWasNotPutBack) {
+    const WorldSettings usual{.wind = {.air_density = 0}, .threads = 1, .budget = 1e-4f};
+    WorldSettings wild = usual;
+    wild.gravity = {0, -1e4f, 0};
+    wild.max_speed = 1e4f;
+    for (int steps = 30; steps < 34; ++steps) {
+        World world = World::create(usual).value();
+        const ClothId cloth = world.add_cloth(sheet(0)).value();
+        for (int i = 0; i < steps; ++i) world.step(h);
+        ASSERT_EQ(world.cloth_report(cloth)->rung, 4u);
+        std::vector<std::byte> saved(world.save_size());
+        ASSERT_TRUE(world.save(saved));
+        ASSERT_TRUE(world.set_settings(wild));
+        for (int i = 0; i < 60 && world.report().restored_cloths == 0; ++i) world.step(1);
+        ASSERT_EQ(world.report().restored_cloths, 1u);
+        ASSERT_TRUE(world.set_settings(usual));
+        ASSERT_TRUE(world.restore(saved));
+        world.step(h);
+        EXPECT_EQ(world.report().restored_cloths, 0u) << steps;
     }
 }
 

@@ -203,6 +203,53 @@ TEST(SaveOfWornCloth, GoesOnInAnotherWorldInTheMiddleOfItsPlans) {
     expect_refused(later.world, then, "set the maps of leashes and backstops");
 }
 
+TEST(SaveOfWornCloth, TakesAClothOutOfItsFrame) {
+    WornGame free(false), framed;
+    const Bytes then = saved(free.world);
+    framed.run(3);
+    ASSERT_TRUE(framed.world.restore(then));
+    EXPECT_TRUE(saved(framed.world) == then);
+    EXPECT_EQ(framed.world.state_hash(), free.world.state_hash());
+    for (WornGame* game : {&free, &framed}) game->world.step(h);
+    EXPECT_EQ(framed.world.state_hash(), free.world.state_hash());
+}
+
+// What touched what, and what bodies got, was of a step that has not been taken any more.
+TEST(SaveOfContacts, IsWithoutWhatTheLastStepReported) {
+    World world = World::create({.contact_reports = 100, .threads = 1}).value();
+    const ClothId cloth = world.add_cloth(make_sheet({.rows = 5, .columns = 5}).value()).value();
+    ASSERT_TRUE(world.add_collider({.shape = Plane{.offset = -0.02f}}));
+    const BodyId body = world.add_body({.mass = 0.1f}, {.position = {0.5f, 0, 0.5f}}).value();
+    ASSERT_TRUE(world.attach(body, cloth, std::vector<std::uint32_t>{12}));
+    const Bytes start = saved(world);
+    const auto has_got_something = [&] {
+        return std::ranges::any_of(world.body_impulses(), [](const BodyImpulse& got) {
+            return got.linear.x != 0 || got.linear.y != 0 || got.linear.z != 0;
+        });
+    };
+    for (int k = 0; k < 12; ++k) world.step(h);
+    ASSERT_FALSE(world.contacts().empty());
+    ASSERT_TRUE(has_got_something());
+    ASSERT_TRUE(world.restore(start));
+    EXPECT_TRUE(world.contacts().empty());
+    ASSERT_EQ(world.body_impulses().size(), 1u);
+    EXPECT_EQ(world.body_impulses()[0].body, body);
+    EXPECT_FALSE(has_got_something());
+
+    for (int k = 0; k < 12; ++k) world.step(h);
+    ASSERT_TRUE(has_got_something());
+    const BodyId other = world.add_body({}, {.position = {9, 9, 9}}).value();
+    ASSERT_EQ(world.body_impulses().size(), 2u);
+    EXPECT_EQ(world.body_impulses()[1].body, other);
+    EXPECT_FALSE(has_got_something());
+    for (int k = 0; k < 3; ++k) world.step(h);
+    ASSERT_TRUE(has_got_something());
+    ASSERT_TRUE(world.remove_body(other));
+    ASSERT_EQ(world.body_impulses().size(), 1u);
+    EXPECT_EQ(world.body_impulses()[0].body, body);
+    EXPECT_FALSE(has_got_something());
+}
+
 TEST(SaveRefuses, EveryFlippedByteAndEveryShorterOne) {
     World world = small_world();
     const Bytes good = saved(world);
@@ -246,6 +293,16 @@ TEST(SaveRefuses, AWorldOfOtherThings) {
     EXPECT_TRUE(kinds.add_cloth(make_sheet({.rows = 3, .columns = 3}).value()));
     EXPECT_TRUE(kinds.add_collider({.shape = Sphere{}}));
     expect_refused(kinds, good, "colliders are of other kinds");
+
+    const auto with_two = [](const decltype(Collider::shape)& first,
+                             const decltype(Collider::shape)& second) {
+        World two = World::create().value();
+        EXPECT_TRUE(two.add_collider({.shape = first}));
+        EXPECT_TRUE(two.add_collider({.shape = second}));
+        return two;
+    };
+    World in_turn = with_two(Plane{}, Sphere{});
+    expect_refused(in_turn, saved(with_two(Sphere{}, Plane{})), "or in another order");
 
     World finer = World::create().value();
     EXPECT_TRUE(finer.add_collider({.shape = Plane{}}));

@@ -347,6 +347,23 @@ TEST(Sleep, NeverWhereEachStepIsPutBack) {
     }
 }
 
+// What a collider holds comes out at a limited pace, and without a velocity.
+TEST(Sleep, NotBeforeItHasComeOutOfACollider) {
+    for (const float deep : {0.05f, 0.2f, 2.0f}) {
+        World world = make_world();
+        const ColliderId ground = world.add_collider({.shape = Plane{}}).value();
+        const ClothId cloth = add_sheet(world, 0.02f, that_sleeps());
+        ASSERT_TRUE(sleeps_within(world, cloth, 600));
+        ASSERT_TRUE(world.place_collider(ground, {.shape = Plane{.offset = deep}}));
+        for (int k = 0; k < 600; ++k) {
+            world.step(h);
+            if (!world.is_asleep(cloth).value()) continue;
+            for (const Vec4& x : world.cloth(cloth)->positions)
+                ASSERT_GT(x.y, deep) << "asleep after " << k << " steps";
+        }
+    }
+}
+
 TEST(Sleep, GustsLetNoneAndSteadyAirDoes) {
     WorldSettings settings;
     settings.wind = {.velocity = {0.5f, 0, 0}, .gust = 0.3f};
@@ -549,6 +566,33 @@ TEST(Enabled, FeelsNothingOfWhereItsFrameWentMeanwhile) {
     const float x = world.cloth(cloth)->positions[middle].x;
     run(world, 5);
     EXPECT_NEAR(world.cloth(cloth)->positions[middle].x, x, 1e-3f);
+}
+
+TEST(Enabled, FeelsNothingOfWhereItsSkinWentMeanwhile) {
+    WorldSettings settings;
+    settings.gravity = {};
+    settings.wind.air_density = 0;
+    World world = World::create(settings).value();
+    const ClothId cloth = add_sheet(world, 0.5f, that_sleeps());
+    ASSERT_TRUE(world.set_map(cloth, Map::leash, std::vector<float>(side * side, 0.05f)));
+    const auto put_skin = [&](float x) {
+        std::vector<Vec3> places;
+        const ClothView view = *world.cloth(cloth);
+        for (const std::uint32_t i : view.vertex_to_particle)
+            places.push_back({view.positions[i].x + x, view.positions[i].y, view.positions[i].z});
+        ASSERT_TRUE(world.set_skin(cloth, places, {}));
+    };
+    put_skin(0);
+    world.step(h);
+    ASSERT_TRUE(world.set_enabled(cloth, false));
+    put_skin(0.04f);  // within its leash
+    world.step(h);
+    ASSERT_TRUE(world.set_enabled(cloth, true));
+    const std::vector<Vec4> before = positions_of(world, cloth);
+    put_skin(0.08f);
+    world.step(h);
+    EXPECT_NEAR(world.cloth(cloth)->positions[middle].x - before[middle].x, 0.03f, 1e-4f);
+    EXPECT_LT(world.report().peak_speed, 0.041f / h);
 }
 
 TEST(Enabled, ByItsSettingAlike) {
