@@ -28,10 +28,9 @@ class LinearSolver : public Solver {
     [[nodiscard]] bool serves_system(const ClothSettings& settings) const {
         return kind_ == SystemKind(settings);
     }
-    /// Whether MeanMotion has to solve the motion of whole components, because the method leaves it almost
-    /// unsolved.
+    /// Whether MeanMotion solves the motion of whole components, which few iterations leave almost unsolved.
     [[nodiscard]] virtual bool solves_mean_motion_apart(const ClothSettings& /*settings*/) const {
-        return false;
+        return true;
     }
 
   private:

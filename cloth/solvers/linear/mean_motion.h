@@ -17,7 +17,7 @@ namespace weft {
 struct MotionRows;
 
 /// Springs do not feel a translation u, so along it the system of a component without pins is one of three
-/// equations: (sum_i r_i I + G_i) u = sum_i b_i, where contact adds G_i. Few Jacobi iterations leave this,
+/// equations: (sum_i r_i I + G_i) u = sum_i b_i, where contact adds G_i. Few iterations leave this,
 /// the slowest mode, almost unsolved, and stiff cloth hovers. Solved before the iteration and again after it,
 /// u makes free fall exact, and what lands is stopped, however few iterations run; the converged solution
 /// stays what it is (deflation: Nicolaides 1987).
