@@ -1,6 +1,7 @@
 #include "collision/contact/crossings/contours.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace weft {
 
@@ -31,7 +32,8 @@ constexpr std::size_t segments_per_crossing = 2;
 void Contours::reserve(std::size_t bodies, std::size_t crossings) {
     first_triangle_.reserve(bodies);
     segments_ = AlignedBuffer<Segment>(segments_per_crossing * crossings);
-    for (auto* buffer : {&parents_, &sides_, &contours_}) *buffer = AlignedBuffer<std::uint32_t>(crossings);
+    for (auto* buffer : {&parents_, &sides_, &contours_, &firsts_, &next_})
+        *buffer = AlignedBuffer<std::uint32_t>(crossings);
 }
 
 void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossing> crossings) {
@@ -50,6 +52,8 @@ void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossi
         const Root root = root_of(k);
         contours_[k] = root.crossing == k ? size_++ : contours_[root.crossing];
     }
+    std::fill_n(firsts_.data(), size_, none);
+    for (std::uint32_t k = count; k-- > 0;) next_[k] = std::exchange(firsts_[contours_[k]], k);
 }
 
 void Contours::find_segments(std::span<const ContactBody> bodies, std::span<const Crossing> crossings) {
@@ -104,7 +108,7 @@ void Contours::join(const Segment& a, const Segment& b) {
 
 std::size_t Contours::bytes() const noexcept {
     return first_triangle_.capacity() * sizeof(std::uint32_t) + segments_.bytes() + parents_.bytes() +
-           sides_.bytes() + contours_.bytes();
+           sides_.bytes() + contours_.bytes() + firsts_.bytes() + next_.bytes();
 }
 
 }  // namespace weft

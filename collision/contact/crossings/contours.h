@@ -27,6 +27,11 @@ class Contours {
     [[nodiscard]] std::uint32_t contour_of(std::uint32_t crossing) const noexcept {
         return contours_[crossing];
     }
+    /// visit(crossing) for those of a contour, ascending.
+    template <class Visit>
+    void for_each_crossing(std::uint32_t contour, const Visit& visit) const {
+        for (std::uint32_t k = firsts_[contour]; k != none; k = next_[k]) visit(k);
+    }
     /// On which side the crossing's edge is. The triangle is on the other.
     [[nodiscard]] std::uint32_t side_of_edge(std::uint32_t crossing) const noexcept {
         return sides_[crossing];
@@ -35,6 +40,7 @@ class Contours {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    static constexpr std::uint32_t none = ~0u;
     struct Segment {
         std::uint64_t triangles;  // the lower, then the higher
         std::uint32_t crossing;
@@ -51,6 +57,7 @@ class Contours {
     AlignedBuffer<Segment> segments_;
     std::uint32_t segment_count_ = 0;
     AlignedBuffer<std::uint32_t> parents_, sides_, contours_;  // of crossings; sides: against the parent's
+    AlignedBuffer<std::uint32_t> firsts_, next_;  // of contours, of crossings: those of a contour, as a list
     std::uint32_t size_ = 0;
 };
 

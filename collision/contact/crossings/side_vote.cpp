@@ -26,6 +26,7 @@ void SideVote::begin(std::span<const ContactBody> bodies, std::span<const Vec4> 
     bodies_ = bodies;
     positions_ = positions;
     pairs_ = &pairs;
+    spreads_left_ = static_cast<std::uint32_t>(members_.size());
     std::ranges::fill(starts_.span(), 0u);
     for (std::uint32_t k = 0; k < pairs.vertex_triangle; ++k) ++starts_[pairs.pairs[k].corners[0]];
     std::uint32_t sum = 0;
@@ -62,13 +63,13 @@ void SideVote::spread(const Member& member) {
 SideVote::Result SideVote::of(std::uint32_t contour, std::span<const Crossing> crossings,
                               const Contours& contours) {
     member_count_ = 0;
-    for (std::uint32_t k = 0; k < crossings.size(); ++k) {
-        if (contours.contour_of(k) != contour) continue;
+    contours.for_each_crossing(contour, [&](std::uint32_t k) {
         const std::uint32_t side = contours.side_of_edge(k);
         for (const std::uint32_t i : crossings[k].edge) join(i, side);
         for (const std::uint32_t i : crossings[k].triangle) join(i, 1 - side);
-    }
-    for (std::uint32_t k = 0; k < member_count_; ++k) spread(Member(members_[k]));
+    });
+    for (std::uint32_t k = 0; k < member_count_ && spreads_left_ > 0; ++k, --spreads_left_)
+        spread(Member(members_[k]));
 
     std::uint32_t above = 0, below = 0;
     const std::span<const Member> members = members_.span().first(member_count_);

@@ -14,7 +14,9 @@
 namespace weft {
 
 /// Pairs of features beside a contour say which of its surfaces lies on which side of the other. On the two
-/// sides of the contour they say the opposite, and the more are taken for right.
+/// sides of the contour they say the opposite, and the more are taken for right. In one step all contours
+/// together reach as far from where they cross as one alone may: of hundreds on crumpled cloth the later ask
+/// only what is near.
 class SideVote {
   public:
     void reserve(std::size_t particles, std::size_t pairs);
@@ -62,7 +64,7 @@ class SideVote {
     AlignedBuffer<std::uint32_t> starts_, order_;  // by vertex: which pairs it is in
     AlignedBuffer<std::uint8_t> sides_;            // of particles: bits; 0 between votes
     AlignedBuffer<Member> members_;
-    std::uint32_t member_count_ = 0;
+    std::uint32_t member_count_ = 0, spreads_left_ = 0;
 };
 
 }  // namespace weft

@@ -108,10 +108,9 @@ std::uint32_t Tangles::push_by_votes(std::uint32_t contour, std::span<const Cros
     const SideVote::Result result = side_vote_.of(contour, crossings, contours_);
     const std::span<UntanglingRow> rows = untangling_.rows();
     if (result.side == 0) return 0;
-    for (std::uint32_t k = 0; k < crossings.size(); ++k)
-        if (contours_.contour_of(k) == contour)
-            set_xyz(rows[k].direction,
-                    side_vote_.way_of(crossings[k], contours_.side_of_edge(k), result.side));
+    contours_.for_each_crossing(contour, [&](std::uint32_t k) {
+        set_xyz(rows[k].direction, side_vote_.way_of(crossings[k], contours_.side_of_edge(k), result.side));
+    });
     return result.minority;
 }
 

@@ -132,5 +132,35 @@ TEST(SideVote, LeavesNothingBehindForTheNext) {
     EXPECT_EQ(again.minority, vote.result.minority);
 }
 
+// Of hundreds of contours, each of which reached all over crumpled cloth, a step took minutes.
+TEST(SideVote, ManyInOneStepReachNoFartherThanOneMay) {
+    const ContactScene scene = crossed(0.3f);
+    Vote vote(scene);
+    for (int k = 0; k < 3; ++k) (void)vote.votes.of(0, vote.crossings(), vote.contours);
+    const SideVote::Result near = vote.votes.of(0, vote.crossings(), vote.contours);
+    EXPECT_GT(near.minority, 0u);
+    EXPECT_LT(near.minority, vote.result.minority / 2);
+    vote.votes.begin(scene.bodies, scene.positions, vote.pairs);
+    EXPECT_EQ(vote.votes.of(0, vote.crossings(), vote.contours).minority, vote.result.minority);
+}
+
+TEST(Contours, ListTheirCrossingsInOrder) {
+    ContactScene scene = crossed(0.3f);
+    scene.add(level(0.001f), level(0.001f), wound(false), reach);
+    const Vote vote(scene);
+    ASSERT_GT(vote.contours.size(), 1u);
+    std::uint32_t count = 0;
+    for (std::uint32_t contour = 0; contour < vote.contours.size(); ++contour) {
+        std::uint32_t least = 0;
+        vote.contours.for_each_crossing(contour, [&](std::uint32_t k) {
+            EXPECT_EQ(vote.contours.contour_of(k), contour);
+            EXPECT_GE(k, least);
+            least = k + 1;
+            ++count;
+        });
+    }
+    EXPECT_EQ(count, vote.list.size);
+}
+
 }  // namespace
 }  // namespace weft::test
