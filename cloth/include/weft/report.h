@@ -74,13 +74,12 @@ struct StepReport {
     std::uint32_t limits_exceeded = 0;
     float limit_lag = 0;
     /// By contact: places where an edge goes through a triangle, at the start of the last substep. Only a
-    /// state that was given so has any, or one that was put back. They are let apart, which may take a
-    /// second, and are more for a while on the way. Hooked folds can stay.
+    /// state that was given so has any, or one that was put back. Contact lets them apart, which may take a
+    /// second, and counts more of them for a while on the way. Hooked folds can stay.
     std::uint32_t crossings = 0;
-    /// By impact zones: pairs of features that still collide after all rounds of the last substep. One more
-    /// where the list had no room for all (StepFlags::contacts_dropped): those left out are not counted.
-    /// Pairs of edges are left out first, then those of a vertex and a triangle, of late vertices before
-    /// early ones.
+    /// By impact zones: pairs of features that still collide after all rounds of the last substep. Where the
+    /// list had no room for all (StepFlags::contacts_dropped), the pairs that it left out count as one: pairs
+    /// of edges first, then those of a vertex and a triangle, of late vertices before early ones.
     std::uint32_t unresolved_pairs = 0;
     std::uint32_t restored_cloths = 0;
     float peak_speed = 0;  ///< fastest particle [m/s]
