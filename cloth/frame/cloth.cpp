@@ -6,6 +6,7 @@
 #include "cloth/frame/cooked/saved_cloth.h"
 #include "cloth/frame/make_solver.h"
 #include "cloth/frame/recut/copies.h"
+#include "cloth/mesh/rest/linear_bending.h"
 #include "engine/memory/without_exceptions.h"
 
 namespace weft {
@@ -131,6 +132,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
 void Cloth::start_at_rest() {
     std::ranges::copy(model.positions.span(), state.positions.data());
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
+    stiffest_bending = weft::stiffest_bending(model);
     set_inverse_masses();
 }
 

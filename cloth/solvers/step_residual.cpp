@@ -44,7 +44,7 @@ class Pulls {
 
     [[nodiscard]] Vector3 bending(std::uint32_t i, std::uint32_t e) const {
         const std::uint32_t j = model_.neighbours[e];
-        const float weight = equation_.gamma * fabric_.bending * model_.bending[e];
+        const float weight = equation_.gamma * equation_.rigidity * model_.bending[e];
         return weight * (apart(i, j) + fabric_.damping * (velocity_(j) - velocity_(i)));
     }
     [[nodiscard]] Vector3 spring(std::uint32_t i, std::uint32_t e, float stiffness, float stiffening) const {
@@ -147,7 +147,7 @@ void add_springs(const ClothModel& model, const StepEquation& equation, std::spa
     for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
         now += pulls_now.bending(i, e);
         free += pulls_free.bending(i, e);
-        stiffness += fabric.bending * std::max(model.bending[e], 0.0f);
+        stiffness += equation.rigidity * std::max(model.bending[e], 0.0f);
     }
     if (model.rows > 0) {
         const SpringsOfParticle springs = springs_at(model, fabric, i);

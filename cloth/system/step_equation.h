@@ -32,6 +32,7 @@ struct StepEquation {
     const ClothSettings& settings;
     float h;                               ///< [s]
     float gamma;                           ///< [s]
+    float rigidity;                        ///< the fabric's, or what floats hold, see held_rigidity() [N m]
     std::span<const Vec4> positions;       ///< present, w inverse mass
     std::span<const Vec4> velocities;      ///< present
     std::span<const Vec4> base_positions;  ///< w inverse mass
@@ -44,6 +45,15 @@ struct StepEquation {
     std::span<const Vec4> velocity_changes{};  ///< that BDF2 goes on with; empty: none
     float divisor = 3;                         ///< of these in v_base
 };
+
+/// The fabric's rigidity, or the greatest beside which floats still know the particles' mass: bending's rows
+/// sum to 0 but for rounding, 2^-24 gamma^2 B b of a mass of areal density 1, see stiffest_bending(). Cells
+/// below a fifth of a millimetre reach it, and boards.
+[[nodiscard]] inline float held_rigidity(const Fabric& fabric, float gamma, float b) {
+    constexpr float most = 2e8f;
+    const float held = most * fabric.areal_density / (gamma * gamma * b);
+    return held < fabric.bending ? held : fabric.bending;
+}
 
 /// What acts on one particle besides fabric and contacts.
 struct ExternalRow {

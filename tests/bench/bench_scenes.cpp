@@ -120,6 +120,7 @@ StepEquation Scene::equation() const {
     return {.settings = cloth_->settings,
             .h = h,
             .gamma = h,
+            .rigidity = cloth_->settings.fabric.bending,
             .positions = state.positions.span(),
             .velocities = state.velocities.span(),
             .base_positions = state.positions.span(),

@@ -93,6 +93,7 @@ inline StepEquation equation_of(const Cloth& cloth, float h, const Vector3& grav
     return {.settings = cloth.settings,
             .h = h,
             .gamma = h,
+            .rigidity = cloth.settings.fabric.bending,
             .positions = cloth.state.positions.span(),
             .velocities = cloth.state.velocities.span(),
             .base_positions = cloth.state.positions.span(),

@@ -5,6 +5,7 @@
 
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/make_solver.h"
+#include "cloth/mesh/rest/linear_bending.h"
 #include "engine/memory/without_exceptions.h"
 
 namespace weft {
@@ -51,6 +52,7 @@ void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& withou
     std::swap(model.rest_area, areas);
     or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.rest_area, areas); });
     areas_without_map = std::move(without_map);
+    stiffest_bending = weft::stiffest_bending(model);
 }
 
 void Cloth::set_stiffness(AlignedBuffer<float>&& values) {

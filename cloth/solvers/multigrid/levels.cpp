@@ -208,6 +208,7 @@ std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& 
     const StepEquation equation{.settings = settings,
                                 .h = 1.0f / 60,
                                 .gamma = 1.0f / 60,
+                                .rigidity = settings.fabric.bending,
                                 .positions = free.span(),
                                 .velocities = at_rest.span(),
                                 .base_positions = free.span(),

@@ -37,7 +37,7 @@ BendingStep::BendingStep(const ClothModel& model, const std::vector<BendingEleme
 //   -c_i s k sum_a c_a (x_a + (d - 1) u_a) / (1 + max_a (s d D_a / m_a)).
 void BendingStep::apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved) {
     const Fabric& fabric = step.settings.fabric;
-    const float h = step.equation.h, scale = fabric.bending * h * h, viscous = fabric.damping / h;
+    const float h = step.equation.h, scale = step.equation.rigidity * h * h, viscous = fabric.damping / h;
     const std::span<const Vec4> masses = step.equation.positions;  // inverse, in w
     step.parallel.ranges(static_cast<std::uint32_t>(elements_.size()), [&](const BlockRange& range) {
         for (std::uint32_t e = range.begin; e < range.end; ++e) {

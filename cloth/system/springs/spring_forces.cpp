@@ -51,7 +51,7 @@ struct Linearisation {
           uses_velocities(about_base || damping > 0),
           squared(state.matrix.unit * state.matrix.unit),
           elastic(state.equation.gamma * state.equation.gamma / squared),
-          rigidity(state.equation.settings.fabric.bending * elastic),
+          rigidity(state.equation.rigidity * elastic),
           has_bending(rigidity > 0),
           per_gamma(1 / state.equation.gamma),
           viscosity(damping / state.equation.gamma) {}
@@ -126,7 +126,7 @@ struct Linearisation {
 struct SpringPulls {
     explicit SpringPulls(const SpringState& state)
         : viscosity(state.equation.settings.fabric.damping),
-          rigidity(state.equation.settings.fabric.bending),
+          rigidity(state.equation.rigidity),
           has_bending(rigidity > 0) {}
 
     template <class Relative>

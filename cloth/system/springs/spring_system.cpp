@@ -103,9 +103,9 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     const Fabric& fabric = equation.settings.fabric;
     const SpringState state = state_at(parallel, equation, velocities, about);
     const float stiffest =
-        table_.stiffest() + coupling_.stiffest_extra() + fabric.bending * table_.stiffest_bending();
+        table_.stiffest() + coupling_.stiffest_extra() + equation.rigidity * table_.stiffest_bending();
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
-    constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * fabric.bending;
+    constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
     // About the base the right side has W's slope, and the matrix must, too.
     linearised_at_ = about == LinearisedAbout::iterate ? state.positions : std::span<const Vec4>();

@@ -100,7 +100,7 @@ void linearise(const TriangleState& state, LinearisedAbout about, const BlockRan
     const Stencil& stencil = matrix.stencil;
     const bool about_base = about == LinearisedAbout::base, adds = state.additions.impulses.size() > 0;
     const float damping = equation.settings.fabric.damping;
-    const float rigidity = equation.gamma * equation.settings.fabric.bending;
+    const float rigidity = equation.gamma * equation.rigidity;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Lanes3 v_i = xyz(load_rows(&state.velocities[i]));
         const Row row = external_row(equation, i, load_rows(&state.positions[i]).w, v_i);
@@ -147,7 +147,7 @@ void residual(const TriangleState& state, const BlockRange& range, const Triangl
               Vec4* residual) {
     const StepEquation& equation = state.equation;
     const Stencil& stencil = matrix.stencil;
-    const float rigidity = equation.gamma * equation.settings.fabric.bending;
+    const float rigidity = equation.gamma * equation.rigidity;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const Row row =
             external_row(equation, i, load_rows(&state.positions[i]).w, xyz(load_rows(&state.velocities[i])));

@@ -113,7 +113,7 @@ void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& eq
     parallel.ranges(elements_.count,
                     [&](const BlockRange& range) { compute_triangles(elements_, range, triangles); });
     if (hinges_)
-        hinges_->compute(parallel, {.rigidity = equation.settings.fabric.bending,
+        hinges_->compute(parallel, {.rigidity = equation.rigidity,
                                     .positions = positions_.span(),
                                     .velocities = damping > 0 ? velocities : std::span<const Vec4>(),
                                     .viscosity = damping});
@@ -192,7 +192,7 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
     place(parallel, equation, velocities, about);
     compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
     make_additions(parallel, equation, velocities, true, about);
-    if (quadratic_.size() > 0) matrix_.scale = bending_factor(equation) * equation.settings.fabric.bending;
+    if (quadratic_.size() > 0) matrix_.scale = bending_factor(equation) * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_->particle_count, [&](const BlockRange& range) {

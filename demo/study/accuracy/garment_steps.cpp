@@ -18,6 +18,7 @@ StepEquation equation_of(const Run& run, const StudyScene& scene) {
         .settings = cloth.settings,
         .h = scene.frame,
         .gamma = scene.frame,
+        .rigidity = cloth.settings.fabric.bending,
         .positions = cloth.state.positions.span(),
         .velocities = cloth.state.velocities.span(),
         .base_positions = cloth.state.positions.span(),

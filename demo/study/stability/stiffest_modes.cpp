@@ -26,6 +26,7 @@ class FlatSystem {
                            {.settings = cloth_.settings,
                             .h = gamma,
                             .gamma = gamma,
+                            .rigidity = cloth_.settings.fabric.bending,
                             .positions = positions,
                             .velocities = velocities,
                             .base_positions = positions,

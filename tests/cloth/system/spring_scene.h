@@ -25,6 +25,7 @@ struct SpringScene {
         return {.settings = settings,
                 .h = 1.0f / 60,
                 .gamma = 1.0f / 60,
+                .rigidity = settings.fabric.bending,
                 .positions = positions.span(),
                 .velocities = velocities.span(),
                 .base_positions = positions.span(),
