@@ -93,6 +93,7 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             if (!model) return model.error();
             const auto sources = sources_of(cloth, *model, from);
             if (!sources) return sources.error();
+            if (auto valid = validate_neighbours(*model, cloth.settings); !valid) return valid.error();
             const ClothInfo info = model->info;
             auto next = std::make_unique<Cloth>(std::move(model).value(), cloth.settings);
             next->take_maps(cloth, *sources);
