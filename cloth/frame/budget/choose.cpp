@@ -25,8 +25,9 @@ void Simulation::choose_details() {
     choose_rates();
     for (Cloth* cloth : present_) {
         if (cloth->is_gliding()) continue;
+        const DetailState& detail = *cloth->state.detail;
         cloth->budgeted->settings = cloth->settings;
-        cloth->budgeted->settings.method = reduced(cloth->settings.method, cloth->state.detail->rung);
+        cloth->budgeted->settings.method = reduced(cloth->settings.method, detail.rung, detail.rate);
     }
 }
 
@@ -76,15 +77,11 @@ void Simulation::choose_rates() {
     }
 }
 
-/// What begins to take long steps takes them where the others leave most room; of equal ones, where most is
-/// left should all of them take the longest.
+/// A cloth that begins to take long steps takes them where the others leave most room.
 void Simulation::spread_long_steps() {
-    std::array<std::pair<std::uint64_t, std::uint64_t>, greatest_rate> loads{};
+    std::array<std::uint64_t, greatest_rate> loads{};
     const auto load = [&](const Cloth& cloth) {
-        const DetailState& detail = *cloth.state.detail;
-        const std::uint32_t rate = rate_of(detail.rung), particles = cloth.model.particle_count;
-        for (std::uint32_t p = detail.phase % rate; p < greatest_rate; p += rate) loads[p].first += particles;
-        loads[detail.phase % greatest_rate].second += particles;
+        loads[cloth.state.detail->phase % greatest_rate] += cloth.model.particle_count;
     };
     for (Cloth* cloth : present_) {
         std::uint32_t& phase = cloth->state.detail->phase;

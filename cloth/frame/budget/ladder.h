@@ -1,6 +1,6 @@
 #pragma once
-// By how much less than it is set to a cloth can be stepped, rung by rung. All of it are plain numbers of one
-// solver: going up and down takes no memory and prepares nothing.
+// How a cloth can be stepped for less than as it is set, rung by rung. Rungs differ in plain numbers of one
+// solver, so that a change of them takes no memory and prepares nothing.
 
 #include <array>
 #include <cstdint>
@@ -11,23 +11,23 @@
 namespace weft {
 
 struct Rung {
-    int passes;          ///< of Multilevel, at most; others stay as they are set
+    int passes;          ///< of Multilevel in steps of rate 1, at most; long steps take all that are set
     std::uint32_t rate;  ///< steps of the World that one of the cloth is long
     float cost;          ///< of a step over that of the first rung, until it is measured
     float error;         ///< of motion, over that of the last rung
 };
 
-inline constexpr std::uint32_t rung_count = 5;
-/// The first: as it is set.
+inline constexpr std::uint32_t rung_count = 3;
+/// The first rung is the cloth as it is set.
 extern const std::array<Rung, rung_count> ladder;
-/// The last one without long steps.
-inline constexpr std::uint32_t last_of_rate_1 = 2;
-inline constexpr std::uint32_t greatest_rate = 4;
+/// The last rung without long steps.
+inline constexpr std::uint32_t last_of_rate_1 = 1;
+inline constexpr std::uint32_t greatest_rate = 2;
 
-/// Of the last, where there is none of that number.
+/// The rate of a rung; of the last, where there is none of that number.
 [[nodiscard]] std::uint32_t rate_of(std::uint32_t rung) noexcept;
-/// A cloth's method as a rung takes it.
-[[nodiscard]] Method reduced(const Method& method, std::uint32_t rung);
+/// A cloth's method in a step of that rung and rate.
+[[nodiscard]] Method reduced(const Method& method, std::uint32_t rung, std::uint32_t rate);
 
 /// On which rung a step begins to take a cloth.
 struct RungOfCloth {

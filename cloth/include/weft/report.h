@@ -113,8 +113,8 @@ struct ClothReport {
     float limit_lag = 0;
     float peak_speed = 0;
     float residual = 0;
-    /// What WorldSettings::budget left it: 0 as it is set, 1 two passes at most, 2 one, 3 likewise in every
-    /// second step, 4 in every fourth.
+    /// What WorldSettings::budget left it: 0 as it is set, 1 one pass, 2 as it is set in every second step,
+    /// of twice the length.
     std::uint32_t rung = 0;
     std::uint32_t rate = 1;  ///< steps that its last one was long
     /// That its threads took for it; cloths that are solved together share this by their particles.

@@ -171,9 +171,9 @@ struct WorldSettings {
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
     int threads = 0;
     /// What a step may take [ms], 0 to 1000. Where it would take more, Weft steps cloths by less than they
-    /// are set to, least those that count most: Multilevel by two passes, then by one, and what has no
-    /// contact of features, frame or skin by one step of twice, then four times the length, through which it
-    /// moves evenly, unless pins or colliders near it move (or the World has bodies). Contact is never
+    /// are set to, least those that count most: Multilevel by one pass, and what has no
+    /// contact of features, frame or skin by every second step, of twice the length, through which it moves
+    /// evenly, unless pins or colliders near it move (or the World has bodies). Contact is never
     /// dropped. What that costs is measured, so that bytes depend on time: a recording holds what was chosen,
     /// and its replay gives the same bytes. The least that all can be stepped by may take more than the
     /// budget. Each cloth takes 16 bytes a particle more. 0: none, at no cost.

@@ -75,15 +75,17 @@ TEST(Allotment, GivesAllWhereThereIsRoomForAll) {
 // The second step takes more error away for its time than the first, without which it cannot be had.
 TEST(Allotment, BuysNoRungBeforeTheOneBelowIt) {
     Claim steep = claim_of(100);
-    steep.rung = 4;
-    steep.costs = {100, 50, 49, 48, 10};
+    steep.rung = 2;
+    steep.costs = {100, 99, 10};
     Allotment allotment = allotment_of({steep});
     allotment.allot(1e6f);
     EXPECT_EQ(allotment.claims()[0].rung, 0u);
     EXPECT_FLOAT_EQ(allotment.spent(), 100);
-    allotment.claims()[0].rung = 4;
-    allotment.allot(54);  // the rungs from 3 to 1 cost a trifle more, but with it the reserve is not left
-    EXPECT_EQ(allotment.claims()[0].rung, 3u);
+    allotment.claims()[0].rung = 2;
+    allotment.allot(108);  // of which a reserve of a tenth is left
+    EXPECT_EQ(allotment.claims()[0].rung, 2u);
+    allotment.allot(110.5f);
+    EXPECT_EQ(allotment.claims()[0].rung, 1u);
 }
 
 TEST(Allotment, WhatOneHasItKeepsAgainstItsEqual) {

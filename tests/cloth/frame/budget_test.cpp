@@ -28,7 +28,7 @@ Mesh sheet(float x) {
 /// What each cloth is taken to cost as it is set: 100 us.
 std::int64_t known_cost(const Cloth& cloth) {
     if (cloth.state.detail->left + 1 < cloth.state.detail->rate) return 5'000;  // it glides
-    constexpr std::int64_t costs[] = {100'000, 60'000, 40'000, 40'000, 40'000};
+    constexpr std::int64_t costs[] = {100'000, 60'000, 33'000};
     return costs[cloth.state.detail->rung];
 }
 /// And by how much that is off, by turns.
@@ -164,6 +164,40 @@ TEST(Budget, KnowsWhatEachRungCostsHoweverRungsChange) {
     EXPECT_GT(hall.changes, 10u);
 }
 
+/// The strain that 19 of 20 steps of a flag in gusts of 8 m/s stay below, stepped as a rung does.
+float strain_of_flag(const char* fabric, const Method& method, std::uint32_t rate, int substeps = 1) {
+    WorldSettings gusty;
+    gusty.threads = 1;
+    gusty.wind = {.velocity = {8, 0, 0.8f}, .gust = 0.3f};
+    World world = World::create(gusty).value();
+    constexpr std::uint32_t rows = 13, columns = 19;
+    ClothSettings settings{.fabric = Fabric::named(fabric).value(), .method = method, .substeps = substeps};
+    const Mesh mesh =
+        make_sheet({.rows = rows, .columns = columns, .u = {1.5f, 0, 0}, .v = {0, -1, 0}}).value();
+    const ClothId id = world.add_cloth(mesh, settings).value();
+    for (std::uint32_t r = 0; r < rows; ++r) EXPECT_TRUE(world.pin(id, r * columns).ok());
+    std::vector<float> strains;
+    std::vector<StrainedEdge> worst(1);
+    for (std::uint32_t step = 0; step < 600; step += rate) {
+        world.step(static_cast<float>(rate) * h);
+        if (step < 60) continue;
+        EXPECT_TRUE(world.strained_edges(id, -1, worst).ok());
+        strains.push_back(worst.front().strain);
+    }
+    const auto place = strains.begin() + static_cast<std::ptrdiff_t>(strains.size() * 19 / 20);
+    std::ranges::nth_element(strains, place);
+    return *place;
+}
+
+TEST(Budget, NoRungStrainsAFlagByHalfMoreThanItsTruth) {
+    for (const char* fabric : {"cotton", "tablecloth"}) {
+        const float truth = strain_of_flag(fabric, Multilevel{.passes = 6}, 1, 8);
+        for (std::uint32_t r = 0; r < rung_count; ++r)
+            EXPECT_LT(strain_of_flag(fabric, reduced(Method(), r, rate_of(r)), rate_of(r)), 1.5f * truth)
+                << fabric << ", rung " << r;
+    }
+}
+
 TEST(Budget, ALongStepThatIsPutBackIsReportedAndNotGoneThrough) {
     Hall hall(0.001f, 3);
     hall.run(30);
@@ -214,7 +248,7 @@ float most_jump(Hall& hall, int steps) {
     return most;
 }
 
-// The last rung's own: each fourth step begins another straight way.
+// On the last rung each second step begins another straight way.
 TEST(Budget, ChangesOfRungsAreNotSeen) {
     Hall full(3, 6), last(0.001f, 6), changing(0.001f, 6);
     for (Hall* hall : {&full, &last, &changing}) hall->run(20);
@@ -257,12 +291,12 @@ TEST(Budget, LongStepsAreEvenAndSpread) {
     for (int s = 0; s < 12; ++s) {
         hall.step();
         const auto long_steps = std::ranges::count_if(
-            hall.cloths, [](const Cloth* cloth) { return cloth->state.detail->left == 3; });
-        EXPECT_EQ(long_steps, 4);
+            hall.cloths, [](const Cloth* cloth) { return cloth->state.detail->left == 1; });
+        EXPECT_EQ(long_steps, 8);
         for (const Cloth* cloth : hall.cloths) {
-            EXPECT_EQ(cloth->state.detail->rate, 4u);
-            EXPECT_EQ(hall.simulation.report_of(*cloth).rate, 4u);
-            EXPECT_EQ(hall.simulation.report_of(*cloth).rung, 4u);
+            EXPECT_EQ(cloth->state.detail->rate, 2u);
+            EXPECT_EQ(hall.simulation.report_of(*cloth).rate, 2u);
+            EXPECT_EQ(hall.simulation.report_of(*cloth).rung, 2u);
         }
     }
     EXPECT_EQ(hall.simulation.report.reduced_cloths, 16u);
@@ -285,7 +319,7 @@ TEST(Budget, WhatMovesOrHasContactTakesNoLongSteps) {
         moved.step();
         EXPECT_EQ(moved.cloths[1]->state.detail->rate, 1u);
         EXPECT_EQ(moved.cloths[1]->state.positions[0].y, target.y()) << "a pin waits for nothing";
-        EXPECT_EQ(moved.cloths[0]->state.detail->rate, 4u);
+        EXPECT_EQ(moved.cloths[0]->state.detail->rate, 2u);
     }
 }
 
@@ -300,7 +334,7 @@ TEST(Budget, WhatIsWornTakesNoLongSteps) {
     hall.run(30);
     EXPECT_EQ(hall.cloths[0]->state.detail->rate, 1u);
     EXPECT_EQ(hall.cloths[1]->state.detail->rate, 1u);
-    EXPECT_EQ(hall.cloths[2]->state.detail->rate, 4u);
+    EXPECT_EQ(hall.cloths[2]->state.detail->rate, 2u);
 }
 
 // A budget changes one rung at a time, since others see what it leaves unsolved, and not to and fro.
@@ -409,7 +443,7 @@ TEST(Budget, ALongStepThatASaveGoesOnWithWasNotPutBack) {
         World world = World::create(usual).value();
         const ClothId cloth = world.add_cloth(sheet(0)).value();
         for (int i = 0; i < steps; ++i) world.step(h);
-        ASSERT_EQ(world.cloth_report(cloth)->rung, 4u);
+        ASSERT_EQ(world.cloth_report(cloth)->rung, 2u);
         std::vector<std::byte> saved(world.save_size());
         ASSERT_TRUE(world.save(saved));
         ASSERT_TRUE(world.set_settings(wild));
@@ -438,7 +472,7 @@ TEST(Budget, GoesOnFromASaveAmidALongStep) {
         ASSERT_TRUE(other.world.restore(saved));
         run(other, 7);
         EXPECT_EQ(game.world.state_hash(), other.world.state_hash()) << steps;
-        EXPECT_EQ(game.world.cloth_report(game.cloths[0])->rate, 4u);
+        EXPECT_EQ(game.world.cloth_report(game.cloths[0])->rate, 2u);
         ASSERT_TRUE(game.world.restore(saved));
         run(game, 7);
         EXPECT_EQ(game.world.state_hash(), other.world.state_hash()) << steps;
