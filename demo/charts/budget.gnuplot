@@ -1,20 +1,16 @@
 $fixed << EOD
-2.9363 3.095 0 "3 passes of 3 iterations"
-2.94281 4.067 5.97776 "2 passes of 3"
-1.94771 2.092 10.5506 "2 passes of 1"
-1.76668 1.903 10.9293 "1 pass of 2"
-1.51231 1.643 15.4199 "1 pass of 1"
-1.32039 1.508 30.0401 "Jacobi of 15"
-0.962538 1.142 36.3678 "Jacobi of 5"
-0.863632 1.024 28.6996 "1 pass in 2 steps"
-0.493093 0.6 38.3961 "1 pass in 4 steps"
+3.24524 3.5 0 "3 passes"
+3.19667 3.428 6.82892 "1 pass"
+1.44873 1.616 30.3462 "Jacobi of 15"
+1.00164 1.171 36.3352 "Jacobi of 5"
+1.82509 2.009 17.4176 "3 passes in 2 steps"
 EOD
 $budget << EOD
-0.895599 1.051 16.7272 "1 ms"
-1.39551 1.546 9.93981 "1.5 ms"
-1.88702 2.041 6.63287 "2 ms"
-2.36212 2.517 5.94795 "2.5 ms"
-2.79177 2.992 5.61737 "3 ms"
+1.79315 1.987 17.3246 "2 ms"
+2.0766 2.27 8.88517 "2.25 ms"
+2.31955 2.519 8.12574 "2.5 ms"
+2.567 2.787 6.71608 "2.75 ms"
+2.81209 3.014 5.18621 "3 ms"
 EOD
 set title 'Fifty curtains in gusts round a camera that turns, on one thread'
 set xlabel 'a step, mean and 99th percentile [ms of the processor]'
