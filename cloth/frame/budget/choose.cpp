@@ -58,10 +58,10 @@ void Simulation::choose_rungs() {
     }
 }
 
-/// As far as it is made; see choose_rates().
+/// Whether the cloth may take long steps: nothing that it meets or wears changes before one ends.
 bool Simulation::can_stride(const Cloth& cloth) const {
-    return !bodies_ && !cloth.features && !cloth.state.frame && !cloth.worn.has_limits() &&
-           cloth.attached.empty();
+    return !bodies_ && !cloth.is_disturbed && !cloth.features && !cloth.state.frame &&
+           !cloth.worn.has_limits() && cloth.attached.empty();
 }
 
 /// Those that may take a long step now do, others stop where they are.
@@ -69,7 +69,7 @@ void Simulation::choose_rates() {
     spread_long_steps();
     for (Cloth* cloth : present_) {
         DetailState& detail = *cloth->state.detail;
-        const bool may_stride = can_stride(*cloth) && !cloth->is_disturbed;
+        const bool may_stride = can_stride(*cloth);
         if (!may_stride) cloth->land();
         if (detail.left > 0) continue;
         const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;

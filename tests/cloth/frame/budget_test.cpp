@@ -323,6 +323,28 @@ TEST(Budget, WhatMovesOrHasContactTakesNoLongSteps) {
     }
 }
 
+// Cloth that moves in every step once fell to long steps that it cannot take, whose cost nothing then told.
+TEST(Budget, IsUsedByWhatMovesInEveryStep) {
+    constexpr float budget = 1.6f;
+    Hall hall(budget);
+    const auto move = [&](int step) {
+        for (Cloth* cloth : hall.cloths)
+            cloth->find_pin(0)->target = Vector3(xyz(cloth->model.positions[0])) +
+                                         Vector3(0, 0.1f * std::sin(0.1f * static_cast<float>(step)), 0);
+    };
+    for (int step = 0; step < 200; ++step) {
+        move(step);
+        hall.run(1);
+    }
+    for (int step = 200; step < 240; ++step) {
+        move(step);
+        const float took = hall.step();
+        EXPECT_LT(took, budget);
+        EXPECT_GT(took, 0.75f * budget);
+    }
+    for (const Cloth* cloth : hall.cloths) EXPECT_LE(cloth->state.detail->rung, last_of_rate_1);
+}
+
 // A step of its own would come too late where the cloth is to follow at once.
 TEST(Budget, WhatIsWornTakesNoLongSteps) {
     Hall hall(0.001f, 3);
