@@ -4,95 +4,83 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.0602:270.744]
-set yrange [1.27044:1748.35]
+set xrange [0.0483:242.042]
+set yrange [0.39508:1748.53]
 set title 'Sheet hung by two corners, 64 × 64 particles: distance from the method''s own converged step after 1 s' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'RMS distance of particles [mm]'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 8
-set label 1 'AMD EPYC; 2 threads, 1 used; commit 3697fc2; κ = 2276; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Explicit Euler substeps=126; Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1'."\n".' Fibres and sets iterations=4; Jacobi (Kang): even iterations=2' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 1 used; commit 12ab06f; κ = 2276; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Explicit Euler substeps=126; Fibres and sets in substeps iterations=1 substeps=4; Fibres and sets iterations=1'."\n".' Fibres and sets iterations=4; Jacobi (Kang): even iterations=2' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $curve0 << END
-0.086 1080.6 "iterations=1"
-0.109 1083.43 "iterations=3"
-0.156 1090.43 "iterations=7"
-0.251 1068.6 "iterations=15"
-0.45 980.054 "iterations=31"
-0.844 813.223 "iterations=63"
-1.638 662.491 "iterations=127"
-3.184 539.462 "iterations=255"
+0.069 1080.6 "iterations=1"
+0.094 1083.42 "iterations=3"
+0.14 1090.43 "iterations=7"
+0.233 1068.6 "iterations=15"
+0.413 980.053 "iterations=31"
+0.77 813.222 "iterations=63"
+1.483 662.49 "iterations=127"
+2.957 539.463 "iterations=255"
 END
 $curve1 << END
-0.169 972.962 "iterations=8"
-0.268 940.764 "iterations=16"
-0.866 667.53 "iterations=64"
+0.144 972.96 "iterations=8"
+0.233 940.762 "iterations=16"
+0.788 667.531 "iterations=64"
 END
 $curve2 << END
-0.134 1022.18 "iterations=1"
-0.202 873.231 "iterations=7"
-0.505 577.821 "iterations=31"
-1.714 403.312 "iterations=127"
+0.106 1022.18 "iterations=1"
+0.181 873.229 "iterations=7"
+0.446 577.821 "iterations=31"
+1.507 403.313 "iterations=127"
 END
 $curve3 << END
-0.125 1084.87 "iterations=4"
-0.176 936.053 "iterations=8"
-0.274 607.653 "iterations=16"
-0.488 382.916 "iterations=32"
-0.921 101.124 "iterations=64"
-1.746 57.4665 "iterations=128"
+0.107 1084.87 "iterations=4"
+0.151 936.052 "iterations=8"
+0.242 607.654 "iterations=16"
+0.423 382.918 "iterations=32"
+0.79 101.131 "iterations=64"
+1.495 57.4762 "iterations=128"
 END
 $curve4 << END
-0.169 1092.72 "iterations=4"
-0.273 940.902 "iterations=8"
-0.484 650.674 "iterations=16"
-0.928 327.88 "iterations=32"
-1.789 90.9001 "iterations=64"
-3.495 99.3095 "iterations=128"
+0.147 1092.83 "iterations=4"
+0.243 944.857 "iterations=8"
+0.434 649.783 "iterations=16"
+0.812 327.193 "iterations=32"
+1.703 87.7879 "iterations=64"
+3.334 99.1865 "iterations=128"
 END
 $curve5 << END
-0.257 117.022 "iterations=1"
-0.473 9.03954 "iterations=2"
-0.679 7.977 "iterations=4"
-0.995 8.44239 "iterations=8"
+0.413 18.6596 "passes=2"
+0.431 18.7654 "passes=1"
+0.543 8.19815 "passes=3"
+0.707 3.88944 "passes=4"
+0.996 2.87872 "passes=6"
+1.254 2.31985 "passes=8"
+1.865 0.979843 "passes=12"
+2.666 0.5644 "passes=18"
 END
 $curve6 << END
-0.349 24.2677 "passes=2 iterations=1"
-0.431 9.04983 "passes=2 iterations=2"
-0.492 18.8453 "passes=3 iterations=1"
-0.575 4.90734 "passes=3 iterations=2"
-0.601 8.99808 "passes=2 iterations=4"
-0.622 10.8876 "passes=4 iterations=1"
-0.706 3.04059 "passes=4 iterations=2"
-0.762 8.06785 "passes=2 iterations=6"
-0.778 5.10171 "passes=3 iterations=4"
-0.884 3.9017 "passes=6 iterations=1"
-0.896 2.98566 "passes=4 iterations=4"
-0.905 4.35719 "passes=3 iterations=6"
-1.005 2.84932 "passes=6 iterations=2"
-1.202 2.70583 "passes=8 iterations=1"
-1.297 1.81492 "passes=8 iterations=2"
+0.548 26.806 "passes=2"
+0.558 35.6131 "passes=1"
+0.588 26.7337 "passes=3"
+0.737 19.3295 "passes=4"
+0.991 20.7641 "passes=6"
+1.271 24.0919 "passes=8"
+1.841 20.1367 "passes=12"
 END
 $curve7 << END
-0.48 60.9954 "passes=2 iterations=2"
-0.49 48.6569 "passes=1 iterations=2"
-0.602 24.4702 "passes=3 iterations=2"
-0.725 21.3034 "passes=4 iterations=2"
-0.904 25.7834 "passes=4 iterations=4"
-1.183 25.1462 "passes=6 iterations=4"
+1.562 149.297 "passes=1"
+1.597 148.766 "passes=2"
+2.162 148.491 "passes=3"
+2.702 163.659 "passes=4"
+3.837 169.581 "passes=6"
 END
 $curve8 << END
-1.583 161.826 "passes=1 iterations=2"
-1.715 172.623 "passes=2 iterations=2"
-2.308 171.798 "passes=3 iterations=2"
-2.688 173.115 "passes=4 iterations=2"
-3.57 171.94 "passes=6 iterations=2"
-END
-$curve9 << END
-169.215 86.8645 "one factorisation a step"
+151.276 86.8708 "one factorisation a step"
 END
 $default << END
-0.602 24.4702 "passes=3 iterations=2"
+0.588 26.7337 "passes=3"
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-hanging-64-own-1s.svg'
@@ -101,11 +89,10 @@ plot $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 
   $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
   $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
   $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
+  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'
 set terminal pngcairo size 1200,760 font 'DejaVu Sans,10' background rgb 'white'
 set output 'accuracy-hanging-64-own-1s.png'
@@ -114,9 +101,8 @@ plot $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 
   $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#8c1515' title 'Jacobi (Kang) with tethers', \
   $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#f59f00' title 'Chebyshev', \
   $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#b8860b' title 'Conjugate gradients', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
-  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
-  $curve9 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 9 linecolor rgb '#2b8a3e' title 'Multilevel: BDF2', \
+  $curve7 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 4 linecolor rgb '#087f5b' title 'Multilevel: finite elements', \
+  $curve8 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 2 linecolor rgb '#000000' title 'Sparse Cholesky', \
   $default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb '#000000' title 'Weft''s default'

@@ -4,101 +4,84 @@ set format '%g'
 set border 3 linecolor rgb '#495057'
 set tics nomirror
 set grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb '#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'
-set xrange [0.1365:22.9088]
-set yrange [0.0193229:2.94877]
+set xrange [0.1204:35.3696]
+set yrange [0.0201506:2.62533]
 set title 'T-shirt hung by its neck, 3546 particles: energy left above the converged step' noenhanced font ',13'
 set xlabel 'median time of a frame of 1/60 s [ms]'
 set ylabel 'energy gap over that of the inertial start'
 set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced
 set rmargin 42
 set bmargin 8
-set label 1 'AMD EPYC; 2 threads, 1 used; commit 3697fc2; κ = 2923; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Chebyshev iterations=128; Chebyshev iterations=16; Chebyshev iterations=32; Chebyshev iterations=4; Chebyshev iterations=64'."\n".' Chebyshev iterations=8; Conjugate gradients iterations=128; Conjugate gradients iterations=16; Conjugate gradients iterations=32'."\n".' Conjugate gradients iterations=4; Conjugate gradients iterations=64; Conjugate gradients iterations=8; Jacobi (Kang) in substeps iterations=7 substeps=16'."\n".' Jacobi (Kang) in substeps iterations=7 substeps=2; Jacobi (Kang) in substeps iterations=7 substeps=4; Jacobi (Kang) in substeps iterations=7 substeps=8'."\n".' Jacobi (Kang) with tethers iterations=1; Jacobi (Kang) with tethers iterations=127; Jacobi (Kang) with tethers iterations=31'."\n".' Jacobi (Kang) with tethers iterations=7; Jacobi (Kang): even iterations=16; Jacobi (Kang): even iterations=2; Jacobi (Kang): even iterations=64'."\n".' Jacobi (Kang): even iterations=8; Jacobi (Kang): odd iterations=1; Jacobi (Kang): odd iterations=127; Jacobi (Kang): odd iterations=15'."\n".' Jacobi (Kang): odd iterations=255; Jacobi (Kang): odd iterations=3; Jacobi (Kang): odd iterations=31; Jacobi (Kang): odd iterations=63'."\n".' Jacobi (Kang): odd iterations=7; Sparse Cholesky one factorisation a step' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
+set label 1 'Intel(R) Xeon(R) Processor; 2 threads, 1 used; commit 12ab06f+; κ = 2923; weft_study accuracy, then weft_study plot'."\n".'Not drawn, since they diverged: Chebyshev iterations=128; Chebyshev iterations=16; Chebyshev iterations=32; Chebyshev iterations=4; Chebyshev iterations=64'."\n".' Chebyshev iterations=8; Conjugate gradients iterations=128; Conjugate gradients iterations=16; Conjugate gradients iterations=32'."\n".' Conjugate gradients iterations=4; Conjugate gradients iterations=64; Conjugate gradients iterations=8; Jacobi (Kang) in substeps iterations=7 substeps=16'."\n".' Jacobi (Kang) in substeps iterations=7 substeps=2; Jacobi (Kang) in substeps iterations=7 substeps=4; Jacobi (Kang) in substeps iterations=7 substeps=8'."\n".' Jacobi (Kang) with tethers iterations=1; Jacobi (Kang) with tethers iterations=127; Jacobi (Kang) with tethers iterations=31'."\n".' Jacobi (Kang) with tethers iterations=7; Jacobi (Kang): even iterations=16; Jacobi (Kang): even iterations=2; Jacobi (Kang): even iterations=64'."\n".' Jacobi (Kang): even iterations=8; Jacobi (Kang): odd iterations=1; Jacobi (Kang): odd iterations=127; Jacobi (Kang): odd iterations=15'."\n".' Jacobi (Kang): odd iterations=255; Jacobi (Kang): odd iterations=3; Jacobi (Kang): odd iterations=31; Jacobi (Kang): odd iterations=63'."\n".' Jacobi (Kang): odd iterations=7; Sparse Cholesky one factorisation a step' at screen 0.012, screen 0.085 font ',8' textcolor rgb '#6c757d' noenhanced
 $front << END
-0.195 1.24996 "substeps=1"
-0.289 0.42036 "iterations=4"
-0.492 0.193716 "iterations=1"
-0.858 0.128375 "iterations=2"
-1.062 0.125852 "passes=2 iterations=1"
-1.255 0.119138 "passes=4 iterations=1"
-1.332 0.118054 "passes=3 iterations=1"
-10.899 0.0371194 "substeps=64"
-14.318 0.0276042 "iterations=1 substeps=64"
+0.172 1.27449 "substeps=1"
+0.249 0.380394 "iterations=4"
+0.568 0.205937 "iterations=16"
+1.671 0.133607 "passes=1"
+4.614 0.116534 "substeps=32"
+9.092 0.0346062 "substeps=64"
+12.598 0.0287866 "iterations=1 substeps=64"
 END
 $curve0 << END
-0.492 0.193716 "iterations=1"
-0.858 0.128375 "iterations=2"
-2.027 0.141607 "iterations=4"
-2.731 0.139574 "iterations=8"
+1.671 0.133607 "passes=1"
+1.856 0.136145 "passes=2"
+1.889 0.13589 "passes=3"
+1.931 0.145404 "passes=4"
+2.782 0.150155 "passes=6"
+3.741 0.143125 "passes=8"
+5.45 0.139095 "passes=12"
+8.142 0.140995 "passes=18"
 END
 $curve1 << END
-1.062 0.125852 "passes=2 iterations=1"
-1.255 0.119138 "passes=4 iterations=1"
-1.332 0.118054 "passes=3 iterations=1"
-1.587 0.138387 "passes=4 iterations=2"
-1.635 0.134267 "passes=2 iterations=2"
-1.657 0.134267 "passes=3 iterations=2"
-1.801 0.124787 "passes=6 iterations=1"
-1.947 0.142753 "passes=4 iterations=4"
-2.036 0.141607 "passes=2 iterations=4"
-2.061 0.141668 "passes=3 iterations=4"
-2.231 0.144567 "passes=6 iterations=2"
-2.362 0.140272 "passes=3 iterations=6"
-2.37 0.140272 "passes=2 iterations=6"
-2.409 0.130097 "passes=8 iterations=1"
-2.929 0.147711 "passes=8 iterations=2"
+3.431 0.153228 "passes=1 substeps=2"
+6.416 0.154482 "passes=1 substeps=4"
+12.188 0.152524 "passes=1 substeps=8"
+22.106 0.152585 "passes=1 substeps=16"
 END
 $curve2 << END
-1.013 0.160968 "passes=1 substeps=2"
-2.005 0.179236 "passes=1 substeps=4"
-3.922 0.197418 "passes=1 substeps=8"
-7.698 0.167866 "passes=1 substeps=16"
+0.172 1.27449 "substeps=1"
+0.322 1.48364 "substeps=2"
+0.609 1.40032 "substeps=4"
+1.176 0.815448 "substeps=8"
+2.349 0.357961 "substeps=16"
+4.614 0.116534 "substeps=32"
+9.092 0.0346062 "substeps=64"
 END
 $curve3 << END
-0.195 1.24996 "substeps=1"
-0.364 1.36806 "substeps=2"
-0.705 1.40462 "substeps=4"
-1.386 0.834921 "substeps=8"
-2.743 0.353045 "substeps=16"
-5.48 0.123748 "substeps=32"
-10.899 0.0371194 "substeps=64"
+0.249 0.380394 "iterations=4"
+0.568 0.205937 "iterations=16"
+1.863 0.15327 "iterations=64"
 END
 $curve4 << END
-0.289 0.42036 "iterations=4"
-0.657 0.227996 "iterations=16"
-2.163 0.162201 "iterations=64"
+0.226 1.64083 "iterations=1"
+0.44 0.55623 "iterations=4"
+1.35 0.300898 "iterations=16"
+4.904 0.187525 "iterations=64"
 END
 $curve5 << END
-0.247 1.84298 "iterations=1"
-0.49 0.677835 "iterations=4"
-1.485 0.379807 "iterations=16"
-5.44 0.208588 "iterations=64"
-END
-$curve6 << END
-0.918 1.35762 "iterations=1 substeps=4"
-3.606 0.343211 "iterations=1 substeps=16"
-14.318 0.0276042 "iterations=1 substeps=64"
+0.798 1.32277 "iterations=1 substeps=4"
+3.145 0.354727 "iterations=1 substeps=16"
+12.598 0.0287866 "iterations=1 substeps=64"
 END
 $default << END
 END
 set terminal svg size 1200,760 font 'DejaVu Sans,13' background rgb 'white'
 set output 'accuracy-tshirt-energy.svg'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
   $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle
 set terminal pngcairo size 1200,760 font 'DejaVu Sans,10' background rgb 'white'
 set output 'accuracy-tshirt-energy.png'
 plot $front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing is cheaper and better', \
-  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#74c0fc' title 'Multilevel: one linear solve', \
-  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
-  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
-  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
-  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
-  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
-  $curve6 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
+  $curve0 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 5 linecolor rgb '#0b3d91' title 'Multilevel: Newton passes', \
+  $curve1 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 8 linecolor rgb '#15aabf' title 'Multilevel in substeps', \
+  $curve2 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 7 linecolor rgb '#9c36b5' title 'XPBD: substeps', \
+  $curve3 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 6 linecolor rgb '#da77f2' title 'XPBD: iterations', \
+  $curve4 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 13 linecolor rgb '#e64980' title 'Fibres and sets', \
+  $curve5 using 1:2 with linespoints linewidth 1.6 pointsize 0.9 pointtype 12 linecolor rgb '#f783ac' title 'Fibres and sets in substeps', \
   $front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' noenhanced notitle

@@ -35,6 +35,8 @@
     SCENE(release, "a strip is twisted twice round, and let go")                                            \
     SCENE(stack10, "ten sheets are laid on one another")                                                            \
     SCENE(tear, "a sheet is drawn apart till it tears in two")                                               \
+    SCENE(truth, "a flag beside its own motion in eight substeps")                                          \
+    SCENE(worn_truth, "a skirt that walks, beside its own motion in eight substeps")                        \
     SCENE(bench, "a strip beside its exact curve, and Cusick's drape: two tests of fabric")
 // clang-format on
 

@@ -1,0 +1,207 @@
+// Cloth as it is set by default, beside its own motion in eight substeps: what a step of 1/60 s leaves out.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "demo/scene.h"
+#include "demo/scenes/measures.h"
+
+namespace weft::demo {
+namespace {
+
+constexpr std::array<int, 2> substeps{1, 8};  // of the cloth to the left and to the right
+constexpr std::array<Vec3, 2> colours{{{0.55f, 0.06f, 0.07f}, {0.62f, 0.60f, 0.55f}}};
+
+/// One cloth for each of `substeps`, and how fast it moves.
+class Pair : public Scene {
+  public:
+    void before_step(World& world, double /*time*/, float /*dt*/) override {
+        for (std::size_t k = 0; k < cloths_.size(); ++k) {
+            const auto view = world.cloth(cloths_[k]);
+            if (!view) continue;
+            float sum = 0;
+            for (const Vec4& v : view->velocities) sum += xyz(v).squaredNorm();
+            const float now = sum / static_cast<float>(view->velocities.size());
+            constexpr float forgets = 1.0f / 120;  // of two seconds
+            squared_speeds_[k] += forgets * (now - squared_speeds_[k]);
+        }
+    }
+
+    void annotate(const World& world, Annotation& to) const override {
+        for (std::size_t k = 0; k < cloths_.size(); ++k) {
+            const auto view = world.cloth(cloths_[k]);
+            if (!view) continue;
+            char words[80];
+            std::snprintf(words, sizeof words, "%s: %.1f m/s", k == 0 ? "as it is set" : "in 8 substeps",
+                          static_cast<double>(std::sqrt(squared_speeds_[k])));
+            to.words.push_back({label_at(k), words, {0.15f, 0.08f, 0.02f}});
+        }
+    }
+
+  protected:
+    [[nodiscard]] virtual Vec3 label_at(std::size_t k) const = 0;
+
+    Result<void> add(World& world, std::size_t k, Mesh mesh, ClothSettings settings,
+                     std::span<const std::uint32_t> pins, SceneContent& content) {
+        settings.substeps = substeps[k];
+        const auto cloth = world.add_cloth(mesh, settings);
+        if (!cloth) return cloth.error();
+        cloths_.push_back(*cloth);
+        meshes_.push_back(mesh);
+        content.cloths.push_back({*cloth, std::move(mesh), {.front = colours[k], .back = colours[k]}});
+        return world.pin(*cloth, pins);
+    }
+    /// Finite, and stretched by no more than this.
+    [[nodiscard]] Checks check_cloths(const World& world, float worst) const {
+        Checks checks;
+        for (std::size_t k = 0; k < cloths_.size(); ++k) {
+            const auto view = world.cloth(cloths_[k]);
+            if (!view) continue;
+            checks.finite(*view);
+            checks.at_most("worst stretch", structural_stretch(meshes_[k], *view).worst, worst);
+        }
+        checks.at_least("the speed of the cloth as it is set over its truth's",
+                        std::sqrt(squared_speeds_[0] / squared_speeds_[1]), 0.5f);
+        return checks;
+    }
+
+    std::vector<ClothId> cloths_;
+    std::vector<Mesh> meshes_;
+    std::array<float, 2> squared_speeds_{};
+};
+
+class FlagBesideTruth final : public Pair {
+    static constexpr float fly = 1.5f, hoist = 1.0f, top = 2.2f, apart = 2.1f, pole = 0.02f;  // [m]
+
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind = {.velocity = {8, 0, 0.8f}, .gust = 0.3f};
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        const std::uint32_t each = options.particles == 0 ? 925 : options.particles / 2 + 1;
+        const GridSize grid = grid_size(each, fly, hoist);
+        SceneContent content;
+        for (std::size_t k = 0; k < substeps.size(); ++k) {
+            auto mesh = make_sheet({.rows = grid.rows,
+                                    .columns = grid.columns,
+                                    .origin = {pole_at(k), top, 0},
+                                    .u = {fly, 0, 0},
+                                    .v = {0, -hoist, 0}});
+            if (!mesh) return mesh.error();
+            std::vector<std::uint32_t> pins;
+            for (std::uint32_t row = 0; row < grid.rows; ++row) pins.push_back(row * grid.columns);
+            if (auto added = add(world, k, std::move(*mesh), {}, pins, content); !added) return added.error();
+            const float axis = pole_at(k) - 1.5f * pole;
+            const auto stands =
+                world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.05f, 0}, pole}});
+            if (!stands) return stands.error();
+            content.drawn_colliders.push_back(*stands);
+        }
+        content.camera = {.target = {0.1f, 1.5f, 0}, .distance = 4.2f, .yaw = 0.25f, .pitch = 0.05f};
+        return content;
+    }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        return check_cloths(world, 1.6f).result();
+    }
+
+  private:
+    static float pole_at(std::size_t k) { return k == 0 ? -apart : 0.2f; }
+    [[nodiscard]] Vec3 label_at(std::size_t k) const override { return {pole_at(k) + 0.2f, top + 0.3f, 0}; }
+};
+
+/// Cones of cotton on legs that walk, pinned round their waists.
+class SkirtBesideTruth final : public Pair {
+    static constexpr float waist = 0.15f, flare = 0.4f, length = 0.55f, apart = 1.4f;  // [m]
+
+  public:
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind = {.velocity = {3, 0, 1}, .gust = 0.3f};
+        return settings;
+    }
+
+    [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
+        const std::uint32_t each = options.particles == 0 ? 640 : options.particles / 2 + 1;
+        const auto rows =
+            std::max(2u, static_cast<std::uint32_t>(std::sqrt(static_cast<float>(each) / 1.6f)));
+        ClothSettings settings;
+        settings.fabric = Fabric::named("cotton").value();
+        SceneContent content;
+        for (std::size_t k = 0; k < substeps.size(); ++k) {
+            const std::uint32_t columns = std::max(3u, each / rows);
+            std::vector<std::uint32_t> pins;
+            for (std::uint32_t c = 0; c < columns; ++c) pins.push_back(c);
+            if (auto added = add(world, k, cone(rows, columns, middle(k)), settings, pins, content); !added)
+                return added.error();
+            for (std::size_t limb = 0; limb < 3; ++limb) {
+                const auto id = world.add_collider({.shape = limb_at(k, limb, 0)});
+                if (!id) return id.error();
+                limbs_.push_back(*id);
+            }
+        }
+        content.drawn_colliders = limbs_;
+        content.camera = {.target = {0, 0.6f, 0}, .distance = 3.2f, .yaw = 0.35f, .pitch = 0.08f};
+        return content;
+    }
+
+    void before_step(World& world, double time, float dt) override {
+        Pair::before_step(world, time, dt);
+        for (std::size_t i = 0; i < limbs_.size(); ++i)
+            (void)world.move_collider(limbs_[i],
+                                      {.shape = limb_at(i / 3, i % 3, static_cast<float>(time) + dt)});
+    }
+
+    [[nodiscard]] Result<void> check(const World& world) const override {
+        return check_cloths(world, 1.8f).result();
+    }
+
+  private:
+    static float middle(std::size_t k) { return (k == 0 ? -0.5f : 0.5f) * apart; }
+    [[nodiscard]] Vec3 label_at(std::size_t k) const override { return {middle(k) - 0.2f, 1.2f, 0}; }
+
+    static Mesh cone(std::uint32_t rows, std::uint32_t columns, float x) {
+        Mesh mesh;
+        for (std::uint32_t r = 0; r < rows; ++r) {
+            for (std::uint32_t c = 0; c < columns; ++c) {
+                const float turn =
+                    2 * std::numbers::pi_v<float> * static_cast<float>(c) / static_cast<float>(columns);
+                const float down = length * static_cast<float>(r) / static_cast<float>(rows - 1);
+                const float radius = waist + flare * down;
+                mesh.positions.push_back({x + radius * std::sin(turn), 1 - down, radius * std::cos(turn)});
+                if (r + 1 == rows) continue;
+                const std::uint32_t i = r * columns + c, j = r * columns + (c + 1) % columns;
+                mesh.triangles.push_back({i, i + columns, j});
+                mesh.triangles.push_back({j, i + columns, j + columns});
+            }
+        }
+        return mesh;
+    }
+    /// The hips, or a leg that swings.
+    static TaperedCapsule limb_at(std::size_t k, std::size_t limb, float time) {
+        const float x = middle(k);
+        if (limb == 0) return {{x - 0.04f, 0.95f, 0}, {x + 0.04f, 0.95f, 0}, 0.11f, 0.11f};
+        const float side = limb == 1 ? 1.0f : -1.0f;
+        const float swing = 0.45f * side * std::sin(5.7f * time), hip = x + 0.09f * side;
+        constexpr float leg = 0.85f;
+        return {{hip, 0.9f, 0}, {hip, 0.9f - leg * std::cos(swing), leg * std::sin(swing)}, 0.08f, 0.07f};
+    }
+
+    std::vector<ColliderId> limbs_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> make_truth_scene() {
+    return std::make_unique<FlagBesideTruth>();
+}
+std::unique_ptr<Scene> make_worn_truth_scene() {
+    return std::make_unique<SkirtBesideTruth>();
+}
+
+}  // namespace weft::demo
