@@ -47,7 +47,8 @@ class Pair : public Scene {
     Result<void> add(World& world, std::size_t k, Mesh mesh, ClothSettings settings,
                      std::span<const std::uint32_t> pins, SceneContent& content) {
         settings.substeps = substeps[k];
-        if (substeps[k] > 1) settings.method = Multilevel{.passes = 6};
+        if (substeps[k] > 1)
+            settings.method = Multilevel{.passes = 6, .tolerance = 320};  // as much in a frame
         const auto cloth = world.add_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         cloths_.push_back(*cloth);
