@@ -8,6 +8,10 @@ Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
     return a.ldlt().solve(b);
 }
 
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
+    return a.inverse();
+}
+
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
