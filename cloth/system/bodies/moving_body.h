@@ -18,7 +18,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// The force and torque about the centre of mass, or impulses of both, of `impulse` at `arm` from there.
 [[nodiscard]] Vector6 wrench(const Eigen::Vector3d& arm, const Eigen::Vector3d& impulse);
 
-/// A^T g A, where A gives the velocity of a body's point at `arm`: a mass or a spring there, as the body meets it.
+/// A^T g A, where A gives the velocity of a body's point at `arm`: a mass or a spring there, as the body
+/// meets it.
 [[nodiscard]] Matrix6 at_arm(const Eigen::Vector3d& arm, const Eigen::Matrix3d& g);
 
 /// A body over a part of a step. Only its end changes while cloth is solved with it.
@@ -50,17 +51,18 @@ struct MovingBody {
     [[nodiscard]] Eigen::Matrix3d inverse_inertia_at(const Eigen::Quaternionf& rotation) const;
     /// A velocity, or a way in `time` seconds, scaled down to what `fastest` allows.
     [[nodiscard]] Vector6 limited(const Vector6& way, double time = 1) const;
-    /// Sets the end as collided particles move: x + (h - gamma) v + gamma v', see History. A body that nothing
-    /// touches turns at the mean of both ends' angular velocities, so that it keeps its energy.
+    /// Sets the end as collided particles move: x + (h - gamma) v + gamma v', see History. A body that
+    /// nothing touches turns at the mean of both ends' angular velocities, so that it keeps its energy.
     void find_end();
     /// Turns an uneven body of this momentum that nothing touches: the implicit midpoint rule.
     void turn_freely();
-    /// Takes the inertia at the expected end. An inertia that turned on with the solution would make much of a
-    /// little that is given about another axis, and attached cloth would fly.
+    /// Takes the inertia at the expected end. An inertia that turned on with the solution would make much of
+    /// a little that is given about another axis, and attached cloth would fly.
     void turn_inertia();
     /// The inertia tensor whose inverse is in `root`; no axis may be fixed.
     [[nodiscard]] Eigen::Matrix3d inertia() const;
-    /// The pose from which the body would come to its end at its velocity there: surfaces move at that velocity.
+    /// The pose from which the body would come to its end at its velocity there: surfaces move at that
+    /// velocity.
     [[nodiscard]] BodyPose swept_from() const;
     /// Moves a collider that the body carries, given in the body's frame.
     void move(const Collider& own, ColliderMotion& motion) const;
