@@ -50,10 +50,7 @@ struct Substep {
     [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
 };
 
-[[nodiscard]] inline BodyPose pose_of(const BodyState& state) {
-    const Rotation& r = state.rotation;
-    return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
-}
+[[nodiscard]] BodyPose pose_of(const BodyState& state);
 
 [[nodiscard]] inline std::int64_t steady_nanoseconds() noexcept {
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);

@@ -67,6 +67,11 @@ Sphere ball(const Plane& /*plane*/) {
 
 }  // namespace
 
+BodyPose BodyPose::inverse() const {
+    const Eigen::Quaternionf back = rotation.conjugate();
+    return {-(back * position), back};
+}
+
 Sphere ball_around(const Collider& collider, const HeldShape* held) {
     return std::visit(
         [&]<class Kind>(const Kind& shape) {

@@ -12,10 +12,7 @@ struct BodyPose {
     Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();  ///< of unit length
 
     [[nodiscard]] Vector3 operator*(const Vector3& own) const { return position + rotation * own; }
-    [[nodiscard]] BodyPose inverse() const {
-        const Eigen::Quaternionf back = rotation.conjugate();
-        return {-(back * position), back};
-    }
+    [[nodiscard]] BodyPose inverse() const;
 };
 
 /// A collider, given in the frame of what is there, in the World.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "engine/bounds.h"
+#include "engine/least_turn.h"
 
 namespace weft {
 
@@ -25,7 +26,7 @@ float limited(float speed, const Pace& pace) {
 Matrix3 turn_between(const Vector3& from, const Vector3& to) {
     const float lengths = std::sqrt(from.squaredNorm() * to.squaredNorm());
     if (!(lengths > 0 && lengths < std::numeric_limits<float>::infinity())) return Matrix3::Identity();
-    return Eigen::Quaternionf::FromTwoVectors(from, to).toRotationMatrix();
+    return least_turn(from, to).toRotationMatrix();
 }
 
 float way_of(const Vec3& from, const Vec3& to) {

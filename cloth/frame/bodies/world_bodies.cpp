@@ -9,6 +9,11 @@
 
 namespace weft {
 
+BodyPose pose_of(const BodyState& state) {
+    const Rotation& r = state.rotation;
+    return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
+}
+
 namespace {
 
 // Written so that what is not a number fails.

@@ -1,7 +1,6 @@
 #pragma once
 // A rigid body over a part of a step.
 
-#include <cmath>
 #include <cstdint>
 
 #include "collision/colliders/carried.h"
@@ -16,30 +15,14 @@ namespace weft {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Of an impulse on what is at `arm` from the centre of mass.
-[[nodiscard]] inline Vector6 wrench(const Eigen::Vector3d& arm, const Eigen::Vector3d& impulse) {
-    Vector6 w;
-    w << impulse, arm.cross(impulse);
-    return w;
-}
+/// The force and torque about the centre of mass, or impulses of both, of `impulse` at `arm` from there.
+[[nodiscard]] Vector6 wrench(const Eigen::Vector3d& arm, const Eigen::Vector3d& impulse);
 
-/// A^T g A, where A gives the velocity at `arm` of a body's: what a mass or a spring there is to the body.
-[[nodiscard]] inline Matrix6 at_arm(const Eigen::Vector3d& arm, const Eigen::Matrix3d& g) {
-    Eigen::Matrix3d x;
-    x << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
-    Matrix6 sum;
-    sum << g, -g * x, x * g, -x * g * x;
-    return sum;
-}
+/// A^T g A, where A gives the velocity of a body's point at `arm`: a mass or a spring there, as the body
+/// meets it.
+[[nodiscard]] Matrix6 at_arm(const Eigen::Vector3d& arm, const Eigen::Matrix3d& g);
 
-/// Turned about an axis of the World by the length of `turn` [rad].
-[[nodiscard]] inline Eigen::Quaternionf turned(const Eigen::Quaternionf& rotation, const Vector3& turn) {
-    const float angle = turn.norm();
-    if (!(angle > 0)) return rotation;
-    return (Eigen::Quaternionf(Eigen::AngleAxisf(angle, turn / angle)) * rotation).normalized();
-}
-
-/// All but its end is fixed while cloth is solved with it.
+/// A body over a part of a step. Only its end changes while cloth is solved with it.
 struct MovingBody {
     double inverse_mass = 0;                                    ///< [1/kg]
     Eigen::Vector3d inverse_inertia = Eigen::Vector3d::Zero();  ///< [1/(kg m^2)]
@@ -57,82 +40,33 @@ struct MovingBody {
     BodyPose end;                        ///< likewise
 
     /// Whether an impulse changes how it moves.
-    [[nodiscard]] bool gives_way() const { return inverse_mass > 0 || inverse_inertia.maxCoeff() > 0; }
-    /// With its axes turned so.
-    void set_root(const Eigen::Quaternionf& rotation) {
-        const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
-        root.setZero();
-        root.topLeftCorner<3, 3>() = std::sqrt(inverse_mass) * Eigen::Matrix3d::Identity();
-        root.bottomRightCorner<3, 3>() = axes * inverse_inertia.cwiseSqrt().asDiagonal();
-    }
-    /// `now` is what is expected.
-    void expect() {
-        now = free + root * (root.transpose() * expected);
-        find_end();
-    }
+    [[nodiscard]] bool gives_way() const;
+    /// Sets `root` for axes turned by `rotation`.
+    void set_root(const Eigen::Quaternionf& rotation);
+    /// Sets `now` and the end to what the expected impulse gives.
+    void expect();
     /// Whether its inertia turns with it.
-    [[nodiscard]] bool is_uneven() const {
-        return inverse_inertia.minCoeff() > 0 && inverse_inertia.minCoeff() < inverse_inertia.maxCoeff();
-    }
+    [[nodiscard]] bool is_uneven() const;
     /// Times an angular momentum: the angular velocity.
-    [[nodiscard]] Eigen::Matrix3d inverse_inertia_at(const Eigen::Quaternionf& rotation) const {
-        const Eigen::Matrix3d axes = rotation.cast<double>().toRotationMatrix();
-        return axes * inverse_inertia.asDiagonal() * axes.transpose();
-    }
+    [[nodiscard]] Eigen::Matrix3d inverse_inertia_at(const Eigen::Quaternionf& rotation) const;
     /// A velocity, or a way in `time` seconds, scaled down to what `fastest` allows.
-    [[nodiscard]] Vector6 limited(const Vector6& way, double time = 1) const {
-        const double most = time * fastest, length = way.head<3>().norm() + reach * way.tail<3>().norm();
-        return length > most ? Vector6(way * (most / length)) : way;
-    }
-    /// As particles go that a collider holds: x + (h - gamma) v + gamma v', see History. What nothing touches
-    /// turns at the mean of both ends, so that it keeps its energy.
-    void find_end() {
-        Vector6 way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
-        way.tail<3>() = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
-                        static_cast<double>(gamma) * (now - drift).tail<3>();
-        way = limited(way, static_cast<double>(h));
-        end.position = start.position + way.head<3>().cast<float>();
-        end.rotation = turned(start.rotation, way.tail<3>().cast<float>());
-    }
-    /// Of an uneven body with this momentum, if nothing touches it: the implicit midpoint rule.
-    void turn_freely() {
-        constexpr int rounds = 8;
-        for (int round = 0; round < rounds; ++round) {
-            const Eigen::Vector3d mean = 0.5 * (velocity + drift).tail<3>();
-            const Eigen::Vector3d there =
-                inverse_inertia_at(turned(start.rotation, h * mean.cast<float>())) * momentum;
-            if (!there.allFinite()) return;
-            drift.tail<3>() = there;
-        }
-    }
-    /// Its inertia is that of where it is to end. Were it to turn on with the solution, a little that is
-    /// given about one axis would come to much about another, and attached cloth would fly.
-    void turn_inertia() {
-        set_root(end.rotation);
-        const Eigen::Vector3d there = inverse_inertia_at(end.rotation) * momentum;
-        if (there.allFinite()) drift.tail<3>() = there;
-    }
-    /// As its inverse mass has it; nothing may keep it from turning.
-    [[nodiscard]] Eigen::Matrix3d inertia() const {
-        const Eigen::Matrix3d of_root = root.bottomRightCorner<3, 3>();
-        return (of_root * of_root.transpose()).inverse();
-    }
-    /// From where it would come to its end at the velocity that it has there: surfaces move at that.
-    [[nodiscard]] BodyPose swept_from() const {
-        return {end.position - h * now.head<3>().cast<float>(),
-                turned(end.rotation, -h * now.tail<3>().cast<float>())};
-    }
-    /// A collider that it carries, given in its frame.
-    void move(const Collider& own, ColliderMotion& motion) const {
-        motion.start = carried(own, swept_from());
-        motion.end = carried(own, end);
-        motion.centre = end.position;
-        motion.velocity = now.head<3>().cast<float>();
-        motion.spin = now.tail<3>().cast<float>();
-    }
-    [[nodiscard]] Vector3 velocity_at(const Vector3& point) const {
-        return now.head<3>().cast<float>() + Vector3(now.tail<3>().cast<float>()).cross(point - end.position);
-    }
+    [[nodiscard]] Vector6 limited(const Vector6& way, double time = 1) const;
+    /// Sets the end as collided particles move: x + (h - gamma) v + gamma v', see History. A body that
+    /// nothing touches turns at the mean of both ends' angular velocities, so that it keeps its energy.
+    void find_end();
+    /// Turns an uneven body of this momentum that nothing touches: the implicit midpoint rule.
+    void turn_freely();
+    /// Takes the inertia at the expected end. An inertia that turned on with the solution would make much of
+    /// a little that is given about another axis, and attached cloth would fly.
+    void turn_inertia();
+    /// The inertia tensor whose inverse is in `root`; no axis may be fixed.
+    [[nodiscard]] Eigen::Matrix3d inertia() const;
+    /// The pose from which the body would come to its end at its velocity there: surfaces move at that
+    /// velocity.
+    [[nodiscard]] BodyPose swept_from() const;
+    /// Moves a collider that the body carries, given in the body's frame.
+    void move(const Collider& own, ColliderMotion& motion) const;
+    [[nodiscard]] Vector3 velocity_at(const Vector3& point) const;
 };
 
 /// A particle that goes with a body.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/least_turn.h"
+
 namespace weft::demo {
 namespace {
 
@@ -54,7 +56,7 @@ void point_bone(const Skeleton& skeleton, std::size_t joint, std::size_t child, 
     place_joints(skeleton, angles, pose);
     const Vector3 bone = pose.positions[child] - pose.positions[joint];
     const Quaternion& own = pose.rotations[joint];
-    angles.rotations[joint] = own.conjugate() * Quaternion::FromTwoVectors(bone, way) * own;
+    angles.rotations[joint] = own.conjugate() * least_turn(bone, way) * own;
 }
 
 void blend(const JointAngles& a, const JointAngles& b, float part, JointAngles& to) {

@@ -7,10 +7,9 @@
 #include <functional>
 #include <optional>
 
-#include <Eigen/Geometry>
-
 #include "collision/colliders/nearest_surface.h"
 #include "collision/shapes/held_shape.h"
+#include "engine/least_turn.h"
 #include "engine/vector.h"
 #include "sloping_sheet.h"
 #include "struck_sheet.h"
@@ -231,7 +230,7 @@ Slid slide(const std::function<Collider(const Vector3& normal, float friction)>&
 
 TEST(Shapes, ASheetOnABoxHoldsAndSlidesByCoulombsLaw) {
     const auto box = [](const Vector3& normal, float friction) {
-        const auto turn = Eigen::Quaternionf::FromTwoVectors(Vector3::UnitY(), normal);
+        const Eigen::Quaternionf turn = least_turn(Vector3::UnitY(), normal);
         return Collider{
             Box{to_vec3(Vector3(-0.1f * normal)), {turn.x(), turn.y(), turn.z(), turn.w()}, {5, 0.1f, 5}},
             friction};

@@ -27,7 +27,7 @@ struct ChebyshevProblem {
         : cloth(std::move(of)),
           system(assembled(cloth, h)),
           reference(dense(*system)),
-          diagonal(dense_preconditioner(*system).inverse()),
+          diagonal(inverse(dense_preconditioner(*system))),
           modes(test::modes(reference.matrix, diagonal)),
           exact(solution(reference.matrix, reference.right_side)),
           dv(cloth.model.particle_count),

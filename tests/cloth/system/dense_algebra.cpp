@@ -4,8 +4,24 @@
 
 namespace weft::test {
 
+namespace {
+
+Eigen::VectorXd solve(const Eigen::LDLT<Eigen::MatrixXd>& factors, const Eigen::VectorXd& b) {
+    return factors.solve(b);
+}
+
+}  // namespace
+
 Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-    return a.ldlt().solve(b);
+    return solve(a.ldlt(), b);
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
+    const Eigen::LDLT<Eigen::MatrixXd> factors(a);
+    Eigen::MatrixXd inverse(a.rows(), a.cols());
+    for (Eigen::Index c = 0; c < a.cols(); ++c)
+        inverse.col(c) = solve(factors, Eigen::VectorXd::Unit(a.rows(), c));
+    return inverse;
 }
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {

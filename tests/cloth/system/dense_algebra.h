@@ -7,6 +7,8 @@ namespace weft::test {
 
 /// Of a x = b, a symmetric.
 [[nodiscard]] Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// Of a symmetric matrix.
+[[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 /// Of a symmetric matrix, ascending.
 [[nodiscard]] Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 /// The largest of a b, both symmetric and b positive definite.
