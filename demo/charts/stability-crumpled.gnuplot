@@ -22,19 +22,19 @@ set object rectangle from 158.2,1037 to 197.8,1013 fillcolor rgb '#58b08a' fills
 set object rectangle from 158.2,1063 to 197.8,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 199.8,959 to 239.4,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 199.8,985 to 239.4,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 199.8,1011 to 239.4,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
-set object rectangle from 199.8,1037 to 239.4,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 199.8,1011 to 239.4,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 199.8,1037 to 239.4,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 199.8,1063 to 239.4,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,959 to 281,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 241.4,985 to 281,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 241.4,1011 to 281,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 241.4,1011 to 281,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,1037 to 281,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,1063 to 281,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 299,959 to 338.6,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 299,985 to 338.6,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 299,1011 to 338.6,987 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 299,1037 to 338.6,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 299,1063 to 338.6,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 299,1063 to 338.6,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 340.6,959 to 380.2,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 340.6,985 to 380.2,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 340.6,1011 to 380.2,987 fillcolor rgb '#58b08a' fillstyle solid noborder
@@ -43,16 +43,16 @@ set object rectangle from 340.6,1063 to 380.2,1039 fillcolor rgb '#58b08a' fills
 set object rectangle from 382.2,959 to 421.8,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 382.2,985 to 421.8,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 382.2,1011 to 421.8,987 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 382.2,1037 to 421.8,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 382.2,1037 to 421.8,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 382.2,1063 to 421.8,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 423.8,959 to 463.4,935 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 423.8,985 to 463.4,961 fillcolor rgb '#f6d36b' fillstyle solid noborder
-set object rectangle from 423.8,1011 to 463.4,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 423.8,985 to 463.4,961 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 423.8,1011 to 463.4,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 423.8,1037 to 463.4,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 423.8,1063 to 463.4,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 465.4,959 to 505,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 465.4,985 to 505,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 465.4,1011 to 505,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 465.4,1011 to 505,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 465.4,1037 to 505,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 465.4,1063 to 505,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 523,959 to 562.6,935 fillcolor rgb '#58b08a' fillstyle solid noborder
@@ -68,16 +68,16 @@ set object rectangle from 564.6,1063 to 604.2,1039 fillcolor rgb '#58b08a' fills
 set object rectangle from 606.2,959 to 645.8,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 606.2,985 to 645.8,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 606.2,1011 to 645.8,987 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 606.2,1037 to 645.8,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 606.2,1063 to 645.8,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 606.2,1037 to 645.8,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 606.2,1063 to 645.8,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 647.8,959 to 687.4,935 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 647.8,985 to 687.4,961 fillcolor rgb '#f6d36b' fillstyle solid noborder
-set object rectangle from 647.8,1011 to 687.4,987 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 647.8,1037 to 687.4,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 647.8,985 to 687.4,961 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 647.8,1011 to 687.4,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 647.8,1037 to 687.4,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 647.8,1063 to 687.4,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 689.4,959 to 729,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 689.4,985 to 729,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 689.4,1011 to 729,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 689.4,1011 to 729,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 689.4,1037 to 729,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 689.4,1063 to 729,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 747,959 to 786.6,935 fillcolor rgb '#58b08a' fillstyle solid noborder
@@ -97,19 +97,19 @@ set object rectangle from 830.2,1037 to 869.8,1013 fillcolor rgb '#58b08a' fills
 set object rectangle from 830.2,1063 to 869.8,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 871.8,959 to 911.4,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 871.8,985 to 911.4,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 871.8,1011 to 911.4,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
-set object rectangle from 871.8,1037 to 911.4,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 871.8,1011 to 911.4,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 871.8,1037 to 911.4,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 871.8,1063 to 911.4,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 913.4,959 to 953,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 913.4,985 to 953,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 913.4,1011 to 953,987 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 913.4,1011 to 953,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 913.4,1037 to 953,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 913.4,1063 to 953,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 971,959 to 1010.6,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 971,985 to 1010.6,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 971,1011 to 1010.6,987 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 971,1037 to 1010.6,1013 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 971,1063 to 1010.6,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 971,1063 to 1010.6,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1012.6,959 to 1052.2,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1012.6,985 to 1052.2,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1012.6,1011 to 1052.2,987 fillcolor rgb '#58b08a' fillstyle solid noborder
@@ -119,10 +119,10 @@ set object rectangle from 1054.2,959 to 1093.8,935 fillcolor rgb '#58b08a' fills
 set object rectangle from 1054.2,985 to 1093.8,961 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1054.2,1011 to 1093.8,987 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1054.2,1037 to 1093.8,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
-set object rectangle from 1054.2,1063 to 1093.8,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 1054.2,1063 to 1093.8,1039 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1095.8,959 to 1135.4,935 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1095.8,985 to 1135.4,961 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 1095.8,1011 to 1135.4,987 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 1095.8,1011 to 1135.4,987 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 1095.8,1037 to 1135.4,1013 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 1095.8,1063 to 1135.4,1039 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 1137.4,959 to 1177,935 fillcolor rgb '#58b08a' fillstyle solid noborder
@@ -148,12 +148,12 @@ set object rectangle from 158.2,887 to 197.8,863 fillcolor rgb '#58b08a' fillsty
 set object rectangle from 199.8,783 to 239.4,759 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 199.8,809 to 239.4,785 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 199.8,835 to 239.4,811 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 199.8,861 to 239.4,837 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 199.8,887 to 239.4,863 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 199.8,861 to 239.4,837 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 199.8,887 to 239.4,863 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,783 to 281,759 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 241.4,809 to 281,785 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 241.4,835 to 281,811 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 241.4,861 to 281,837 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 241.4,861 to 281,837 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,887 to 281,863 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 299,783 to 338.6,759 fillcolor rgb '#c6453f' fillstyle solid noborder
 set object rectangle from 299,809 to 338.6,785 fillcolor rgb '#c6453f' fillstyle solid noborder
@@ -389,19 +389,19 @@ set object rectangle from 116.6,431 to 156.2,407 fillcolor rgb '#58b08a' fillsty
 set object rectangle from 116.6,457 to 156.2,433 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 116.6,483 to 156.2,459 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 116.6,509 to 156.2,485 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 116.6,535 to 156.2,511 fillcolor rgb '#f6d36b' fillstyle solid noborder
+set object rectangle from 116.6,535 to 156.2,511 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 158.2,431 to 197.8,407 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 158.2,457 to 197.8,433 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 158.2,483 to 197.8,459 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 158.2,509 to 197.8,485 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 158.2,509 to 197.8,485 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 158.2,535 to 197.8,511 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 199.8,431 to 239.4,407 fillcolor rgb '#58b08a' fillstyle solid noborder
 set object rectangle from 199.8,457 to 239.4,433 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 199.8,483 to 239.4,459 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 199.8,483 to 239.4,459 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 199.8,509 to 239.4,485 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 199.8,535 to 239.4,511 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,431 to 281,407 fillcolor rgb '#58b08a' fillstyle solid noborder
-set object rectangle from 241.4,457 to 281,433 fillcolor rgb '#58b08a' fillstyle solid noborder
+set object rectangle from 241.4,457 to 281,433 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,483 to 281,459 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,509 to 281,485 fillcolor rgb '#f6d36b' fillstyle solid noborder
 set object rectangle from 241.4,535 to 281,511 fillcolor rgb '#f6d36b' fillstyle solid noborder
@@ -590,279 +590,288 @@ scale = GPVAL_TERM eq 'svg' ? 4.0 / 3 : 1
 set label 1 '{/:Bold Where methods fail, from a crumpled start}' at 74,1148 left font sprintf(',%g', scale * 15) textcolor rgb '#111111' front
 set label 2 'A sheet of 24 x 24 particles, 1 m, 0.2 kg/m², hung by two corners, 2 s. Across: the frame''s step [s]. Upwards: stiffness, times 400 N/m.' at 74,1124 left font sprintf(',%g', scale * 10) textcolor rgb '#666666' noenhanced front
 set label 3 '{/:Bold Weft''s default}' at 74,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' front
-set label 4 'H' at 219.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 4 'H' at 219.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
 set label 5 'H' at 219.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 6 'H' at 261.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 7 'H' at 261.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 8 'x 10000' at 68,1051 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 9 'x 1000' at 68,1025 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 10 'x 100' at 68,999 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 11 'x 10' at 68,973 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 12 'x 1' at 68,947 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 13 'Multilevel: 1 pass' at 298,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 14 'H' at 318.8,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 15 'H' at 402,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 16 'H' at 443.6,973 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 17 'H' at 443.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 18 'H' at 443.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 19 'H' at 485.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 20 'H' at 485.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 21 'Multilevel: 2 passes' at 522,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 22 'H' at 667.6,973 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 23 'H' at 667.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 24 'H' at 709.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 25 'H' at 709.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 26 'Multilevel: 3 passes; BDF2' at 746,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 27 'H' at 891.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 28 'H' at 891.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 29 'H' at 933.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 30 'H' at 933.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 31 'Multilevel: 2 passes; BDF2' at 970,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 32 'H' at 990.8,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 33 'H' at 1074,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 34 'H' at 1074,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 35 'H' at 1115.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 36 'H' at 1115.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 37 'H' at 1115.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 38 'H' at 1157.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 39 'H' at 1157.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 40 'H' at 1157.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 41 'Multilevel: 6 passes' at 74,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 42 'H' at 261.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 43 'x 10000' at 68,875 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 44 'x 1000' at 68,849 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 45 'x 100' at 68,823 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 46 'x 10' at 68,797 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 47 'x 1' at 68,771 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 48 'Jacobi: first guess alone' at 298,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 49 'Jacobi: 1 iteration' at 522,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 50 'H' at 542.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 51 'H' at 542.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 52 'H' at 542.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 53 'H' at 584.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 54 'H' at 584.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 55 'H' at 584.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 56 'H' at 584.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 57 'S' at 626,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 58 'H' at 626,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 59 'H' at 626,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 60 'H' at 626,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 61 'H' at 626,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 62 'H' at 667.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 63 'H' at 667.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 64 'H' at 667.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 65 'H' at 667.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 66 'H' at 667.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 67 'H' at 709.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 68 'H' at 709.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 69 'H' at 709.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 70 'H' at 709.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 71 'H' at 709.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 72 'Jacobi: 2 iterations' at 746,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 73 'ESH' at 766.8,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 74 'ESH' at 766.8,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 75 'ESH' at 766.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 76 'ESH' at 766.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 77 'ESH' at 766.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 78 'ESH' at 808.4,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 79 'ESH' at 808.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 80 'ESH' at 808.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 81 'ESH' at 808.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 82 'ESH' at 808.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 83 'ESH' at 850,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 84 'ESH' at 850,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 85 'ESH' at 850,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 86 'ESH' at 850,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 87 'ESH' at 850,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 88 'ESH' at 891.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 89 'ESH' at 891.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 90 'ESH' at 891.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 91 'ESH' at 891.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 92 'ESH' at 891.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 93 'ESH' at 933.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 94 'ESH' at 933.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 95 'ESH' at 933.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 96 'ESH' at 933.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 97 'ESH' at 933.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 98 'Jacobi: 15 iterations' at 970,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 99 'H' at 990.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 100 'H' at 990.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 101 'H' at 1032.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 102 'H' at 1032.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 103 'H' at 1074,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 104 'H' at 1074,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 105 'H' at 1074,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 106 'H' at 1115.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 107 'H' at 1115.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 108 'H' at 1115.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 109 'H' at 1115.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 110 'SH' at 1157.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 111 'H' at 1157.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 112 'H' at 1157.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 113 'H' at 1157.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 114 'H' at 1157.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 115 'Jacobi: 16 iterations' at 74,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 116 'ESH' at 94.8,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 117 'ESH' at 94.8,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 118 'ESH' at 94.8,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 119 'ESH' at 94.8,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 120 'ESH' at 94.8,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 121 'ESH' at 136.4,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 122 'ESH' at 136.4,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 123 'ESH' at 136.4,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 124 'ESH' at 136.4,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 125 'ESH' at 136.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 126 'ESH' at 178,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 127 'ESH' at 178,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 128 'ESH' at 178,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 129 'ESH' at 178,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 130 'ESH' at 178,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 131 'ESH' at 219.6,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 132 'ESH' at 219.6,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 133 'ESH' at 219.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 134 'ESH' at 219.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 135 'ESH' at 219.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 136 'ESH' at 261.2,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 137 'ESH' at 261.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 138 'ESH' at 261.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 139 'ESH' at 261.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 140 'ESH' at 261.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 141 'x 10000' at 68,699 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 142 'x 1000' at 68,673 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 143 'x 100' at 68,647 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 144 'x 10' at 68,621 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 145 'x 1' at 68,595 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 146 'Chebyshev: 16 iterations' at 298,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 147 'H' at 360.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 148 'H' at 402,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 149 'H' at 402,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 150 'H' at 443.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 151 'H' at 443.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 152 'H' at 443.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 153 'H' at 485.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 154 'H' at 485.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 155 'H' at 485.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 156 'H' at 485.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 157 'Chebyshev: interval to 1.7' at 522,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 158 'ESH' at 709.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 159 'Conjugate gradients: 32' at 746,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 160 'H' at 808.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 161 'H' at 850,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 162 'H' at 850,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 163 'H' at 891.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 164 'H' at 891.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 165 'H' at 933.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 166 'H' at 933.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 167 'H' at 933.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 168 'Sparse Cholesky' at 970,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 169 'H' at 1115.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 170 'H' at 1157.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 171 'H' at 1157.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 172 'Finite elements: multilevel' at 74,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 173 'H' at 136.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 174 'H' at 178,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 175 'H' at 219.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 176 'H' at 219.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 177 'H' at 261.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 178 'H' at 261.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 179 'H' at 261.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 180 'x 10000' at 68,523 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 181 'x 1000' at 68,497 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 182 'x 100' at 68,471 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 183 'x 10' at 68,445 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 184 'x 1' at 68,419 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 185 'XPBD: 1 substep' at 298,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 186 'S' at 318.8,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 187 'S' at 318.8,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 188 'S' at 318.8,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 189 'S' at 318.8,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 190 'S' at 318.8,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 191 'ESH' at 360.4,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 192 'ESH' at 360.4,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 193 'ESH' at 360.4,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 194 'ESH' at 360.4,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 195 'ESH' at 360.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 196 'ESH' at 402,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 197 'ESH' at 402,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 198 'ESH' at 402,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 199 'ESH' at 402,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 200 'ESH' at 402,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 201 'ESH' at 443.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 202 'ESH' at 443.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 203 'ESH' at 443.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 204 'ESH' at 443.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 205 'ESH' at 443.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 206 'ESH' at 485.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 207 'ESH' at 485.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 208 'ESH' at 485.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 209 'ESH' at 485.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 210 'ESH' at 485.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 211 'XPBD: 16 substeps' at 522,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 212 'S' at 667.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 213 'S' at 709.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 214 'S' at 709.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 215 'S' at 709.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 216 'S' at 709.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 217 'S' at 709.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 218 'Fibres: 4 iterations' at 746,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 219 'ESH' at 850,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 220 'ESH' at 850,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 221 'ESH' at 850,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 222 'ESH' at 850,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 223 'ESH' at 850,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 224 'ESH' at 891.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 225 'ESH' at 891.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 226 'ESH' at 891.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 227 'ESH' at 891.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 228 'ESH' at 891.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 229 'ESH' at 933.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 230 'ESH' at 933.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 231 'ESH' at 933.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 232 'ESH' at 933.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 233 'ESH' at 933.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 234 '1/240' at 766.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 235 '1/120' at 808.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 236 '1/60' at 850,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 237 '1/30' at 891.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 238 '1/15' at 933.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 239 'Fibres: 16 substeps' at 970,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 240 'S' at 1157.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 241 'S' at 1157.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 242 '1/240' at 990.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 243 '1/120' at 1032.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 244 '1/60' at 1074,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 245 '1/30' at 1115.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 246 '1/15' at 1157.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 247 'Symplectic Euler' at 74,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 248 'x 10000' at 68,347 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 249 'x 1000' at 68,321 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 250 'x 100' at 68,295 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 251 'x 10' at 68,269 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 252 'x 1' at 68,243 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 253 '1/240' at 94.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 254 '1/120' at 136.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 255 '1/60' at 178,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 256 '1/30' at 219.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 257 '1/15' at 261.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 258 'Symplectic Euler: 64 substeps' at 298,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 259 '1/240' at 318.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 260 '1/120' at 360.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 261 '1/60' at 402,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 262 '1/30' at 443.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 263 '1/15' at 485.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 264 'Explicit Euler: 64 substeps' at 522,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 265 '1/240' at 542.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 266 '1/120' at 584.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 267 '1/60' at 626,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 268 '1/30' at 667.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 269 '1/15' at 709.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 270 'stable: none of what follows' at 108,166 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 271 'bounded, but wrong, by one or more of these:' at 108,145 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 272 'E  energy rose above the start''s by more than 10 % of what the start has above the still hang' at 108,124 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 273 'S  at the end the mean stretch is off the still hang''s by more than 1 %' at 108,103 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 274 'H  at the end the centre of mass is off the still hang''s by more than 10 cm' at 108,82 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 275 'diverged: a particle went beyond 100 km, or at the end the mean stretch is above 200 % and the energy above the start''s by all that it had to lose' at 108,61 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 276 'not a number, from a state that was still near and finite' at 108,40 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 6 'H' at 261.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 7 'H' at 261.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 8 'H' at 261.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 9 'x 10000' at 68,1051 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 10 'x 1000' at 68,1025 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 11 'x 100' at 68,999 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 12 'x 10' at 68,973 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 13 'x 1' at 68,947 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 14 'Multilevel: 1 pass' at 298,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 15 'H' at 402,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 16 'H' at 402,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 17 'H' at 443.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 18 'H' at 443.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 19 'H' at 443.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 20 'H' at 485.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 21 'H' at 485.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 22 'H' at 485.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 23 'Multilevel: 2 passes' at 522,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 24 'H' at 626,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 25 'H' at 626,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 26 'H' at 667.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 27 'H' at 667.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 28 'H' at 667.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 29 'H' at 709.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 30 'H' at 709.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 31 'H' at 709.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 32 'Multilevel: 3 passes; BDF2' at 746,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 33 'H' at 891.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 34 'H' at 891.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 35 'H' at 933.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 36 'H' at 933.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 37 'H' at 933.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 38 'Multilevel: 2 passes; BDF2' at 970,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 39 'H' at 1074,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 40 'H' at 1115.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 41 'H' at 1115.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 42 'H' at 1157.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 43 'H' at 1157.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 44 'H' at 1157.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 45 'Multilevel: 6 passes' at 74,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 46 'H' at 219.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 47 'H' at 219.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 48 'H' at 261.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 49 'H' at 261.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 50 'x 10000' at 68,875 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 51 'x 1000' at 68,849 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 52 'x 100' at 68,823 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 53 'x 10' at 68,797 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 54 'x 1' at 68,771 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 55 'Jacobi: first guess alone' at 298,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 56 'Jacobi: 1 iteration' at 522,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 57 'H' at 542.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 58 'H' at 542.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 59 'H' at 542.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 60 'H' at 584.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 61 'H' at 584.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 62 'H' at 584.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 63 'H' at 584.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 64 'S' at 626,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 65 'H' at 626,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 66 'H' at 626,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 67 'H' at 626,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 68 'H' at 626,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 69 'H' at 667.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 70 'H' at 667.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 71 'H' at 667.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 72 'H' at 667.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 73 'H' at 667.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 74 'H' at 709.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 75 'H' at 709.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 76 'H' at 709.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 77 'H' at 709.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 78 'H' at 709.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 79 'Jacobi: 2 iterations' at 746,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 80 'ESH' at 766.8,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 81 'ESH' at 766.8,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 82 'ESH' at 766.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 83 'ESH' at 766.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 84 'ESH' at 766.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 85 'ESH' at 808.4,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 86 'ESH' at 808.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 87 'ESH' at 808.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 88 'ESH' at 808.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 89 'ESH' at 808.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 90 'ESH' at 850,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 91 'ESH' at 850,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 92 'ESH' at 850,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 93 'ESH' at 850,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 94 'ESH' at 850,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 95 'ESH' at 891.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 96 'ESH' at 891.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 97 'ESH' at 891.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 98 'ESH' at 891.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 99 'ESH' at 891.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 100 'ESH' at 933.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 101 'ESH' at 933.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 102 'ESH' at 933.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 103 'ESH' at 933.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 104 'ESH' at 933.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 105 'Jacobi: 15 iterations' at 970,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 106 'H' at 990.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 107 'H' at 990.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 108 'H' at 1032.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 109 'H' at 1032.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 110 'H' at 1074,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 111 'H' at 1074,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 112 'H' at 1074,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 113 'H' at 1115.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 114 'H' at 1115.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 115 'H' at 1115.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 116 'H' at 1115.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 117 'SH' at 1157.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 118 'H' at 1157.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 119 'H' at 1157.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 120 'H' at 1157.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 121 'H' at 1157.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 122 'Jacobi: 16 iterations' at 74,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 123 'ESH' at 94.8,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 124 'ESH' at 94.8,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 125 'ESH' at 94.8,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 126 'ESH' at 94.8,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 127 'ESH' at 94.8,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 128 'ESH' at 136.4,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 129 'ESH' at 136.4,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 130 'ESH' at 136.4,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 131 'ESH' at 136.4,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 132 'ESH' at 136.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 133 'ESH' at 178,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 134 'ESH' at 178,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 135 'ESH' at 178,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 136 'ESH' at 178,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 137 'ESH' at 178,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 138 'ESH' at 219.6,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 139 'ESH' at 219.6,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 140 'ESH' at 219.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 141 'ESH' at 219.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 142 'ESH' at 219.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 143 'ESH' at 261.2,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 144 'ESH' at 261.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 145 'ESH' at 261.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 146 'ESH' at 261.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 147 'ESH' at 261.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 148 'x 10000' at 68,699 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 149 'x 1000' at 68,673 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 150 'x 100' at 68,647 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 151 'x 10' at 68,621 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 152 'x 1' at 68,595 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 153 'Chebyshev: 16 iterations' at 298,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 154 'H' at 360.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 155 'H' at 402,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 156 'H' at 402,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 157 'H' at 443.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 158 'H' at 443.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 159 'H' at 443.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 160 'H' at 485.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 161 'H' at 485.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 162 'H' at 485.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 163 'H' at 485.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 164 'Chebyshev: interval to 1.7' at 522,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 165 'ESH' at 709.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 166 'Conjugate gradients: 32' at 746,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 167 'H' at 808.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 168 'H' at 850,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 169 'H' at 850,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 170 'H' at 891.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 171 'H' at 891.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 172 'H' at 933.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 173 'H' at 933.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 174 'H' at 933.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 175 'Sparse Cholesky' at 970,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 176 'H' at 1115.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 177 'H' at 1157.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 178 'H' at 1157.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 179 'Finite elements: multilevel' at 74,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 180 'H' at 178,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 181 'H' at 178,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 182 'H' at 219.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 183 'H' at 219.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 184 'H' at 219.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 185 'H' at 261.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 186 'H' at 261.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 187 'H' at 261.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 188 'H' at 261.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 189 'x 10000' at 68,523 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 190 'x 1000' at 68,497 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 191 'x 100' at 68,471 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 192 'x 10' at 68,445 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 193 'x 1' at 68,419 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 194 'XPBD: 1 substep' at 298,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 195 'S' at 318.8,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 196 'S' at 318.8,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 197 'S' at 318.8,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 198 'S' at 318.8,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 199 'S' at 318.8,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 200 'ESH' at 360.4,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 201 'ESH' at 360.4,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 202 'ESH' at 360.4,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 203 'ESH' at 360.4,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 204 'ESH' at 360.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 205 'ESH' at 402,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 206 'ESH' at 402,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 207 'ESH' at 402,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 208 'ESH' at 402,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 209 'ESH' at 402,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 210 'ESH' at 443.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 211 'ESH' at 443.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 212 'ESH' at 443.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 213 'ESH' at 443.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 214 'ESH' at 443.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 215 'ESH' at 485.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 216 'ESH' at 485.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 217 'ESH' at 485.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 218 'ESH' at 485.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 219 'ESH' at 485.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 220 'XPBD: 16 substeps' at 522,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 221 'S' at 667.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 222 'S' at 709.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 223 'S' at 709.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 224 'S' at 709.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 225 'S' at 709.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 226 'S' at 709.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 227 'Fibres: 4 iterations' at 746,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 228 'ESH' at 850,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 229 'ESH' at 850,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 230 'ESH' at 850,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 231 'ESH' at 850,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 232 'ESH' at 850,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 233 'ESH' at 891.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 234 'ESH' at 891.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 235 'ESH' at 891.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 236 'ESH' at 891.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 237 'ESH' at 891.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 238 'ESH' at 933.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 239 'ESH' at 933.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 240 'ESH' at 933.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 241 'ESH' at 933.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 242 'ESH' at 933.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 243 '1/240' at 766.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 244 '1/120' at 808.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 245 '1/60' at 850,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 246 '1/30' at 891.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 247 '1/15' at 933.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 248 'Fibres: 16 substeps' at 970,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 249 'S' at 1157.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 250 'S' at 1157.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 251 '1/240' at 990.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 252 '1/120' at 1032.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 253 '1/60' at 1074,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 254 '1/30' at 1115.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 255 '1/15' at 1157.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 256 'Symplectic Euler' at 74,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 257 'x 10000' at 68,347 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 258 'x 1000' at 68,321 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 259 'x 100' at 68,295 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 260 'x 10' at 68,269 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 261 'x 1' at 68,243 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 262 '1/240' at 94.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 263 '1/120' at 136.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 264 '1/60' at 178,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 265 '1/30' at 219.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 266 '1/15' at 261.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 267 'Symplectic Euler: 64 substeps' at 298,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 268 '1/240' at 318.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 269 '1/120' at 360.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 270 '1/60' at 402,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 271 '1/30' at 443.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 272 '1/15' at 485.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 273 'Explicit Euler: 64 substeps' at 522,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 274 '1/240' at 542.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 275 '1/120' at 584.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 276 '1/60' at 626,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 277 '1/30' at 667.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 278 '1/15' at 709.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 279 'stable: none of what follows' at 108,166 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 280 'bounded, but wrong, by one or more of these:' at 108,145 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 281 'E  energy rose above the start''s by more than 10 % of what the start has above the still hang' at 108,124 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 282 'S  at the end the mean stretch is off the still hang''s by more than 1 %' at 108,103 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 283 'H  at the end the centre of mass is off the still hang''s by more than 10 cm' at 108,82 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 284 'diverged: a particle went beyond 100 km, or at the end the mean stretch is above 200 % and the energy above the start''s by all that it had to lose' at 108,61 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 285 'not a number, from a state that was still near and finite' at 108,40 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
 plot NaN
 set terminal pngcairo size 1194,1172 font 'DejaVu Sans,10' background rgb 'white'
 set output 'stability-crumpled.png'
@@ -870,277 +879,286 @@ scale = GPVAL_TERM eq 'svg' ? 4.0 / 3 : 1
 set label 1 '{/:Bold Where methods fail, from a crumpled start}' at 74,1148 left font sprintf(',%g', scale * 15) textcolor rgb '#111111' front
 set label 2 'A sheet of 24 x 24 particles, 1 m, 0.2 kg/m², hung by two corners, 2 s. Across: the frame''s step [s]. Upwards: stiffness, times 400 N/m.' at 74,1124 left font sprintf(',%g', scale * 10) textcolor rgb '#666666' noenhanced front
 set label 3 '{/:Bold Weft''s default}' at 74,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' front
-set label 4 'H' at 219.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 4 'H' at 219.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
 set label 5 'H' at 219.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 6 'H' at 261.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 7 'H' at 261.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 8 'x 10000' at 68,1051 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 9 'x 1000' at 68,1025 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 10 'x 100' at 68,999 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 11 'x 10' at 68,973 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 12 'x 1' at 68,947 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 13 'Multilevel: 1 pass' at 298,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 14 'H' at 318.8,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 15 'H' at 402,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 16 'H' at 443.6,973 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 17 'H' at 443.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 18 'H' at 443.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 19 'H' at 485.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 20 'H' at 485.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 21 'Multilevel: 2 passes' at 522,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 22 'H' at 667.6,973 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 23 'H' at 667.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 24 'H' at 709.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 25 'H' at 709.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 26 'Multilevel: 3 passes; BDF2' at 746,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 27 'H' at 891.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 28 'H' at 891.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 29 'H' at 933.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 30 'H' at 933.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 31 'Multilevel: 2 passes; BDF2' at 970,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 32 'H' at 990.8,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 33 'H' at 1074,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 34 'H' at 1074,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 35 'H' at 1115.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 36 'H' at 1115.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 37 'H' at 1115.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 38 'H' at 1157.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 39 'H' at 1157.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 40 'H' at 1157.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 41 'Multilevel: 6 passes' at 74,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 42 'H' at 261.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 43 'x 10000' at 68,875 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 44 'x 1000' at 68,849 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 45 'x 100' at 68,823 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 46 'x 10' at 68,797 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 47 'x 1' at 68,771 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 48 'Jacobi: first guess alone' at 298,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 49 'Jacobi: 1 iteration' at 522,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 50 'H' at 542.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 51 'H' at 542.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 52 'H' at 542.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 53 'H' at 584.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 54 'H' at 584.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 55 'H' at 584.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 56 'H' at 584.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 57 'S' at 626,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 58 'H' at 626,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 59 'H' at 626,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 60 'H' at 626,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 61 'H' at 626,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 62 'H' at 667.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 63 'H' at 667.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 64 'H' at 667.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 65 'H' at 667.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 66 'H' at 667.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 67 'H' at 709.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 68 'H' at 709.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 69 'H' at 709.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 70 'H' at 709.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 71 'H' at 709.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 72 'Jacobi: 2 iterations' at 746,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 73 'ESH' at 766.8,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 74 'ESH' at 766.8,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 75 'ESH' at 766.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 76 'ESH' at 766.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 77 'ESH' at 766.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 78 'ESH' at 808.4,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 79 'ESH' at 808.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 80 'ESH' at 808.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 81 'ESH' at 808.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 82 'ESH' at 808.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 83 'ESH' at 850,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 84 'ESH' at 850,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 85 'ESH' at 850,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 86 'ESH' at 850,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 87 'ESH' at 850,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 88 'ESH' at 891.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 89 'ESH' at 891.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 90 'ESH' at 891.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 91 'ESH' at 891.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 92 'ESH' at 891.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 93 'ESH' at 933.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 94 'ESH' at 933.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 95 'ESH' at 933.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 96 'ESH' at 933.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 97 'ESH' at 933.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 98 'Jacobi: 15 iterations' at 970,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 99 'H' at 990.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 100 'H' at 990.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 101 'H' at 1032.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 102 'H' at 1032.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 103 'H' at 1074,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 104 'H' at 1074,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 105 'H' at 1074,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 106 'H' at 1115.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 107 'H' at 1115.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 108 'H' at 1115.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 109 'H' at 1115.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 110 'SH' at 1157.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 111 'H' at 1157.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 112 'H' at 1157.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 113 'H' at 1157.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 114 'H' at 1157.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 115 'Jacobi: 16 iterations' at 74,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 116 'ESH' at 94.8,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 117 'ESH' at 94.8,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 118 'ESH' at 94.8,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 119 'ESH' at 94.8,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 120 'ESH' at 94.8,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 121 'ESH' at 136.4,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 122 'ESH' at 136.4,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 123 'ESH' at 136.4,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 124 'ESH' at 136.4,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 125 'ESH' at 136.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 126 'ESH' at 178,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 127 'ESH' at 178,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 128 'ESH' at 178,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 129 'ESH' at 178,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 130 'ESH' at 178,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 131 'ESH' at 219.6,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 132 'ESH' at 219.6,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 133 'ESH' at 219.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 134 'ESH' at 219.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 135 'ESH' at 219.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 136 'ESH' at 261.2,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 137 'ESH' at 261.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 138 'ESH' at 261.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 139 'ESH' at 261.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 140 'ESH' at 261.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 141 'x 10000' at 68,699 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 142 'x 1000' at 68,673 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 143 'x 100' at 68,647 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 144 'x 10' at 68,621 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 145 'x 1' at 68,595 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 146 'Chebyshev: 16 iterations' at 298,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 147 'H' at 360.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 148 'H' at 402,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 149 'H' at 402,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 150 'H' at 443.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 151 'H' at 443.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 152 'H' at 443.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 153 'H' at 485.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 154 'H' at 485.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 155 'H' at 485.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 156 'H' at 485.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 157 'Chebyshev: interval to 1.7' at 522,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 158 'ESH' at 709.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 159 'Conjugate gradients: 32' at 746,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 160 'H' at 808.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 161 'H' at 850,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 162 'H' at 850,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 163 'H' at 891.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 164 'H' at 891.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 165 'H' at 933.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 166 'H' at 933.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 167 'H' at 933.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 168 'Sparse Cholesky' at 970,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 169 'H' at 1115.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 170 'H' at 1157.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 171 'H' at 1157.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 172 'Finite elements: multilevel' at 74,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 173 'H' at 136.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 174 'H' at 178,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 175 'H' at 219.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 176 'H' at 219.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 177 'H' at 261.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 178 'H' at 261.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 179 'H' at 261.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 180 'x 10000' at 68,523 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 181 'x 1000' at 68,497 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 182 'x 100' at 68,471 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 183 'x 10' at 68,445 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 184 'x 1' at 68,419 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 185 'XPBD: 1 substep' at 298,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 186 'S' at 318.8,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 187 'S' at 318.8,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 188 'S' at 318.8,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 189 'S' at 318.8,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 190 'S' at 318.8,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 191 'ESH' at 360.4,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 192 'ESH' at 360.4,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 193 'ESH' at 360.4,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 194 'ESH' at 360.4,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 195 'ESH' at 360.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 196 'ESH' at 402,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 197 'ESH' at 402,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 198 'ESH' at 402,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 199 'ESH' at 402,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 200 'ESH' at 402,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 201 'ESH' at 443.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 202 'ESH' at 443.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 203 'ESH' at 443.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 204 'ESH' at 443.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 205 'ESH' at 443.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 206 'ESH' at 485.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 207 'ESH' at 485.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 208 'ESH' at 485.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 209 'ESH' at 485.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 210 'ESH' at 485.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 211 'XPBD: 16 substeps' at 522,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 212 'S' at 667.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 213 'S' at 709.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 214 'S' at 709.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 215 'S' at 709.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 216 'S' at 709.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 217 'S' at 709.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 218 'Fibres: 4 iterations' at 746,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 219 'ESH' at 850,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 220 'ESH' at 850,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 221 'ESH' at 850,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 222 'ESH' at 850,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 223 'ESH' at 850,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 224 'ESH' at 891.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 225 'ESH' at 891.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 226 'ESH' at 891.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 227 'ESH' at 891.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 228 'ESH' at 891.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 229 'ESH' at 933.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 230 'ESH' at 933.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 231 'ESH' at 933.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 232 'ESH' at 933.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 233 'ESH' at 933.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 234 '1/240' at 766.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 235 '1/120' at 808.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 236 '1/60' at 850,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 237 '1/30' at 891.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 238 '1/15' at 933.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 239 'Fibres: 16 substeps' at 970,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 240 'S' at 1157.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 241 'S' at 1157.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
-set label 242 '1/240' at 990.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 243 '1/120' at 1032.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 244 '1/60' at 1074,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 245 '1/30' at 1115.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 246 '1/15' at 1157.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 247 'Symplectic Euler' at 74,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 248 'x 10000' at 68,347 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 249 'x 1000' at 68,321 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 250 'x 100' at 68,295 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 251 'x 10' at 68,269 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 252 'x 1' at 68,243 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 253 '1/240' at 94.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 254 '1/120' at 136.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 255 '1/60' at 178,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 256 '1/30' at 219.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 257 '1/15' at 261.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 258 'Symplectic Euler: 64 substeps' at 298,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 259 '1/240' at 318.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 260 '1/120' at 360.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 261 '1/60' at 402,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 262 '1/30' at 443.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 263 '1/15' at 485.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 264 'Explicit Euler: 64 substeps' at 522,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
-set label 265 '1/240' at 542.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 266 '1/120' at 584.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 267 '1/60' at 626,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 268 '1/30' at 667.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 269 '1/15' at 709.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
-set label 270 'stable: none of what follows' at 108,166 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 271 'bounded, but wrong, by one or more of these:' at 108,145 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 272 'E  energy rose above the start''s by more than 10 % of what the start has above the still hang' at 108,124 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 273 'S  at the end the mean stretch is off the still hang''s by more than 1 %' at 108,103 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 274 'H  at the end the centre of mass is off the still hang''s by more than 10 cm' at 108,82 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 275 'diverged: a particle went beyond 100 km, or at the end the mean stretch is above 200 % and the energy above the start''s by all that it had to lose' at 108,61 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
-set label 276 'not a number, from a state that was still near and finite' at 108,40 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 6 'H' at 261.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 7 'H' at 261.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 8 'H' at 261.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 9 'x 10000' at 68,1051 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 10 'x 1000' at 68,1025 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 11 'x 100' at 68,999 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 12 'x 10' at 68,973 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 13 'x 1' at 68,947 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 14 'Multilevel: 1 pass' at 298,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 15 'H' at 402,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 16 'H' at 402,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 17 'H' at 443.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 18 'H' at 443.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 19 'H' at 443.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 20 'H' at 485.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 21 'H' at 485.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 22 'H' at 485.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 23 'Multilevel: 2 passes' at 522,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 24 'H' at 626,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 25 'H' at 626,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 26 'H' at 667.6,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 27 'H' at 667.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 28 'H' at 667.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 29 'H' at 709.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 30 'H' at 709.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 31 'H' at 709.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 32 'Multilevel: 3 passes; BDF2' at 746,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 33 'H' at 891.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 34 'H' at 891.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 35 'H' at 933.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 36 'H' at 933.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 37 'H' at 933.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 38 'Multilevel: 2 passes; BDF2' at 970,1076 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 39 'H' at 1074,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 40 'H' at 1115.6,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 41 'H' at 1115.6,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 42 'H' at 1157.2,999 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 43 'H' at 1157.2,1025 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 44 'H' at 1157.2,1051 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 45 'Multilevel: 6 passes' at 74,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 46 'H' at 219.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 47 'H' at 219.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 48 'H' at 261.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 49 'H' at 261.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 50 'x 10000' at 68,875 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 51 'x 1000' at 68,849 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 52 'x 100' at 68,823 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 53 'x 10' at 68,797 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 54 'x 1' at 68,771 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 55 'Jacobi: first guess alone' at 298,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 56 'Jacobi: 1 iteration' at 522,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 57 'H' at 542.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 58 'H' at 542.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 59 'H' at 542.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 60 'H' at 584.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 61 'H' at 584.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 62 'H' at 584.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 63 'H' at 584.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 64 'S' at 626,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 65 'H' at 626,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 66 'H' at 626,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 67 'H' at 626,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 68 'H' at 626,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 69 'H' at 667.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 70 'H' at 667.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 71 'H' at 667.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 72 'H' at 667.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 73 'H' at 667.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 74 'H' at 709.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 75 'H' at 709.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 76 'H' at 709.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 77 'H' at 709.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 78 'H' at 709.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 79 'Jacobi: 2 iterations' at 746,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 80 'ESH' at 766.8,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 81 'ESH' at 766.8,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 82 'ESH' at 766.8,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 83 'ESH' at 766.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 84 'ESH' at 766.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 85 'ESH' at 808.4,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 86 'ESH' at 808.4,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 87 'ESH' at 808.4,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 88 'ESH' at 808.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 89 'ESH' at 808.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 90 'ESH' at 850,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 91 'ESH' at 850,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 92 'ESH' at 850,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 93 'ESH' at 850,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 94 'ESH' at 850,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 95 'ESH' at 891.6,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 96 'ESH' at 891.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 97 'ESH' at 891.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 98 'ESH' at 891.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 99 'ESH' at 891.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 100 'ESH' at 933.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 101 'ESH' at 933.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 102 'ESH' at 933.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 103 'ESH' at 933.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 104 'ESH' at 933.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 105 'Jacobi: 15 iterations' at 970,900 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 106 'H' at 990.8,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 107 'H' at 990.8,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 108 'H' at 1032.4,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 109 'H' at 1032.4,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 110 'H' at 1074,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 111 'H' at 1074,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 112 'H' at 1074,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 113 'H' at 1115.6,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 114 'H' at 1115.6,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 115 'H' at 1115.6,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 116 'H' at 1115.6,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 117 'SH' at 1157.2,771 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 118 'H' at 1157.2,797 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 119 'H' at 1157.2,823 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 120 'H' at 1157.2,849 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 121 'H' at 1157.2,875 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 122 'Jacobi: 16 iterations' at 74,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 123 'ESH' at 94.8,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 124 'ESH' at 94.8,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 125 'ESH' at 94.8,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 126 'ESH' at 94.8,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 127 'ESH' at 94.8,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 128 'ESH' at 136.4,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 129 'ESH' at 136.4,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 130 'ESH' at 136.4,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 131 'ESH' at 136.4,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 132 'ESH' at 136.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 133 'ESH' at 178,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 134 'ESH' at 178,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 135 'ESH' at 178,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 136 'ESH' at 178,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 137 'ESH' at 178,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 138 'ESH' at 219.6,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 139 'ESH' at 219.6,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 140 'ESH' at 219.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 141 'ESH' at 219.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 142 'ESH' at 219.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 143 'ESH' at 261.2,595 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 144 'ESH' at 261.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 145 'ESH' at 261.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 146 'ESH' at 261.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 147 'ESH' at 261.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 148 'x 10000' at 68,699 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 149 'x 1000' at 68,673 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 150 'x 100' at 68,647 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 151 'x 10' at 68,621 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 152 'x 1' at 68,595 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 153 'Chebyshev: 16 iterations' at 298,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 154 'H' at 360.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 155 'H' at 402,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 156 'H' at 402,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 157 'H' at 443.6,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 158 'H' at 443.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 159 'H' at 443.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 160 'H' at 485.2,621 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 161 'H' at 485.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 162 'H' at 485.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 163 'H' at 485.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 164 'Chebyshev: interval to 1.7' at 522,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 165 'ESH' at 709.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 166 'Conjugate gradients: 32' at 746,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 167 'H' at 808.4,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 168 'H' at 850,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 169 'H' at 850,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 170 'H' at 891.6,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 171 'H' at 891.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 172 'H' at 933.2,647 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 173 'H' at 933.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 174 'H' at 933.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 175 'Sparse Cholesky' at 970,724 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 176 'H' at 1115.6,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 177 'H' at 1157.2,673 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 178 'H' at 1157.2,699 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 179 'Finite elements: multilevel' at 74,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 180 'H' at 178,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 181 'H' at 178,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 182 'H' at 219.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 183 'H' at 219.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 184 'H' at 219.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 185 'H' at 261.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 186 'H' at 261.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 187 'H' at 261.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 188 'H' at 261.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 189 'x 10000' at 68,523 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 190 'x 1000' at 68,497 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 191 'x 100' at 68,471 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 192 'x 10' at 68,445 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 193 'x 1' at 68,419 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 194 'XPBD: 1 substep' at 298,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 195 'S' at 318.8,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 196 'S' at 318.8,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 197 'S' at 318.8,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 198 'S' at 318.8,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 199 'S' at 318.8,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 200 'ESH' at 360.4,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 201 'ESH' at 360.4,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 202 'ESH' at 360.4,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 203 'ESH' at 360.4,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 204 'ESH' at 360.4,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 205 'ESH' at 402,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 206 'ESH' at 402,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 207 'ESH' at 402,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 208 'ESH' at 402,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 209 'ESH' at 402,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 210 'ESH' at 443.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 211 'ESH' at 443.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 212 'ESH' at 443.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 213 'ESH' at 443.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 214 'ESH' at 443.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 215 'ESH' at 485.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 216 'ESH' at 485.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 217 'ESH' at 485.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 218 'ESH' at 485.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 219 'ESH' at 485.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 220 'XPBD: 16 substeps' at 522,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 221 'S' at 667.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 222 'S' at 709.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 223 'S' at 709.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 224 'S' at 709.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 225 'S' at 709.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 226 'S' at 709.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 227 'Fibres: 4 iterations' at 746,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 228 'ESH' at 850,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 229 'ESH' at 850,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 230 'ESH' at 850,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 231 'ESH' at 850,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 232 'ESH' at 850,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 233 'ESH' at 891.6,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 234 'ESH' at 891.6,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 235 'ESH' at 891.6,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 236 'ESH' at 891.6,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 237 'ESH' at 891.6,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 238 'ESH' at 933.2,419 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 239 'ESH' at 933.2,445 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 240 'ESH' at 933.2,471 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 241 'ESH' at 933.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 242 'ESH' at 933.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 243 '1/240' at 766.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 244 '1/120' at 808.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 245 '1/60' at 850,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 246 '1/30' at 891.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 247 '1/15' at 933.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 248 'Fibres: 16 substeps' at 970,548 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 249 'S' at 1157.2,497 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 250 'S' at 1157.2,523 center font sprintf(',%g', scale * 9) textcolor rgb '#5c4600' noenhanced front
+set label 251 '1/240' at 990.8,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 252 '1/120' at 1032.4,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 253 '1/60' at 1074,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 254 '1/30' at 1115.6,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 255 '1/15' at 1157.2,394 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 256 'Symplectic Euler' at 74,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 257 'x 10000' at 68,347 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 258 'x 1000' at 68,321 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 259 'x 100' at 68,295 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 260 'x 10' at 68,269 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 261 'x 1' at 68,243 right font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 262 '1/240' at 94.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 263 '1/120' at 136.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 264 '1/60' at 178,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 265 '1/30' at 219.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 266 '1/15' at 261.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 267 'Symplectic Euler: 64 substeps' at 298,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 268 '1/240' at 318.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 269 '1/120' at 360.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 270 '1/60' at 402,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 271 '1/30' at 443.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 272 '1/15' at 485.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 273 'Explicit Euler: 64 substeps' at 522,372 left font sprintf(',%g', scale * 10) textcolor rgb '#111111' noenhanced front
+set label 274 '1/240' at 542.8,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 275 '1/120' at 584.4,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 276 '1/60' at 626,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 277 '1/30' at 667.6,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 278 '1/15' at 709.2,218 center font sprintf(',%g', scale * 9) textcolor rgb '#666666' noenhanced front
+set label 279 'stable: none of what follows' at 108,166 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 280 'bounded, but wrong, by one or more of these:' at 108,145 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 281 'E  energy rose above the start''s by more than 10 % of what the start has above the still hang' at 108,124 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 282 'S  at the end the mean stretch is off the still hang''s by more than 1 %' at 108,103 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 283 'H  at the end the centre of mass is off the still hang''s by more than 10 cm' at 108,82 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 284 'diverged: a particle went beyond 100 km, or at the end the mean stretch is above 200 % and the energy above the start''s by all that it had to lose' at 108,61 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
+set label 285 'not a number, from a state that was still near and finite' at 108,40 left font sprintf(',%g', scale * 10) textcolor rgb '#222222' noenhanced front
 plot NaN
