@@ -180,7 +180,7 @@ TEST(ForgedSave, SaysWhatIsWrong) {
 
     OneCloth budgeted(1000);
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail, 5u),
-                            "its rung is 5; it must be from 0 to 4");
+                            "its rung is 5; it must be from 0 to 2");
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 4, 0u), "its step is 0 long");
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 8, 2u), "of which 2 are left");
     // A place to move on to counts only where a long step goes on.
@@ -188,7 +188,7 @@ TEST(ForgedSave, SaysWhatIsWrong) {
     EXPECT_TRUE(budgeted.world.restore(nowhere));
     EXPECT_TRUE(budgeted.world.restore(budgeted.good));
     budgeted.expect_refused(
-        changed_in(changed_in(nowhere, OneCloth::detail + 4, 4u), OneCloth::detail + 8, 2u),
+        changed_in(changed_in(nowhere, OneCloth::detail + 4, 2u), OneCloth::detail + 8, 2u),
         "where it is to move on to is no place");
     EXPECT_TRUE(budgeted.world.restore(budgeted.good));
 }
