@@ -296,6 +296,15 @@ TEST(HeldRigidity, ClothOfAMillimetreLiesStill) {
     }
 }
 
+TEST(HeldRigidity, KnowsTheMassThatAMapLeaves) {
+    Cloth cloth(cook(sheet(5, 5)).value(), ClothSettings());
+    const float before = cloth.stiffest_bending;
+    AlignedBuffer<float> lighter(cloth.model.particle_count);
+    std::ranges::fill(lighter.span(), 0.01f);
+    cloth.set_map(Map::mass, std::move(lighter));
+    EXPECT_FLOAT_EQ(cloth.stiffest_bending, 100 * before);
+}
+
 TEST(HeldRigidity, IsTheFabricsForCellsThatGamesHave) {
     for (const float cell : {1e-3f, 1e-2f, 1e-1f}) {
         const Mesh mesh =
