@@ -132,7 +132,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
 void Cloth::start_at_rest() {
     std::ranges::copy(model.positions.span(), state.positions.data());
     std::ranges::copy(model.positions.span(), state.previous_positions.data());
-    stiffest_bending = weft::stiffest_bending(model);
+    bending_per_area = find_bending_per_area(model);
     set_inverse_masses();
 }
 

@@ -217,7 +217,7 @@ struct Cloth {
     AlignedBuffer<Vec4> next_velocities;
     std::optional<History> history;                 ///< only with BDF2
     WornLimits worn;                                ///< leashes, backstops, and maps for contact
-    float stiffest_bending = 0;                     ///< see held_rigidity()
+    float bending_per_area = 0;                     ///< see find_bending_per_area() [1/m^4]
     AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
     Limits limits;                                  ///< attached to the present pins
     std::optional<SelfContacts> self_contacts;      ///< only with self-collision on

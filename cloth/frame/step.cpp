@@ -226,7 +226,7 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h, cons
     return {.settings = cloth.settings,
             .h = h,
             .gamma = bdf.gamma,
-            .rigidity = held_rigidity(cloth.settings.fabric, bdf.gamma, cloth.stiffest_bending),
+            .rigidity = held_rigidity(cloth.settings.fabric, bdf.gamma, cloth.bending_per_area),
             .positions = now.positions.span(),
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),

@@ -46,12 +46,12 @@ struct StepEquation {
     float divisor = 3;                         ///< of these in v_base
 };
 
-/// The fabric's rigidity, or the greatest beside which floats still know the particles' mass: bending's rows
-/// sum to 0 but for rounding, 2^-24 gamma^2 B b of a mass of areal density 1, see stiffest_bending(). Cells
-/// below a fifth of a millimetre reach it, and boards.
-[[nodiscard]] inline float held_rigidity(const Fabric& fabric, float gamma, float b) {
+/// The fabric's rigidity, or the greatest beside which floats still know the particles' mass. Bending's rows
+/// sum to 0 but for rounding, some 2^-24 gamma^2 rigidity bending_per_area of the areal density, see
+/// find_bending_per_area(). Cells below a fifth of a millimetre reach it, and boards.
+[[nodiscard]] inline float held_rigidity(const Fabric& fabric, float gamma, float bending_per_area) {
     constexpr float most = 2e8f;
-    const float held = most * fabric.areal_density / (gamma * gamma * b);
+    const float held = most * fabric.areal_density / (gamma * gamma * bending_per_area);
     return held < fabric.bending ? held : fabric.bending;
 }
 

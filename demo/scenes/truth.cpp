@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "demo/scene.h"
@@ -15,9 +16,17 @@ namespace {
 constexpr std::array<int, 2> substeps{1, 8};  // of the cloth to the left and to the right
 constexpr std::array<Vec3, 2> colours{{{0.55f, 0.06f, 0.07f}, {0.62f, 0.60f, 0.55f}}};
 
-/// One cloth for each of `substeps`, and how fast it moves.
+/// Two cloths in one wind, one for each of `substeps`, which say how fast they move.
 class Pair : public Scene {
   public:
+    explicit Pair(const Wind& wind) : wind_(wind) {}
+
+    [[nodiscard]] WorldSettings world_settings() const override {
+        WorldSettings settings;
+        settings.wind = wind_;
+        return settings;
+    }
+
     void before_step(World& world, double /*time*/, float /*dt*/) override {
         for (std::size_t k = 0; k < cloths_.size(); ++k) {
             const auto view = world.cloth(cloths_[k]);
@@ -73,17 +82,16 @@ class Pair : public Scene {
     std::vector<ClothId> cloths_;
     std::vector<Mesh> meshes_;
     std::array<float, 2> squared_speeds_{};
+
+  private:
+    Wind wind_;
 };
 
 class FlagBesideTruth final : public Pair {
     static constexpr float fly = 1.5f, hoist = 1.0f, top = 2.2f, apart = 2.1f, pole = 0.02f;  // [m]
 
   public:
-    [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind = {.velocity = {8, 0, 0.8f}, .gust = 0.3f};
-        return settings;
-    }
+    FlagBesideTruth() : Pair({.velocity = {8, 0, 0.8f}, .gust = 0.3f}) {}
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         const std::uint32_t each = options.particles == 0 ? 925 : options.particles / 2 + 1;
@@ -123,11 +131,7 @@ class SkirtBesideTruth final : public Pair {
     static constexpr float waist = 0.15f, flare = 0.4f, length = 0.55f, apart = 1.4f;  // [m]
 
   public:
-    [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind = {.velocity = {3, 0, 1}, .gust = 0.3f};
-        return settings;
-    }
+    SkirtBesideTruth() : Pair({.velocity = {3, 0, 1}, .gust = 0.3f}) {}
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         const std::uint32_t each = options.particles == 0 ? 640 : options.particles / 2 + 1;

@@ -24,7 +24,7 @@ Cloth::Cloth(const Cloth& cooked)
       state(cooked.state),
       solver(cooked.solver->clone(model)),
       next_velocities(model.particle_count),
-      stiffest_bending(cooked.stiffest_bending),
+      bending_per_area(cooked.bending_per_area),
       self_contacts(cooked.self_contacts),
       rest_neighbours(cooked.rest_neighbours),
       contact_mesh(cooked.contact_mesh),

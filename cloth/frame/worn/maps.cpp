@@ -52,7 +52,7 @@ void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& withou
     std::swap(model.rest_area, areas);
     or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.rest_area, areas); });
     areas_without_map = std::move(without_map);
-    stiffest_bending = weft::stiffest_bending(model);
+    bending_per_area = find_bending_per_area(model);
 }
 
 void Cloth::set_stiffness(AlignedBuffer<float>&& values) {

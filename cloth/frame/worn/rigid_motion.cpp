@@ -2,14 +2,6 @@
 
 namespace weft {
 
-Vector3 RigidMotion::point(const Vector3& x) const {
-    return (turn * x.cast<double>() + shift).cast<float>();
-}
-
-Vector3 RigidMotion::vector(const Vector3& x) const {
-    return (turn * x.cast<double>()).cast<float>();
-}
-
 Vec3 RigidMotion::point(const Vec3& x) const {
     return to_vec3(point(to_vector(x)));
 }

@@ -15,8 +15,10 @@ struct RigidMotion {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 
-    [[nodiscard]] Vector3 point(const Vector3& x) const;
-    [[nodiscard]] Vector3 vector(const Vector3& x) const;
+    [[nodiscard]] Vector3 point(const Vector3& x) const {
+        return (turn * x.cast<double>() + shift).cast<float>();
+    }
+    [[nodiscard]] Vector3 vector(const Vector3& x) const { return (turn * x.cast<double>()).cast<float>(); }
     [[nodiscard]] Vec3 point(const Vec3& x) const;
     [[nodiscard]] RigidMotion inverse() const;
 };

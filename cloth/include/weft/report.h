@@ -73,11 +73,11 @@ struct StepReport {
     /// 1e-6 m; and the farthest of them [m].
     std::uint32_t limits_exceeded = 0;
     float limit_lag = 0;
-    /// By contact: places where an edge goes through a triangle, at the start of the last substep. Only a
+    /// Places where an edge goes through a triangle, by contact, at the start of the last substep. Only a
     /// state that was given so has any, or one that was put back. Contact lets them apart, which may take a
     /// second, and counts more of them for a while on the way. Hooked folds can stay.
     std::uint32_t crossings = 0;
-    /// By impact zones: pairs of features that still collide after all rounds of the last substep. Where the
+    /// Pairs of features that still collide after all rounds of impact zones of the last substep. Where the
     /// list had no room for all (StepFlags::contacts_dropped), the pairs that it left out count as one: pairs
     /// of edges first, then those of a vertex and a triangle, of late vertices before early ones.
     std::uint32_t unresolved_pairs = 0;
@@ -113,8 +113,8 @@ struct ClothReport {
     float limit_lag = 0;
     float peak_speed = 0;
     float residual = 0;
-    /// What WorldSettings::budget left it: 0 as it is set, 1 one pass, 2 as it is set in every second step,
-    /// of twice the length.
+    /// How WorldSettings::budget has the cloth stepped: 0 as it is set, 1 by one pass, 2 as it is set in
+    /// every second step, of twice the length.
     std::uint32_t rung = 0;
     std::uint32_t rate = 1;  ///< steps that its last one was long
     /// That its threads took for it; cloths that are solved together share this by their particles.

@@ -29,9 +29,9 @@ struct Fabric {
     float weft = 400.0f;   ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
     float shear = 100.0f;  ///< in-plane shear stiffness [N/m], 0 to 1e9
     /// Flexural rigidity: moment per width over curvature [N m], 0 to 1e4. Springs rest flat, whatever shape
-    /// the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt takes no more of it than
-    /// floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked for where cells are
-    /// below 0.2 mm, or for boards.
+    /// the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt takes no more of it
+    /// than floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked for where
+    /// cells are below 0.2 mm, or for boards.
     float bending = 2e-5f;
     /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear
     /// and bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step
@@ -171,12 +171,12 @@ struct WorldSettings {
     /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
     int threads = 0;
     /// What a step may take [ms], 0 to 1000. Where it would take more, Weft steps cloths by less than they
-    /// are set to, least those that count most: Multilevel by one pass, and what has no
-    /// contact of features, frame or skin by every second step, of twice the length, through which it moves
-    /// evenly, unless pins or colliders near it move (or the World has bodies). Contact is never
-    /// dropped. What that costs is measured, so that bytes depend on time: a recording holds what was chosen,
-    /// and its replay gives the same bytes. The least that all can be stepped by may take more than the
-    /// budget. Each cloth takes 16 bytes a particle more. 0: none, at no cost.
+    /// are set to, least those that count most: Multilevel by one pass, and cloth that has no contact of
+    /// features, frame or skin in every second step, of twice the length, through which it moves evenly,
+    /// unless pins or colliders near it move (or the World has bodies). Contact is never dropped. What that
+    /// costs is measured, so that bytes depend on time: a recording holds what was chosen, and its replay
+    /// gives the same bytes. The least that all can be stepped by may take more than the budget. Each cloth
+    /// takes 16 bytes a particle more. 0: none, at no cost.
     float budget = 0;
     Executor executor{};  ///< the host's own threads instead, where `run` is set
 };

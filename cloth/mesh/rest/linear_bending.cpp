@@ -130,16 +130,16 @@ void store_bending(const std::vector<BendingElement>& elements, ClothModel& mode
     std::ranges::transform(excess, model.bending_excess.data(), to_float);
 }
 
-float stiffest_bending(const ClothModel& model) {
-    float stiffest = 0;
+float find_bending_per_area(const ClothModel& model) {
+    float greatest = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         if (!(model.rest_area[i] > 0)) continue;
         float sum = 0;
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
             sum += std::abs(model.bending[e]);
-        stiffest = std::max(stiffest, sum / model.rest_area[i]);
+        greatest = std::max(greatest, sum / model.rest_area[i]);
     }
-    return stiffest;
+    return greatest;
 }
 
 }  // namespace weft

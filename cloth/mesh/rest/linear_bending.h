@@ -30,7 +30,7 @@ struct BendingElement {
 /// half-edge between any two particles of an element.
 void store_bending(const std::vector<BendingElement>& elements, ClothModel& model);
 
-/// The greatest sum of the magnitudes of a particle's weights, by its rest area [1/m^4].
-[[nodiscard]] float stiffest_bending(const ClothModel& model);
+/// The greatest sum of the magnitudes of a particle's weights over its rest area [1/m^4].
+[[nodiscard]] float find_bending_per_area(const ClothModel& model);
 
 }  // namespace weft

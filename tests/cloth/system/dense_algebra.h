@@ -5,13 +5,13 @@
 
 namespace weft::test {
 
-/// Of a x = b, a symmetric.
+/// The x of a x = b for a symmetric a.
 [[nodiscard]] Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
-/// Of a symmetric matrix.
+/// The inverse of a symmetric matrix.
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
-/// Of a symmetric matrix, ascending.
+/// The eigenvalues of a symmetric matrix, ascending.
 [[nodiscard]] Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
-/// The largest of a b, both symmetric and b positive definite.
+/// The largest eigenvalue of a b, both symmetric and b positive definite.
 [[nodiscard]] double largest_eigenvalue_of_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// a v = lambda b v, both symmetric and b positive definite: v^T b v = 1.

@@ -132,7 +132,7 @@ TEST(SideVote, LeavesNothingBehindForTheNext) {
     EXPECT_EQ(again.minority, vote.result.minority);
 }
 
-// Of hundreds of contours, each of which reached all over crumpled cloth, a step took minutes.
+// A step took minutes where each of hundreds of contours reached all over crumpled cloth.
 TEST(SideVote, ManyInOneStepReachNoFartherThanOneMay) {
     const ContactScene scene = crossed(0.3f);
     Vote vote(scene);
