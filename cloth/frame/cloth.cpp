@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cloth/frame/cooked/saved_cloth.h"
+#include "cloth/frame/group.h"
 #include "cloth/frame/make_solver.h"
 #include "cloth/frame/recut/copies.h"
 #include "cloth/mesh/rest/linear_bending.h"
@@ -176,7 +177,7 @@ void Cloth::apply(const ClothSettings& changed) {
         new_rest_neighbours = std::move(found).value();
     }
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
-    if (has_features(self_collision) && !has_zones(self_collision))
+    if (weft::has_features(self_collision) && !has_zones(self_collision))
         reserve_pairs(other_solver ? *other_solver : *solver);
     if (!other_solver) solver->make_own(changed);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
@@ -212,17 +213,15 @@ void Cloth::apply(const ClothSettings& changed) {
         self_counts = {};
     }
     take_features(std::move(new_features), self_collision);
-    if (features && (meets_others || !same_method)) state.may_cross = 1;
+    if (has_features() && (meets_others || !same_method)) state.may_cross = 1;
     if (!self_collision.enabled) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
 }
 
 std::optional<FeatureBuffers> Cloth::make_features(const SelfCollision& of) const {
-    if (!has_features(of) || (features && (!has_zones(of) || features->has_zone_memory())))
-        return std::nullopt;
+    if (!weft::has_features(of) || has_features()) return std::nullopt;
     std::shared_ptr<const ContactMesh> made = contact_mesh ? nullptr : mesh_of_features(model);
-    const ContactCloth body{.mesh = made ? made.get() : contact_mesh.get(), .by_zones = has_zones(of)};
-    return std::optional<FeatureBuffers>(std::in_place, std::move(made), body);
+    return std::optional<FeatureBuffers>(std::in_place, std::move(made), model.particle_count);
 }
 
 void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept {
@@ -231,14 +230,13 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
             contact_mesh = std::move(made->mesh);
             shares_contact_mesh = false;
         }
-        features = std::move(made->contact);
         substep_start = std::move(made->substep_start);
         state.tangles = std::move(made->tangles);
         state.may_cross = 1;
     }
     if (has_zones(of)) solver->reserve_pairs(0);
-    if (has_features(of)) return;
-    features.reset();
+    scratch_bytes = weft::scratch_bytes(weft::has_features(of) ? contact_mesh.get() : nullptr, has_zones(of));
+    if (weft::has_features(of)) return;
     contact_mesh.reset();
     solver->reserve_pairs(0);
     substep_start = {};
@@ -251,13 +249,13 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
 void Cloth::reserve_pairs(Solver& with) const {
     or_undo([&] { with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count)); },
             [&] {
-                if (!features || has_zones(settings.self_collision)) with.reserve_pairs(0);
+                if (!has_features() || has_zones(settings.self_collision)) with.reserve_pairs(0);
             });
 }
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
-    const bool with_pairs = has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
+    const bool with_pairs = weft::has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
     const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
     const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
@@ -271,7 +269,7 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
-    const bool has_pairs = features && !has_zones(settings.self_collision) && solver->joins();
+    const bool has_pairs = has_features() && !has_zones(settings.self_collision) && solver->joins();
     const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
     if (solver->is_implicit() && (with_surfaces || has_pairs)) return;
     contacts.reset();
@@ -298,7 +296,7 @@ void Cloth::make_contact_mesh() {
 }
 
 void Cloth::drop_contact_mesh() noexcept {
-    if (!features) contact_mesh.reset();
+    if (!has_features()) contact_mesh.reset();
 }
 
 ImpulseBuffers Cloth::make_impulses(bool reported) const {
@@ -426,7 +424,7 @@ void Cloth::restore_start_of_step() {
     std::ranges::fill(state.held.touching.span(), 0u);
     state.record.h = 0;
     std::ranges::fill(state.shares, BodyShare{});
-    state.may_cross = features ? 1 : 0;
+    state.may_cross = has_features() ? 1 : 0;
 }
 
 float Cloth::distance_of(const SelfCollision& self_collision) const {

@@ -71,19 +71,16 @@ struct ColliderBuffers {
 struct CollectedShare {
     Vector6 in_part = Vector6::Zero(), sum = Vector6::Zero();
     Vector6 by_stops = Vector6::Zero();  ///< what of in_part BDF2 is not to give again
+    bool is_known = false;               ///< in_part is: the cloth has been solved in this part
 };
 
 /// Memory for features that meet.
 struct FeatureBuffers {
-    /// `made`: a mesh of features, if the cloth has none. The body has that, or the one that it has.
-    FeatureBuffers(std::shared_ptr<const ContactMesh>&& made, const ContactCloth& body)
-        : mesh(std::move(made)),
-          contact(std::span(&body, 1)),
-          substep_start(body.mesh->particles()),
-          tangles(body.mesh->particles()) {}
+    /// `made`: a mesh of features, if the cloth has none.
+    FeatureBuffers(std::shared_ptr<const ContactMesh>&& made, std::uint32_t particles)
+        : mesh(std::move(made)), substep_start(particles), tangles(particles) {}
 
     std::shared_ptr<const ContactMesh> mesh;
-    FeatureContact contact;
     AlignedBuffer<Vec4> substep_start;
     AlignedBuffer<TangleMemory> tangles;
 };
@@ -200,6 +197,10 @@ struct Cloth {
     [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
+    /// Whether it meets by features.
+    [[nodiscard]] bool has_features() const noexcept { return state.tangles.size() > 0; }
+    /// That its steps take of what the World has for impact zones.
+    [[nodiscard]] std::size_t zone_bytes() const noexcept;
     /// As it is met by features. Precondition: it has features.
     [[nodiscard]] ContactCloth as_body() const;
     /// Makes the mesh of its features, if it has none.
@@ -225,8 +226,8 @@ struct Cloth {
     std::optional<Contacts> contacts;  ///< only with colliders or features, and if the solver is implicit
     std::shared_ptr<const ContactMesh> contact_mesh;
     bool shares_contact_mesh = false;        ///< it is the CookedCloth's
-    std::optional<FeatureContact> features;  ///< only with contact: for the cloth alone
-    AlignedBuffer<Vec4> substep_start;       ///< likewise: where the substep began
+    AlignedBuffer<Vec4> substep_start;       ///< only with contact: where the substep began
+    std::size_t scratch_bytes = 0;           ///< that its steps take of the World's scratch
 
     Surface surface;
     AirBuffers air;
@@ -261,7 +262,8 @@ struct Cloth {
     float residual = 0;                   ///< as last measured
     Survey extent{};                      ///< of the state, as last surveyed
     SelfContactCounts self_counts;        ///< of its last substep
-    FeatureCounts feature_counts;         ///< of its last substep; of an island, the first cloth has them
+    FeatureCounts feature_counts;         ///< of its last substep; of a group, the first cloth has them
+    bool is_in_crowd = false;             ///< see FeatureContact::detect(); of a group, likewise
     std::uint32_t contact_count = 0;      ///< to be reported
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider in its last substep
     float pin_lag = 0;                    ///< of its farthest pin, which cloth has stopped [m]

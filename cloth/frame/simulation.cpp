@@ -117,33 +117,71 @@ void Simulation::apply(const WorldSettings& changed) {
 
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth();
-    if (!cloth->features) return cloths.insert(std::move(cloth));
-    std::optional<Together> together =
-        make_together(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
+    Room room = make_room(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
     const ClothId id = cloths.insert(std::move(cloth));
-    if (together) together_ = *std::move(together);
+    take(std::move(room));
     return id;
 }
 
 void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const SelfCollision& of = changed.self_collision;
-    const bool needs_zones = has_zones(of) && !has_zones(cloth.settings.self_collision);
-    if (has_features(of) == cloth.features.has_value() && !needs_zones) return cloth.apply(changed);
-    std::optional<Together> together;
+    Room room;
     or_undo(
         [&] {
-            if (!cloth.features) cloth.make_contact_mesh();
-            together = make_together(&cloth, of, has_features(of) ? cloth.contact_mesh.get() : nullptr);
+            if (has_features(of)) cloth.make_contact_mesh();
+            room = make_room(&cloth, of, cloth.contact_mesh.get());
             cloth.apply(changed);
         },
         [&] { cloth.drop_contact_mesh(); });
-    if (together) together_ = *std::move(together);
+    take(std::move(room));
+}
+
+// Where it is made anew there is room for an eighth more of such cloths as there are: so of n that are added
+// one after the other few make it, and it is hardly larger than it has to be.
+Simulation::Room Simulation::make_room(const Cloth* changed, const SelfCollision& of,
+                                       const ContactMesh* mesh) const {
+    std::size_t bytes = scratch_bytes(has_features(of) ? mesh : nullptr, has_zones(of)), count = 1;
+    std::size_t by_zones = has_zones(of) ? FeatureContact::particles_of(*mesh) : 0;
+    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
+        if (cloth.get() == changed) return;
+        bytes += cloth->scratch_bytes;
+        ++count;
+        if (has_zones(cloth->settings.self_collision))
+            by_zones += FeatureContact::particles_of(*cloth->contact_mesh);
+    });
+    Room room;
+    if (bytes > scratch_.bytes()) room.scratch = ScratchMemory(bytes + bytes / count * (count / 8));
+    if (by_zones > zone_particles_) {
+        room.zones = std::make_unique<ImpactZones>();
+        room.zones->reserve(by_zones, FeatureContact::room_for_pairs(by_zones));
+        room.zone_particles = by_zones;
+    }
+    return room;
+}
+
+void Simulation::take(Room&& room) noexcept {
+    if (room.scratch.bytes() > 0) scratch_ = std::move(room.scratch);
+    if (!room.zones) return;
+    zones_ = std::move(room.zones);
+    zone_particles_ = room.zone_particles;
+}
+
+std::size_t Simulation::bytes_to_spare() const noexcept {
+    std::size_t used = 0;
+    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
+        used += cloth->scratch_bytes + cloth->zone_bytes();
+    });
+    const std::size_t all = scratch_.bytes() + (zones_ ? zones_->bytes() : 0);
+    return all - std::min(all, used);
+}
+
+std::size_t Simulation::featured_cloths() const noexcept {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(present_, [](const Cloth* cloth) { return cloth->has_features(); }));
 }
 
 void Simulation::cloth_has_gone() noexcept {
-    std::size_t count = 0;
-    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) { count += cloth->features ? 1 : 0; });
-    if (count < 2) together_.reset();
+    if (cloths.size() == 0) scratch_ = {};
 }
 
 const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
@@ -198,12 +236,6 @@ void Simulation::reserve_cloth() {
     islands_.reserve(count);
     finder_.reserve(count);
     solved_with_.reserve(count);
-    featured_.reserve(count);
-    joined_.reserve(count);
-    equations_.reserve(count);
-    steps_.reserve(count);
-    members_.reserve(count);
-    residuals_.reserve(count);
     if (bodies_) bodies_->reserve(count, state.colliders.size());
     if (settings.budget > 0) reserve_budget(count);
 }

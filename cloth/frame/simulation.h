@@ -13,7 +13,7 @@
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/contact/contact_log.h"
 #include "cloth/frame/contact/islands.h"
-#include "cloth/solvers/multigrid/multilevel.h"
+#include "cloth/frame/group.h"
 #include "cloth/solvers/stages.h"
 #include "collision/colliders/collider_contacts.h"
 #include "collision/shapes/held_shape.h"
@@ -29,6 +29,7 @@ struct Worker {
     Parallel& parallel;                    ///< of all threads, or of this one alone
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
     ContactLog& contacts;                  ///< to be reported
+    std::byte* scratch = nullptr;          ///< of the group that it works on
 };
 
 /// One of the equal parts that a step is cut into.
@@ -131,8 +132,8 @@ struct Simulation {
     /// Instead of it, where time is to be known: what the step took of a cloth [ns].
     std::int64_t (*cost_of)(const Cloth& cloth) = nullptr;
 
-    /// Memory for contact between cloths, besides that of each.
-    [[nodiscard]] std::size_t bytes_together() const noexcept { return together_ ? together_->bytes() : 0; }
+    /// Scratch that no cloth counts as its own.
+    [[nodiscard]] std::size_t bytes_to_spare() const noexcept;
 
     /// Wakes all cloths; those near a collider; those that may touch a cloth. A cloth that is awake stays so
     /// for a while.
@@ -152,11 +153,17 @@ struct Simulation {
 
     /// Makes room for one cloth more, so that no step needs to.
     void reserve_cloth();
-    using Together = std::unique_ptr<FeatureContact>;
-    /// Room for contact between all cloths that have features; for the one that changes, or comes, by these
-    /// settings and this mesh, unless that is null. Null: no two have any. Nothing: there is room enough.
-    [[nodiscard]] std::optional<Together> make_together(const Cloth* changed, const SelfCollision& of,
-                                                        const ContactMesh* mesh);
+    /// Scratch for all cloths.
+    struct Room {
+        ScratchMemory scratch;  ///< none: there is enough
+        std::unique_ptr<ImpactZones> zones;
+        std::size_t zone_particles = 0;
+    };
+    /// For the cloth that changes, or comes, by these settings and this mesh of features.
+    [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of, const ContactMesh* mesh) const;
+    void take(Room&& room) noexcept;
+    /// Of those that the step takes.
+    [[nodiscard]] std::size_t featured_cloths() const noexcept;
     void begin(float dt);
     void choose_present(float dt);
     void wake_disturbed(bool is_gusty);
@@ -183,7 +190,7 @@ struct Simulation {
 
     void move_pins(Cloth& cloth, float dt) const;
     void plan_carries(float dt);
-    void see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const;
+    void see_colliders(Worker& worker, std::span<Cloth* const> set, const Substep& substep) const;
     void fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask, const Substep& substep,
                       const Carried* carried) const;
     /// Then those that bodies carry, which move with them.
@@ -195,37 +202,30 @@ struct Simulation {
     void hold_worn(Worker& worker, Cloth& cloth);
     void end_worn(Worker& worker, Cloth& cloth);
     void predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
-    void solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
+    void solve(Worker& worker, std::span<Cloth* const> cloths, float dt, const Substep& substep);
+    [[nodiscard]] int parts_of(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
+    void solve_part(Worker& worker, Group& group, Scratch scratch, std::span<Cloth* const> cloths,
+                    const Substep& part);
+    /// Where the sets of a group end among its cloths.
+    struct SetEnds {
+        std::size_t alone, first_order;
+    };
+    [[nodiscard]] SetEnds order_by_sets(Group& group, std::span<Cloth* const> cloths, float h) const;
+    void solve_set(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part);
+    void make_equations(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part,
+                        float gamma);
     void settle(Worker& worker, Cloth& cloth, const Substep& part);
     template <class StartOf>
     void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                         const StartOf& start_of, float h) const;
     void find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths, float h);
-    void join_features(Worker& worker, FeatureContact& space, std::size_t body, Cloth& cloth,
-                       StepEquation& equation);
-    void solve_island(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
-    void solve_together(Worker& worker, std::span<Cloth* const> island, float dt, const Substep& substep);
-    /// Those of the cloths that have features. Valid until the next call.
-    [[nodiscard]] std::span<Cloth* const> with_features(std::span<Cloth* const> cloths);
-    /// Whether contact between features cut much of the substep that they have just taken.
-    [[nodiscard]] static bool was_cut_much(std::span<Cloth* const> featured);
-    /// In how many parts they take a substep, so that less of their motion is cut.
-    [[nodiscard]] static int parts_of_step(std::span<Cloth* const> island);
     /// By its pins, its skin or its frame.
     [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
-    static void count_halved_steps(std::span<Cloth* const> island, bool cut_much);
-    [[nodiscard]] std::size_t choose_joined(std::span<Cloth* const> island, float h);
-    void solve_joined(Worker& worker, std::span<Cloth* const> cloths, std::span<Cloth* const> featured,
-                      const Substep& substep);
-    void make_equations(Worker& worker, std::span<Cloth* const> cloths, std::span<Cloth* const> featured,
-                        const Substep& substep, float gamma);
-    void solve_equations(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
-    void find_joined_impulses(Worker& worker, std::span<Cloth* const> cloths);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                          const Substep& substep);
     void part_strays(const Substep& substep);
     void join_solved(bool all);
-    void cut_strays(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
+    void cut_strays(Worker& worker, std::span<Cloth* const> near, const Substep& substep);
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
@@ -248,14 +248,13 @@ struct Simulation {
     void place_attached(std::span<Cloth* const> cloths);
     void join_attached(std::span<Cloth* const> cloths, std::uint32_t number);
     void finish_part_of_bodies(std::span<Cloth* const> cloths);
+    void end_part_of_bodies(std::span<Cloth* const> cloths);
+    void leave_bodies(std::span<Cloth* const> cloths);
     void end_bodies(const Substep& substep);
-    /// Those that a cloth of this mask meets, but for those that bodies carry.
-    void move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const;
     void feel_wind(Worker& worker, Cloth& cloth);
     void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
     [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf);
     [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
-    void solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation, bool wants_residual);
     static void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
                             const SolveResult& result, bool has_residual);
     void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
@@ -319,15 +318,10 @@ struct Simulation {
     std::unique_ptr<BodyStage> bodies_;     // null: there are none
     std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
 
-    // Of islands, which are solved one after the other.
-    std::unique_ptr<FeatureContact> together_;  // null: no two cloths have features
-    std::vector<std::uint32_t> solved_with_;    // of each cloth the first of its island
-    std::vector<Cloth*> featured_;              // see with_features()
-    std::vector<Cloth*> joined_;                // see choose_joined()
-    std::vector<StepEquation> equations_;       // of each cloth of one equation, as what follows
-    std::vector<SolverStep> steps_;
-    std::vector<PassMember> members_;
-    std::vector<float> residuals_;
+    std::vector<std::uint32_t> solved_with_;  // of each cloth the first of its group
+    ScratchMemory scratch_;                   // of all cloths, group by group
+    std::unique_ptr<ImpactZones> zones_;      // null: no cloth needs any
+    std::size_t zone_particles_ = 0;          // that they have memory for
 };
 
 }  // namespace weft

@@ -28,7 +28,7 @@ Bounds box_of(const Cloth& cloth) {
 
 /// Where features of the cloth may meet others in a step; empty without features.
 Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
-    if (!cloth.features) return {{1, 1, 1}, {-1, -1, -1}};
+    if (!cloth.has_features()) return {{1, 1, 1}, {-1, -1, -1}};
     const float way = (std::sqrt(cloth.extent.peak_speed_squared) + gravity.norm() * dt) * dt;
     return grown(box_of(cloth), cloth.as_body().radius + way);
 }
@@ -208,7 +208,7 @@ void Simulation::wake_near(const Cloth& gone) noexcept {
 void Simulation::mark_near(const Cloth& changing) noexcept {
     const Bounds bounds = reach_of(changing, Vector3::Zero(), 0);
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        cloth->is_disturbed = cloth.get() != &changing && changing.features && cloth->features &&
+        cloth->is_disturbed = cloth.get() != &changing && changing.has_features() && cloth->has_features() &&
                               may_meet(changing, *cloth) &&
                               overlap(bounds, reach_of(*cloth, Vector3::Zero(), 0));
     });
@@ -238,7 +238,7 @@ void Cloth::set_enabled(bool on) noexcept {
     wake();
     if (!on) stand_still();
     // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
-    if (features) state.may_cross = 1;
+    if (has_features()) state.may_cross = 1;
     if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
     state.skin.stand_still();
 }

@@ -7,7 +7,6 @@
 
 #include "cloth/frame/advance/advance.h"
 #include "cloth/frame/simulation.h"
-#include "collision/particles/velocity_filter.h"
 
 namespace weft {
 
@@ -22,7 +21,7 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 
 void Simulation::step(float dt) {
     begin(dt);
-    if (together_ || bodies_)
+    if (featured_cloths() > 1 || bodies_)
         step_together(dt);
     else
         step_each(dt);
@@ -40,11 +39,9 @@ void Simulation::step_together(float dt) {
         });
         meet(substep);
         for_each_group(islands_, [&](Worker& worker, std::span<Cloth* const> island) {
-            Cloth& first = *island.front();
-            if (island.size() > 1)
-                solve_island(worker, island, dt, substep);
-            else if (!first.is_gliding())
-                solve(worker, first, first.stride() * dt, substep.times(first.stride()));
+            const Cloth& first = *island.front();  // cloths that may touch take no long steps
+            if (!first.is_gliding())
+                solve(worker, island, first.stride() * dt, substep.times(first.stride()));
         });
         part_strays(substep);
         end_bodies(substep);
@@ -63,10 +60,11 @@ void Simulation::step_each(float dt) {
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
         if (cloth.is_gliding()) return glide(worker, cloth);
         const float own = cloth.stride() * dt;
+        Cloth* const self = &cloth;
         for (int s = 0; s < settings.substeps; ++s) {
             const Substep substep = Substep{0, 1, own}.part(s, settings.substeps, own);
             predict(worker, cloth, own, substep);
-            solve(worker, cloth, own, substep);
+            solve(worker, {&self, 1}, own, substep);
         }
         guard(worker, cloth);
         begin_stride(worker, cloth);
@@ -81,6 +79,7 @@ void Simulation::for_each_group(const Schedule& schedule, const Work& work) {
     const auto take = [&](Worker& worker, const Schedule::Group& group) {
         const auto timer = timed(Stage::cloths);
         const std::int64_t begin = clock();
+        worker.scratch = scratch_.data() + group.scratch;
         work(worker, group.cloths);
         share_out_time(group, clock() - begin);
     };
@@ -143,237 +142,12 @@ void Simulation::predict(Worker& worker, Cloth& cloth, float dt, const Substep& 
     air_forces(worker, cloth, !substep.is_first() || cloth.carried);
 }
 
-// A cloth's own part of a substep. Its method's smaller steps lie between two meetings with other cloths, and
-// meet its colliders each.
-void Simulation::solve(Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
-    Cloth* const self = &cloth;
-    const std::span<Cloth* const> alone(&self, 1);
-    const bool with_bodies = cloth.meets_bodies;
-    if (with_bodies) take_bodies(alone, substep.h);
-    const int parts =
-        cloth.settings.substeps * std::max(parts_of_step(alone), parts_to_meet(worker, cloth, substep));
-    bool cut_much = false;
-    for (int k = 0; k < parts; ++k) {
-        const Substep part = substep.part(k, parts, dt);
-        const Bdf bdf = cloth.bdf_of(part.h);
-        if (with_bodies) start_part_of_bodies(alone, part.h, bdf.gamma);
-        see_colliders(worker, cloth, part);
-        if (k > 0 && air_is_on()) air_forces(worker, cloth, true);
-        if (cloth.features) find_features(worker, *cloth.features, alone, part.h);
-        StepEquation equation = equation_of(worker, cloth, part.h, bdf);
-        begin_contacts(worker, cloth, part);
-        if (cloth.features && cloth.solver->joins() && !has_zones(cloth.settings.self_collision)) {
-            join_features(worker, *cloth.features, 0, cloth, equation);
-            cloth.features->make_rows(worker.parallel, equation.gamma);
-        }
-        if (with_bodies) carry_bodies(cloth, equation);
-        solve_equation(worker, cloth, equation, part.is_last() && is_residual_due(cloth));
-        if (with_bodies) collect_from_equation(cloth, equation);
-        if (reports_contacts() && equation.pairs != nullptr) {
-            equation.pairs->take(worker.parallel, 0, std::as_const(cloth.next_velocities).span());
-            find_missing_impulses({.parallel = worker.parallel,
-                                   .profiler = profiler,
-                                   .model = cloth.model,
-                                   .settings = cloth.settings,
-                                   .equation = equation,
-                                   .velocities = cloth.next_velocities.span()},
-                                  cloth);
-        }
-        advance(worker, cloth, equation, part.is_first());
-        settle(worker, cloth, part);
-        if (cloth.features) {
-            settle_features(worker, *cloth.features, alone, part);
-            cut_much |= was_cut_much(alone);
-        }
-        if (with_bodies) finish_part_of_bodies(alone);
-    }
-    count_halved_steps(alone, cut_much);
-}
-
-/// Since colliders are thin or fast.
-int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep) {
-    constexpr std::uint32_t most = 8;
-    if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
-    const auto timer = timed(Stage::colliders);
-    see_colliders(worker, cloth, substep);
-    return static_cast<int>(
-        weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), side_of(cloth.settings), substep.h,
-                            most, std::as_const(cloth.state.positions).span(),
-                            std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
-}
-
-// What must hold exactly, the most important last: no particle inside a collider, none beyond its leash or in
-// its backstop, none too fast.
-void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
-    hold_within_limits(worker, cloth);
-    avoid_self_collision(worker, cloth, part.h);
-    collide_with_colliders(worker, cloth, part);
-    hold_worn(worker, cloth);
-    Cloth* const self = &cloth;
-    place_attached({&self, 1});
-    if (!cloth.limits.empty() || cloth.worn.is_holding() || cloth.self_counts.pairs > 0 ||
-        cloth.collider_contacts > 0 || !cloth.attached.empty())
-        limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
-}
-
-StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf) {
-    const ClothState& now = cloth.state;
-    const bool second_order = bdf.is_second_order();
-    if (second_order) {
-        const auto timer = timed(Stage::assemble);
-        cloth.history->begin(worker.parallel, now, bdf.divisor);
-    }
-    return {.settings = cloth.settings,
-            .h = h,
-            .gamma = bdf.gamma,
-            .rigidity = held_rigidity(cloth.settings.fabric, bdf.gamma, cloth.bending_per_area),
-            .positions = now.positions.span(),
-            .velocities = now.velocities.span(),
-            .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
-            .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
-            .external = {.gravity = to_vector(settings.gravity),
-                         .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air.forces).span()},
-            .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
-            .divisor = bdf.divisor};
-}
-
-// Of finite elements it takes a quarter of a step, so it is measured in one step of 32.
-bool Simulation::is_residual_due(const Cloth& cloth) const {
-    return !cloth.settings.finite_elements.enabled || state.steps % 32 == 1;
-}
-
-void Simulation::solve_equation(Worker& worker, Cloth& cloth, const StepEquation& equation,
-                                bool wants_residual) {
-    const SolveResult result = cloth.solver->solve({.parallel = worker.parallel,
-                                                    .profiler = profiler,
-                                                    .model = cloth.model,
-                                                    .settings = cloth.stepped_settings(),
-                                                    .equation = equation,
-                                                    .velocities = cloth.next_velocities.span(),
-                                                    .wants_residual = wants_residual});
-    take_result(worker, cloth, equation, result, wants_residual);
-}
-
-void Simulation::take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
-                             const SolveResult& result, bool has_residual) {
-    if (cloth.contacts)
-        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
-    cloth.solver_failed |= !result.ok;
-    cloth.unsolved |= result.unsolved;
-    if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
-}
-
-// The step's first substep writes the new positions over the previous ones and swaps the two, so that the
-// start of the step stays behind for the renderer's blend and for guard().
-void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first) {
-    const auto timer = timed(Stage::advance);
-    ClothState& now = cloth.state;
-    if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
-    if (!meets_in_equation(cloth.settings))
-        cloth.collider_contacts = filter_velocities(
-            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
-            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
-    bounce(worker, cloth, equation);
-    if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
-    weft::advance(worker.parallel, equation,
-                  {.solved = std::as_const(cloth.next_velocities).span(),
-                   .max_speed = settings.max_speed,
-                   .velocities = now.velocities.span(),
-                   .positions = (is_first ? now.previous_positions : now.positions).span(),
-                   .record = cloth.history ? &now.record : nullptr});
-    if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
-    if (is_first) std::swap(now.positions, now.previous_positions);
-}
-
-float Simulation::least_bounce(float h) const {
-    return 2 * h * to_vector(settings.gravity).norm();
-}
-
-ClothSide Simulation::side_of_cloth(const Cloth& cloth, float h) const {
-    ClothSide side = side_of(cloth.settings);
-    side.least_bounce = least_bounce(h);
-    return side;
-}
-
-void Simulation::bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const {
-    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
-    cloth.contacts->bounce(worker.parallel, equation, least_bounce(equation.h), cloth.next_velocities.span());
-}
-
-void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
-    const std::span<const Vec4> now = std::as_const(cloth.state.positions).span();
-    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
-        std::copy(now.begin() + range.begin, now.begin() + range.end, cloth.part_start.data() + range.begin);
-    });
-}
-
-void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
-    for (const std::unique_ptr<Limit>& limit : cloth.limits) {
-        const auto timer = timed(Stage::limits);
-        limit->update(cloth.model);
-        limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
-                    cloth.state.velocities.span());
-    }
-}
-
-void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
-    if (!cloth.self_contacts) return;
-    const float distance = cloth.rest_neighbours->distance();
-    {
-        const auto timer = timed(Stage::self_search);
-        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
-                                  cloth.rest_neighbours->filter(), distance,
-                                  cloth.settings.self_collision.search);
-    }
-    const auto timer = timed(Stage::self_response);
-    if (reports_contacts()) log_avoidance(worker, cloth, h);
-    cloth.self_counts =
-        cloth.self_contacts->respond(worker.parallel, distance, cloth.settings.self_collision.friction, h,
-                                     cloth.state.positions.span(), cloth.state.velocities.span());
-}
-
-void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part) {
-    if (!meets_in_equation(cloth.settings)) return;
-    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
-    cloth.collider_contacts = 0;
-    if (colliders_of(worker, cloth).empty()) return;
-    cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
-    // Resting particles press in the equation alone, and need no push.
-    if (cloth.contacts)
-        cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
-}
-
-std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
-    const auto timer = timed(Stage::colliders);
-    if (cloth.meets_bodies) return collide_with_bodies(worker, cloth, h, starts);
-    if (reports_contacts())
-        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
-    const std::uint32_t touching =
-        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(cloth, h), h,
-                      {.positions = cloth.state.positions.span(),
-                       .velocities = cloth.state.velocities.span(),
-                       .starts = starts,
-                       .held = cloth.state.held.normals.span(),
-                       .factors = cloth.worn.factors(),
-                       .whole = cloth.whole ? &*cloth.whole : nullptr},
-                      cloth.partial_counts.span());
-    if (reports_contacts() && touching > 0)
-        add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
-    return touching;
-}
-
-std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, Cloth& cloth) {
-    return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(colliders_of(worker, cloth))
-                                             : std::span<const ColliderMotion>();
-}
-
 // Neither rounding nor the speed limit may make a pin miss its target; only cloth in its way may. Whatever
 // stage wrote a velocity last, max_speed is enforced here.
 void Simulation::guard(Worker& worker, Cloth& cloth) {
     const auto timer = timed(Stage::guard);
     const auto look = [&] {
-        if (!cloth.features) cloth.place_pins();
+        if (!cloth.has_features()) cloth.place_pins();
         return survey(worker.parallel, cloth.state, cloth.partial_surveys.span());
     };
     cloth.extent = look();
@@ -382,7 +156,7 @@ void Simulation::guard(Worker& worker, Cloth& cloth) {
     const bool is_too_fast = cloth.extent.peak_speed_squared > settings.max_speed * settings.max_speed;
     if (is_too_fast) limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
     if (cloth.restored || is_too_fast) cloth.extent = look();
-    cloth.pin_lag = cloth.features && !cloth.restored ? cloth.farthest_pin() : 0;
+    cloth.pin_lag = cloth.has_features() && !cloth.restored ? cloth.farthest_pin() : 0;
 }
 
 void Simulation::finish(Worker& worker, Cloth& cloth) {

@@ -14,21 +14,24 @@ constexpr float spring_per_mass = 50;
 
 }  // namespace
 
-void PairRows::reserve(std::size_t particles, std::size_t pairs) {
+void PairRows::lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+    scratch.take(numbers_, pairs);
+    scratch.take(groups_, (pairs + PairGroup::lanes - 1) / PairGroup::lanes);
+    scratch.take(products_, pairs);
+    scratch.take(taken_, particles);
+}
+
+void PairRows::lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs) {
     const std::size_t rows = std::min(particles, 4 * pairs);
-    numbers_ = AlignedBuffer<std::uint32_t>(pairs);
-    pairs_ = AlignedBuffer<FeaturePair>(pairs);
-    groups_ = AlignedBuffer<PairGroup>((pairs + PairGroup::lanes - 1) / PairGroup::lanes);
-    shares_ = AlignedBuffer<PairShare>(pairs);
-    products_ = AlignedBuffer<Vec4>(pairs);
-    taken_ = AlignedBuffer<Vec4>(particles);
-    incidence_.reserve(particles, pairs);
-    particles_ = AlignedBuffer<PushedParticle>(rows);
-    counts_ = AlignedBuffer<std::uint32_t>(rows);
-    pushed_ = AlignedBuffer<PushedCorner>(4 * pairs);
-    block_counts_ = AlignedBuffer<std::uint32_t>(block_count(static_cast<std::uint32_t>(pairs)));
-    marks_ = AlignedBuffer<std::uint64_t>((pairs + 63) / 64);
-    partials_ = AlignedBuffer<double>(block_counts_.size());
+    scratch.take(pairs_, pairs);
+    scratch.take(shares_, pairs);
+    incidence_.lay_out(scratch, particles, pairs);
+    scratch.take(particles_, rows);
+    scratch.take(counts_, rows);
+    scratch.take(pushed_, 4 * pairs);
+    scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(pairs)));
+    scratch.take(marks_, (pairs + 63) / 64);
+    scratch.take(partials_, block_counts_.size());
 }
 
 void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
@@ -37,6 +40,8 @@ void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const P
     base_positions_ = base_positions;
     gamma_ = gamma;
     choose(parallel, laws);
+    vertex_triangles_ = static_cast<std::uint32_t>(
+        std::ranges::lower_bound(numbers_.span().first(size_), list.vertex_triangle) - numbers_.span().begin());
     incidence_.build(parallel, std::as_const(pairs_).span().first(size_), {});
     const PairSources sources{numbers_.data(), &list, laws.data(), base_positions.data()};
     parallel.ranges(size_, [&](const BlockRange& range) {
@@ -110,25 +115,36 @@ void PairRows::begin_sweeps() {
     for (std::uint32_t k = 0; k < size_; ++k) products_[k] = {};
 }
 
+PairRows::Row PairRows::row(std::uint32_t k) const {
+    const PairGroup& group = groups_[k / PairGroup::lanes];
+    const std::uint32_t lane = k % PairGroup::lanes;
+    Row row;
+    for (std::uint32_t c = 0; c < 4; ++c) {
+        row.corners[c] = group.corners[c][lane];
+        row.weights[c] = group.weights[c][lane];
+    }
+    row.normal = {group.normal[0][lane], group.normal[1][lane], group.normal[2][lane]};
+    return row;
+}
+
 // Friction is the rows' own, as far as the normal impulse goes.
 PairRows::Push PairRows::push_of(std::uint32_t k) const {
     const PairGroup& group = groups_[k / PairGroup::lanes];
-    const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
-    const FeaturePair& pair = list_->pairs[number];
-    const PairShape& shape = list_->shapes[number];
-    const Vector3 n = xyz(shape.normal);
+    const std::uint32_t lane = k % PairGroup::lanes;
+    const Row pair = row(k);
     Vector3 u = Vector3::Zero(), point = Vector3::Zero();
     for (std::uint32_t c = 0; c < 4; ++c) {
         const std::uint32_t i = pair.corners[c];
         const Vector3 v = xyz(taken_[i]);
-        u += shape.weight(c) * v;
-        point += 0.5f * std::abs(shape.weight(c)) * (xyz(base_positions_[i]) + gamma_ * v);
+        u += pair.weights[c] * v;
+        point += 0.5f * std::abs(pair.weights[c]) * (xyz(base_positions_[i]) + gamma_ * v);
     }
+    const Vector3& n = pair.normal;
     const float along = products_[k].x, limit = group.friction[lane] * along;
     Vector3 rubbed = group.damper[lane] * (u - n.dot(u) * n);
     const float size = rubbed.norm();
     if (size > limit) rubbed *= limit / size;
-    return {pair, shape, list_->corners_of_a(number), point, along * n - rubbed};
+    return {pair, k < vertex_triangles_ ? 1u : 2u, point, along * n - rubbed};
 }
 
 double PairRows::multiply(Parallel& parallel) {
@@ -153,12 +169,6 @@ void PairRows::add_products(Parallel& parallel, std::uint32_t first, std::span<V
                    products_.data(), product.data());
     });
     untangling_.add_products(first, product);
-}
-
-std::size_t PairRows::bytes() const noexcept {
-    return numbers_.bytes() + pairs_.bytes() + groups_.bytes() + shares_.bytes() + products_.bytes() +
-           taken_.bytes() + incidence_.bytes() + particles_.bytes() + counts_.bytes() + pushed_.bytes() +
-           block_counts_.bytes() + marks_.bytes() + partials_.bytes() + untangling_.bytes();
 }
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 // another.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -11,7 +12,7 @@
 #include "cloth/system/untangling_rows.h"
 #include "collision/contact/pairs/incidence.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
@@ -27,8 +28,14 @@ namespace weft {
 /// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {
   public:
-    /// Takes the memory for so many particles of all bodies together, and so many pairs.
-    void reserve(std::size_t particles, std::size_t pairs);
+    /// For so many particles of all bodies together, and so many pairs; untangling() besides.
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+        lay_out_rows(scratch, particles, pairs);
+        lay_out_solve(scratch, particles, pairs);
+    }
+    /// The same in two: the rows, and what nobody needs after the solve.
+    void lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs);
+    void lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
     /// A substep begins, whose equation has these bases and this gamma. What is given must outlive it. Pairs
     /// without a radius have no row, and cost nothing from here on.
@@ -107,7 +114,7 @@ class PairRows {
     }
     /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
     /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
-    /// Gauss-Seidel. Few iterations leave the rows' own law, with its stiff springs, several times off.
+    /// Gauss-Seidel. The list may have changed. Few iterations leave the rows' own law, with its stiff springs, several times off.
     /// missing(particle) is what it has not been given yet [kg m/s]; what is of a body that is fixed stays.
     void begin_sweeps();
     template <class Missing>
@@ -115,10 +122,15 @@ class PairRows {
         for (std::uint32_t k = 0; k < size_; ++k)
             if (pushes(k)) share_out(k, missing);
     }
+    /// A pair as it was when the substep began: what it takes of its corners' velocities, along its normal.
+    struct Row {
+        std::array<std::uint32_t, 4> corners;
+        std::array<float, 4> weights;
+        Vector3 normal;
+    };
     /// What a pair does, as shared out, at the velocities that were taken.
     struct Push {
-        const FeaturePair& pair;
-        const PairShape& shape;
+        Row pair;
         std::uint32_t corners_of_a;
         Vector3 point;    ///< half way between the features, where those velocities lead [m]
         Vector3 impulse;  ///< that side A gets, and B the opposite [kg m/s]
@@ -129,7 +141,6 @@ class PairRows {
         for (std::uint32_t k = 0; k < size_; ++k)
             if (pushes(k) && products_[k].x > 0) visit(push_of(k));
     }
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     [[nodiscard]] bool pushes(std::uint32_t k) const {
@@ -143,13 +154,12 @@ class PairRows {
     /// The pair's impulse along the normal is in products_[k].x.
     template <class Missing>
     void share_out(std::uint32_t k, const Missing& missing) {
-        const FeaturePair& pair = list_->pairs[numbers_[k]];
-        const PairShape& shape = list_->shapes[numbers_[k]];
-        const Vector3 n = xyz(shape.normal);
+        const Row pair = row(k);
+        const Vector3& n = pair.normal;
         float along = 0, squares = 0;
         for (std::uint32_t c = 0; c < 4; ++c) {
             if (!(base_positions_[pair.corners[c]].w > 0)) continue;
-            const float b = shape.weight(c);
+            const float b = pair.weights[c];
             along += b * n.dot(xyz(missing(pair.corners[c])));
             squares += b * b;
         }
@@ -159,9 +169,10 @@ class PairRows {
         for (std::uint32_t c = 0; c < 4; ++c) {
             if (!(base_positions_[pair.corners[c]].w > 0)) continue;
             Vec4& left = missing(pair.corners[c]);
-            set_xyz(left, xyz(left) - shape.weight(c) * more * n);
+            set_xyz(left, xyz(left) - pair.weights[c] * more * n);
         }
     }
+    [[nodiscard]] Row row(std::uint32_t k) const;
     [[nodiscard]] Push push_of(std::uint32_t k) const;
     void choose(Parallel& parallel, std::span<const PairLaw> laws);
     /// The first row of the incidence whose particle is not below this one.
@@ -176,21 +187,22 @@ class PairRows {
     std::span<const Vec4> base_positions_;
     float gamma_ = 0;
     std::uint32_t size_ = 0;                // pairs that have a row
-    AlignedBuffer<std::uint32_t> numbers_;  // of these in the list, ascending
-    AlignedBuffer<FeaturePair> pairs_;
-    AlignedBuffer<PairGroup> groups_;
-    AlignedBuffer<PairShare> shares_;
-    AlignedBuffer<Vec4> products_;  // of pairs: what side A gets
-    AlignedBuffer<Vec4> taken_;     // of particles
+    std::uint32_t vertex_triangles_ = 0;    // of these, which come first
+    ScratchArray<std::uint32_t> numbers_;  // of these in the list, ascending
+    ScratchArray<FeaturePair> pairs_;
+    ScratchArray<PairGroup> groups_;
+    ScratchArray<PairShare> shares_;
+    ScratchArray<Vec4> products_;  // of pairs: what side A gets
+    ScratchArray<Vec4> taken_;     // of particles
     // Which pairs a particle is in; and by its rows, as last linearised, what it has of them, and the corners
     // that are pushed: of each row the first so many of its places.
     PairIncidence incidence_;
-    AlignedBuffer<PushedParticle> particles_;
-    AlignedBuffer<std::uint32_t> counts_;
-    AlignedBuffer<PushedCorner> pushed_;
-    AlignedBuffer<std::uint32_t> block_counts_;
-    AlignedBuffer<std::uint64_t> marks_;  // by pair a bit
-    AlignedBuffer<double> partials_;
+    ScratchArray<PushedParticle> particles_;
+    ScratchArray<std::uint32_t> counts_;
+    ScratchArray<PushedCorner> pushed_;
+    ScratchArray<std::uint32_t> block_counts_;
+    ScratchArray<std::uint64_t> marks_;  // by pair a bit
+    ScratchArray<double> partials_;
     UntanglingRows untangling_;
 };
 

@@ -13,10 +13,10 @@ constexpr std::uint32_t corners = 5;
 
 }  // namespace
 
-void UntanglingRows::reserve(std::size_t rows) {
-    springs_ = AlignedBuffer<Spring>(rows);
-    taken_ = AlignedBuffer<Vec4>(corners * rows);
-    entries_ = AlignedBuffer<Entry>(corners * rows);
+void UntanglingRows::lay_out(Scratch& scratch, std::size_t rows) {
+    scratch.take(springs_, rows);
+    scratch.take(taken_, corners * rows);
+    scratch.take(entries_, corners * rows);
 }
 
 void UntanglingRows::begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions,
@@ -105,10 +105,6 @@ void UntanglingRows::add(const Entry& entry, Sum& sum) const {
     sum.diagonal.add(0, std::sqrt(std::abs(weight) * spring.spring) * n);
     sum.impulse += weight * spring.impulse * n;
     sum.product += weight * spring.transfer * n;
-}
-
-std::size_t UntanglingRows::bytes() const noexcept {
-    return springs_.bytes() + taken_.bytes() + entries_.bytes();
 }
 
 }  // namespace weft

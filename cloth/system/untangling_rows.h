@@ -5,7 +5,7 @@
 #include <span>
 
 #include "collision/contact/crossings/untangling.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/vector.h"
 
@@ -16,7 +16,7 @@ namespace weft {
 /// so one thread does them all. Corners, and all spans, are numbered through all bodies.
 class UntanglingRows {
   public:
-    void reserve(std::size_t rows);
+    void lay_out(Scratch& scratch, std::size_t rows);
 
     /// A substep begins, with these rows, bases and gamma. What is given must outlive it.
     void begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions, float gamma);
@@ -49,8 +49,6 @@ class UntanglingRows {
         }
     }
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
-
   private:
     struct Spring {
         float mass, gap, spring;
@@ -64,9 +62,9 @@ class UntanglingRows {
     void add(const Entry& entry, Sum& sum) const;
 
     std::span<const UntanglingRow> rows_;
-    AlignedBuffer<Spring> springs_;
-    AlignedBuffer<Vec4> taken_;     // of corners
-    AlignedBuffer<Entry> entries_;  // of free particles, by particle
+    ScratchArray<Spring> springs_;
+    ScratchArray<Vec4> taken_;     // of corners
+    ScratchArray<Entry> entries_;  // of free particles, by particle
     std::uint32_t entry_count_ = 0;
     float gamma_ = 0;
 };

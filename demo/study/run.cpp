@@ -62,7 +62,7 @@ Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
     place(scene, cloth_->state);
     for (const std::uint32_t vertex : scene.pins) cloth_->pin(cloth_->model.vertex_to_particle[vertex]);
     simulation_.prepare(*cloth_);
-    simulation_.cloths.insert(std::move(made));
+    simulation_.add(std::move(made));
 }
 
 void Run::restart(const StudyScene& scene) {

@@ -95,7 +95,7 @@ Scene::Scene(SceneKind kind, std::uint32_t side, const WorldSettings& world, con
     auto made = std::make_unique<Cloth>(need(cook(mesh)), settings);
     cloth_ = made.get();
     simulation_->prepare(*made);
-    simulation_->cloths.insert(std::move(made));
+    simulation_->add(std::move(made));
     const auto add = [&](const Collider& collider) {
         simulation_->state.colliders.insert({collider, collider});
         simulation_->expect_colliders(simulation_->state.colliders.size());

@@ -32,22 +32,21 @@ std::size_t wanted_patches(const ContactScene& scene) {
     std::vector<PatchBlock> blocks;
     for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
         blocks.push_back({0, first, std::min(patches - first, PatchBlock::most)});
-    const auto no_boxes = [](std::size_t count) {
-        AlignedBuffer<Boxes> boxes(count);
-        for (std::size_t k = 0; k < 16 * count; ++k)
-            set_box(boxes[k / 16], static_cast<std::uint32_t>(k % 16),
-                    {{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}});
-        return boxes;
-    };
+    AlignedBuffer<Boxes> of_patches(blocks.size()), of_blocks(1), of_groups(1);
+    for (AlignedBuffer<Boxes>* all : {&of_patches, &of_blocks, &of_groups})
+        for (std::size_t k = 0; k < 16 * all->size(); ++k)
+            set_box((*all)[k / 16], static_cast<std::uint32_t>(k % 16), no_box);
+    AlignedBuffer<PatchStrain> strains(16 * blocks.size());
+    AlignedBuffer<std::uint8_t> calm(mesh.flat_rest().pairs()), wanted(16 * blocks.size());
     FeatureBoxes boxes{.vertices = {},
                        .triangles = {},
                        .edges = {},
-                       .patches = no_boxes(blocks.size()),
-                       .blocks = no_boxes(1),
-                       .groups = no_boxes(1),
-                       .strains = AlignedBuffer<PatchStrain>(16 * blocks.size()),
-                       .calm = AlignedBuffer<std::uint8_t>(mesh.flat_rest().pairs()),
-                       .wanted = AlignedBuffer<std::uint8_t>(16 * blocks.size())};
+                       .patches = {of_patches.data(), of_patches.size()},
+                       .blocks = {of_blocks.data(), 1},
+                       .groups = {of_groups.data(), 1},
+                       .strains = {strains.data(), strains.size()},
+                       .calm = {calm.data(), calm.size()},
+                       .wanted = {wanted.data(), wanted.size()}};
     const PairSearch search{bodies, blocks, &boxes, scene.positions.data(), scene.motions.data()};
     for (std::uint32_t b = 0; b < blocks.size(); ++b)
         set_box(boxes.blocks[0], b, place_patches(search, b, boxes));

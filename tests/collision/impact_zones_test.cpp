@@ -13,6 +13,8 @@
 
 #include "engine/vector.h"
 
+#include "tests/laid_out.h"
+
 namespace weft::test {
 namespace {
 
@@ -53,7 +55,7 @@ class Meeting {
     }
     std::span<const std::uint32_t> find() {
         Parallel serial(1);
-        PairFinder finder;
+        LaidOut<PairFinder> finder;
         finder.reserve(bodies);
         finder.find(serial, bodies, positions, velocities, pairs);
         EXPECT_FALSE(pairs.overflowed);
@@ -85,7 +87,7 @@ class Meeting {
     std::vector<Vec4> positions, velocities;
     std::vector<ContactBody> bodies;
     std::vector<std::uint32_t> colliding;
-    PairList pairs{100000};
+    LaidOut<PairList> pairs{100000};
 
   private:
     std::vector<std::unique_ptr<ContactMesh>> meshes_;

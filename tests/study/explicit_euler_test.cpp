@@ -35,7 +35,7 @@ class Oscillator {
         set_xyz(cloth->state.positions[3], rest_ + Vector3(1e-4f, 0, 0));
         cloth_ = cloth.get();
         simulation_.prepare(*cloth);
-        simulation_.cloths.insert(std::move(cloth));
+        simulation_.add(std::move(cloth));
     }
 
     /// Largest displacement in the last tenth of `steps` steps, over the first.

@@ -38,11 +38,14 @@ void Schedule::reserve(std::size_t cloths) {
 void Schedule::plan(std::span<Cloth* const> cloths, int threads) {
     members_.assign(cloths.begin(), cloths.end());
     groups_.clear();
+    std::size_t scratch = 0;
     for (std::size_t i = 0; i < cloths.size(); ++i) {
         groups_.push_back({.cloths = std::span(members_).subspan(i, 1),
                            .work = work_of(*cloths[i]),
                            .blocks = block_count(cloths[i]->model.particle_count),
+                           .scratch = scratch,
                            .is_whole = false});
+        scratch += cloths[i]->scratch_bytes;
     }
     share_out(threads);
 }
@@ -58,15 +61,18 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 
     groups_.clear();
     std::uint32_t end = 0;
+    std::size_t scratch = 0;
     for (std::size_t i = 0; i < cloths.size(); ++i) {
         if (first_of[i] != i) continue;
         Group group{.cloths = std::span(members_).subspan(end, next_[i] - end),
                     .work = 0,
                     .blocks = 0,
+                    .scratch = scratch,
                     .is_whole = false};
         end = next_[i];
         for (const Cloth* cloth : group.cloths) {
             group.work += work_of(*cloth);
+            scratch += cloth->scratch_bytes;
             group.blocks = std::max(group.blocks, block_count(cloth->model.particle_count));
         }
         groups_.push_back(group);
@@ -77,9 +83,12 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 void Schedule::share_out(int threads) {
     std::uint64_t total = 0;
     for (const Group& group : groups_) total += group.work;
-    // Cloths that are taken together share memory that there is once.
+    // What bodies and impact zones need there is once.
+    const auto needs_what_there_is_once = [](const Cloth* cloth) {
+        return cloth->meets_bodies || has_zones(cloth->settings.self_collision);
+    };
     for (Group& group : groups_)
-        group.is_whole = group.cloths.size() == 1 && !group.cloths.front()->meets_bodies &&
+        group.is_whole = std::ranges::none_of(group.cloths, needs_what_there_is_once) &&
                          suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
     // Of equal ones the first comes first: cloths that meet a body have an order.
     std::ranges::sort(groups_, std::ranges::greater(), [this](const Group& group) {

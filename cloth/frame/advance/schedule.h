@@ -25,8 +25,10 @@ class Schedule {
         std::span<Cloth* const> cloths;
         std::uint64_t work;    // particles moved in a step
         std::uint32_t blocks;  // of the largest
+        std::size_t scratch;   // where its part of the World's begins
         bool is_whole;
     };
+    [[nodiscard]] std::span<const Group> groups() const { return groups_; }
     /// For one thread each; the largest first, so that the last to end are small.
     [[nodiscard]] std::span<const Group> side_by_side() const { return std::span(groups_).first(whole_); }
     /// For all threads together.

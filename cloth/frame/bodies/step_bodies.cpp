@@ -225,21 +225,22 @@ void Simulation::carry_bodies(Cloth& cloth, StepEquation& equation) {
     equation.bodies = &bodies_->coupling;
 }
 
-/// Cloths that are solved together take bodies along over the next h seconds.
+/// A group takes bodies along over a substep of h seconds.
 void Simulation::take_bodies(std::span<Cloth* const> cloths, float h) {
     BodyStage& stage = *bodies_;
     stage.h = h;
-    for (std::size_t k = 0; k < stage.moving.size(); ++k) {
-        stage.moving[k].start = stage.begins[k].pose;
-        stage.moving[k].velocity = stage.begins[k].velocity;
-    }
     for (Cloth* cloth : cloths) std::ranges::fill(cloth->collected, CollectedShare{});
     stage.were_taken |= !cloths.empty();
     start_part_of_bodies(cloths, h, h);
 }
 
+/// A set of the group takes them along over a part of it.
 void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma) {
     BodyStage& stage = *bodies_;
+    for (std::size_t k = 0; k < stage.moving.size(); ++k) {
+        stage.moving[k].start = stage.begins[k].pose;
+        stage.moving[k].velocity = stage.begins[k].velocity;
+    }
     const double part = static_cast<double>(h / stage.h), step = static_cast<double>(h);
     for (std::size_t k = 0; k < stage.moving.size(); ++k) {
         MovingBody& body = stage.moving[k];
@@ -257,10 +258,13 @@ void Simulation::start_part_of_bodies(std::span<Cloth* const> cloths, float h, f
         for (Cloth* cloth : present_) {
             const bool is_other = std::ranges::find(cloths, cloth) == cloths.end();
             const BodyShare& share = cloth->state.shares[k];
-            if (is_other || cloth->solver->joins())
-                (is_other ? others : expected) += part * to_vector6(share.last);
-            if (is_other) continue;
             CollectedShare& collected = cloth->collected[k];
+            const Vector6 as_before = part * to_vector6(share.last);
+            if (is_other) {
+                others += collected.is_known ? collected.in_part : as_before;
+                continue;
+            }
+            if (cloth->solver->joins()) expected += as_before;
             collected.in_part.setZero();
             collected.by_stops.setZero();
             if (const Bdf bdf = cloth->bdf_of(h, gamma); bdf.is_second_order())
@@ -409,15 +413,31 @@ void Simulation::finish_part_of_bodies(std::span<Cloth* const> cloths) {
             CollectedShare& share = cloth->collected[k];
             if (!is_finite(share.in_part)) share.in_part.setZero();  // of a cloth that is put back
             share.sum += share.in_part;
+            share.is_known = true;
             given += share.in_part;
-            cloth->state.shares[k].last = to_floats(share.sum);
         }
         bodies_->given[k] += given;
         arrive(bodies_->moving[k], given, are_solved_with_bodies(cloths));
     }
 }
 
+/// The group's next part goes on from where this one has brought bodies.
+void Simulation::end_part_of_bodies(std::span<Cloth* const> cloths) {
+    BodyStage& stage = *bodies_;
+    for (std::size_t k = 0; k < stage.moving.size(); ++k)
+        stage.begins[k] = {stage.moving[k].start, stage.moving[k].velocity};
+    for (Cloth* cloth : cloths)
+        for (CollectedShare& share : cloth->collected) share.is_known = false;
+}
+
 /// What cloths gave while they took bodies along is expected of them again.
+void Simulation::leave_bodies(std::span<Cloth* const> cloths) {
+    for (Cloth* cloth : cloths)
+        for (std::size_t k = 0; k < cloth->collected.size(); ++k)
+            cloth->state.shares[k].last = to_floats(cloth->collected[k].sum);
+    load_bodies();
+}
+
 void Simulation::end_bodies(const Substep& substep) {
     if (!bodies_) return;
     BodyStage& stage = *bodies_;

@@ -60,7 +60,7 @@ void Simulation::choose_rungs() {
 
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
 bool Simulation::can_stride(const Cloth& cloth) const {
-    return !bodies_ && !cloth.is_disturbed && !cloth.features && !cloth.state.frame &&
+    return !bodies_ && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
            !cloth.worn.has_limits() && cloth.attached.empty();
 }
 

@@ -9,12 +9,6 @@ namespace weft {
 
 namespace {
 
-// Bodies' particles begin at whole groups of a system's rows.
-constexpr std::uint32_t group = 16;
-constexpr std::uint32_t whole_groups(std::uint32_t particles) {
-    return (particles + group - 1) / group * group;
-}
-
 // Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
 // the way out becomes speed, with which they would bounce.
 constexpr float parted_in_a_step = 0.2f;
@@ -28,76 +22,59 @@ std::size_t room_for_crossings(std::size_t particles) {
 
 }  // namespace
 
-FeatureContact::FeatureContact(std::span<const ContactCloth> bodies) {
-    cloths_.reserve(bodies.size());
-    bodies_.reserve(bodies.size());
-    ranges_.reserve(bodies.size());
-    restitutions_.reserve(bodies.size());
-    for (const ContactCloth& body : bodies) add(body);
+void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones) {
+    cloths_ = bodies;
+    zones_ = zones;
+    uses_zones_ = std::ranges::all_of(bodies, &ContactCloth::by_zones);
     std::size_t particles = 0;
-    for (const ParticleRange& range : ranges_) particles += whole_groups(range.count);
-    body_room_ = bodies.size();
-    particle_room_ = particles;
-    const std::size_t pairs = room_for_pairs(particles);
-    finder_.reserve(bodies_);
-    pairs_ = PairList(pairs);
-    rows_.reserve(particles, pairs);
-    settler_.reserve(particles, bodies.size(), pairs);
-    const std::size_t crossings = room_for_crossings(particles);
-    crossings_ = CrossingList(crossings);
-    tangles_.reserve(
-        {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
-    rows_.untangling().reserve(crossings);
-    memory_ = AlignedBuffer<TangleMemory>(particles);
-    exempt_ = AlignedBuffer<std::uint8_t>(pairs);
-    laws_ = AlignedBuffer<PairLaw>(pairs);
-    wanted_ = AlignedBuffer<float>(pairs);
-    narrowing_.reserve(pairs);
-    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
-    partials_ = AlignedBuffer<float>(blocks);
-    for (auto* buffer : {&start_, &displacements_, &base_, &searched_})
-        *buffer = AlignedBuffer<Vec4>(particles);
-    if (std::ranges::none_of(bodies, &ContactCloth::by_zones)) return;
-    zones_.reserve(particles, pairs);
-    colliding_ = AlignedBuffer<std::uint32_t>(pairs);
+    for (const ContactCloth& body : bodies) particles += particles_of(*body.mesh);
+    const std::size_t pairs = room_for_pairs(particles), crossings = room_for_crossings(particles);
+    scratch.take(bodies_, bodies.size());
+    scratch.take(ranges_, bodies.size());
+    scratch.take(restitutions_, bodies.size());
+    for (auto* array : {&start_, &displacements_, &base_, &searched_}) scratch.take(*array, particles);
+    finder_.lay_out(scratch, bodies);
+    pairs_.lay_out(scratch, pairs);
+    narrowing_.lay_out(scratch, pairs);
+    crossings_.lay_out(scratch, crossings);
+    tangles_.lay_out(
+        scratch, {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
+    scratch.take(memory_, particles);
+    scratch.take(exempt_, pairs);
+    scratch.take(laws_, pairs);
+    scratch.take(wanted_, pairs);
+    scratch.take(partials_, block_count(static_cast<std::uint32_t>(particles)) + bodies.size());
+    scratch.take(colliding_, uses_zones_ ? pairs : 0);
+    rows_.lay_out_rows(scratch, particles, pairs);
+    settler_.lay_out_split(scratch, particles, bodies.size());
+    scratch.take_by_turns(
+        [&] {
+            rows_.lay_out_solve(scratch, particles, pairs);
+            rows_.untangling().lay_out(scratch, crossings);
+        },
+        [&] { settler_.lay_out_cut(scratch, particles, bodies.size(), pairs); });
+    if (!scratch.is_measured()) number_bodies();
 }
 
-bool FeatureContact::has_room_for(std::span<const ContactCloth> bodies) {
-    std::size_t particles = 0;
-    for (const ContactCloth& body : bodies) particles += whole_groups(body.mesh->particles());
-    const bool needs_zones = std::ranges::any_of(bodies, &ContactCloth::by_zones);
-    if (bodies.size() > body_room_ || particles > particle_room_ || (needs_zones && !has_zone_memory()))
-        return false;
-    begin();
-    for (const ContactCloth& body : bodies) add(body);
-    const bool has_room = finder_.has_room_for(bodies_);
-    begin();
-    return has_room;
+/// Particles between two bodies' stay where they are, at 0.
+void FeatureContact::number_bodies() {
+    std::uint32_t first = 0;
+    for (std::size_t k = 0; k < cloths_.size(); ++k) {
+        const ContactCloth& body = cloths_[k];
+        const std::uint32_t count = body.mesh->particles(), end = first + particles_of(*body.mesh);
+        bodies_[k] = {
+            .mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask};
+        ranges_[k] = {first, count};
+        restitutions_[k] = body.restitution;
+        for (auto* array : {&start_, &displacements_, &base_, &searched_})
+            std::ranges::fill(array->span().subspan(first + count, end - first - count), Vec4{});
+        first = end;
+    }
 }
 
-void FeatureContact::begin() noexcept {
-    cloths_.clear();
-    bodies_.clear();
-    ranges_.clear();
-    restitutions_.clear();
-    if (may_cross_) std::ranges::fill(memory_.span(), TangleMemory{});
-    may_cross_ = is_uncertain_ = has_all_near_ = can_look_again_ = false;
-    is_pinned_ = false;
-    tangles_.clear();
-}
-
-void FeatureContact::add(const ContactCloth& body) {
-    const std::uint32_t first =
-        ranges_.empty() ? 0 : ranges_.back().first + whole_groups(ranges_.back().count);
-    cloths_.push_back(body);
-    bodies_.push_back(
-        {.mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask});
-    ranges_.push_back({first, body.mesh->particles()});
-    restitutions_.push_back(body.restitution);
-    // Room that cloths elsewhere, or gone, were given is to be seen in nothing.
-    const std::size_t particles = first + whole_groups(body.mesh->particles());
-    pairs_.limit = room_for_pairs(particles);
-    crossings_.limit = room_for_crossings(particles);
+/// Nobody has recalled what crosses.
+void FeatureContact::remember_nothing() {
+    if (!std::exchange(may_cross_, true)) std::ranges::fill(memory_.span(), TangleMemory{});
 }
 
 void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
@@ -114,17 +91,18 @@ void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const
 }
 
 void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
-    may_cross_ = true;
+    remember_nothing();
     std::ranges::copy(memory, memory_.data() + bodies_[body].first);
 }
 
-std::span<const TangleMemory> FeatureContact::memory(std::size_t body) const {
+std::span<const TangleMemory> FeatureContact::memory(std::size_t body) {
+    remember_nothing();
     return memory_.span().subspan(bodies_[body].first, bodies_[body].mesh->particles());
 }
 
 void FeatureContact::find_tangles(Parallel& parallel) {
-    finder_.find_crossings(parallel, bodies_, start_.span(), crossings_);
-    tangles_.find({bodies_, start_.span(), pairs_, h_}, crossings_, memory_.span());
+    finder_.find_crossings(parallel, bodies_.span(), start_.span(), crossings_);
+    tangles_.find({bodies_.span(), start_.span(), pairs_, h_}, crossings_, memory_.span());
 }
 
 /// Which pairs of those found last are let alone; empty: none.
@@ -136,7 +114,7 @@ std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
 
 // A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
 bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
-    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_, pair.corners[0]);
+    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_.span(), pair.corners[0]);
     const std::uint32_t first = bodies_[body].first;
     const RestFilter& near = cloths_[body].near_at_rest;
     if (near.offsets.empty()) return false;
@@ -162,8 +140,8 @@ void FeatureContact::make_laws(Parallel& parallel) {
             const FeaturePair& pair = pairs_.pairs[k];
             const bool is_at_border = pairs_.shapes[k].is_at_border();
             const std::uint32_t of_a = pairs_.corners_of_a(k);
-            const std::size_t a = is_alone ? 0 : body_of(bodies_, pair.corners[0]);
-            const std::size_t b = is_alone ? 0 : body_of(bodies_, pair.corners[3]);
+            const std::size_t a = is_alone ? 0 : body_of(bodies_.span(), pair.corners[0]);
+            const std::size_t b = is_alone ? 0 : body_of(bodies_.span(), pair.corners[3]);
             const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
                                        !(pairs_.shapes[k].normal.w > 0) ||
                                        (a == b && are_near_at_rest(pair, of_a));
@@ -222,11 +200,11 @@ FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
 
 bool FeatureContact::crosses_anew(Parallel& parallel) {
     if (may_cross_ || is_uncertain_) return false;
-    for_ranges(parallel, ranges_, [&](const BlockRange& range) {  // the bases are of no more use
+    for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {  // the bases are of no more use
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             set_xyz(base_[i], xyz(start_[i]) + xyz(displacements_[i]));
     });
-    finder_.find_crossings(parallel, bodies_, base_.span(), crossings_);
+    finder_.find_crossings(parallel, bodies_.span(), base_.span(), crossings_);
     return crossings_.size > 0;
 }
 
@@ -242,13 +220,6 @@ void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, st
             set_xyz(velocities[i], xyz(velocities[i]) + change / h);
         }
     });
-}
-
-std::size_t FeatureContact::bytes() const noexcept {
-    return finder_.bytes() + narrowing_.bytes() + pairs_.bytes() + rows_.bytes() + settler_.bytes() +
-           laws_.bytes() + wanted_.bytes() + crossings_.bytes() + tangles_.bytes() + memory_.bytes() +
-           exempt_.bytes() + start_.bytes() + displacements_.bytes() + base_.bytes() + searched_.bytes() +
-           partials_.bytes() + zones_.bytes() + colliding_.bytes();
 }
 
 }  // namespace weft

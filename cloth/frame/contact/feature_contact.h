@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cloth/system/pair_rows.h"
 #include "collision/contact/crossings/tangles.h"
@@ -14,7 +13,7 @@
 #include "collision/contact/response/settle.h"
 #include "collision/impact_zones/impact_zones.h"
 #include "collision/particles/rest_filter.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -55,7 +54,9 @@ inline constexpr bool looks_for_new_crossings = false;
 inline constexpr bool looks_for_new_crossings = true;
 #endif
 
-/// Its particles are numbered through all bodies, each body from a multiple of 16 on.
+/// Its particles are numbered through all bodies, each body from a multiple of 16 on. All its memory is
+/// scratch: it is made anew in each part of a substep, and what it takes of a group is never more than what
+/// the group's cloths would take each alone.
 class FeatureContact {
   public:
     /// Pairs that there is room for, per particle and at least.
@@ -64,25 +65,28 @@ class FeatureContact {
         return std::max(least_pairs, pairs_per_particle * particles);
     }
 
-    /// Takes the memory for these bodies, and for any part of them. May throw.
-    explicit FeatureContact(std::span<const ContactCloth> bodies);
+    /// As they are numbered: with those that fill a body's up.
+    [[nodiscard]] static std::uint32_t particles_of(const ContactMesh& mesh) noexcept {
+        constexpr std::uint32_t group = 16;  // whole groups of a system's rows
+        return (mesh.particles() + group - 1) / group * group;
+    }
 
-    /// Whether that memory does for these, and any part of them. May throw.
-    [[nodiscard]] bool has_room_for(std::span<const ContactCloth> bodies);
+    /// A substep begins, with these bodies, which must outlive it. `zones`: what resolves those that are by
+    /// zones; null: none is.
+    void lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones = nullptr);
 
-    /// A substep begins: bodies are added, all among those there is room for, and placed, with the way that
-    /// they are expected to go. Then finds what is near what.
-    void begin() noexcept;
-    void add(const ContactCloth& body);
+    /// Bodies are placed, with the way that they are expected to go. Then finds what is near what.
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                const ExpectedMotion& expected);
     /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
     /// for that crosses.
     void recall(std::size_t body, std::span<const TangleMemory> memory);
-    void detect(Parallel& parallel);
+    /// `is_crowd`: whether more is near than there is room for; as it was the last time, which only spares a
+    /// search, and as it is now.
+    void detect(Parallel& parallel, bool& is_crowd);
     /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
     [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }
-    [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body) const;
+    [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body);
     [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
 
     /// The bodies' bases in the equation; then the rows.
@@ -121,13 +125,11 @@ class FeatureContact {
 
     /// Whether all bodies are resolved by impact zones: then they are placed, arrive and are settled, and
     /// nothing else.
-    [[nodiscard]] bool uses_zones() const;
-    [[nodiscard]] bool has_zone_memory() const noexcept { return colliding_.size() > 0; }
-
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] bool uses_zones() const noexcept { return uses_zones_; }
 
   private:
-    void find_near(Parallel& parallel);
+    void remember_nothing();
+    void find_near(Parallel& parallel, bool& is_crowd);
     void make_laws(Parallel& parallel);
     void find_tangles(Parallel& parallel);
     bool part_touching(Parallel& parallel);
@@ -152,7 +154,7 @@ class FeatureContact {
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
     struct Change;
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
-    [[nodiscard]] Island island() const { return {ranges_, start_.span()}; }
+    [[nodiscard]] Island island() const { return {ranges_.span(), start_.span()}; }
 
     /// Share of the radius that features have which are nearest at a border: mostly others beside them are
     /// nearer, and have the force. They are three in four.
@@ -161,35 +163,35 @@ class FeatureContact {
     static constexpr float projected_gap = 0.5f;
     static constexpr std::uint32_t projections = 4;
 
-    std::size_t body_room_ = 0, particle_room_ = 0;
-    std::vector<ContactCloth> cloths_;
-    std::vector<ContactBody> bodies_;
-    std::vector<ParticleRange> ranges_;
-    std::vector<float> restitutions_;
+    void number_bodies();
+
+    std::span<const ContactCloth> cloths_;
+    bool uses_zones_ = false;
+    ImpactZones* zones_ = nullptr;
+    ScratchArray<ContactBody> bodies_;
+    ScratchArray<ParticleRange> ranges_;
+    ScratchArray<float> restitutions_;
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
     bool has_all_near_ = false;    // pairs_ has all within the radius, over the motions in searched_
     bool can_look_again_ = false;  // at what the finder kept of that search
-    /// The first cloth's mesh of the bodies that filled the list last, without any motion. Changes no result.
-    const ContactMesh* crowded_ = nullptr;
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;
     Tangles tangles_;
-    AlignedBuffer<TangleMemory> memory_;  // all 0 where no body has recalled its own
-    AlignedBuffer<std::uint8_t> exempt_;  // by pair
+    ScratchArray<TangleMemory> memory_;  // only if may_cross_; all 0 where no body has recalled its own
+    ScratchArray<std::uint8_t> exempt_;  // by pair
     bool may_cross_ = false;
     bool is_uncertain_ = false;  // rounding may have made features cross
     bool is_pinned_ = false;     // some particle is
     float h_ = 0;
-    AlignedBuffer<PairLaw> laws_;
-    AlignedBuffer<float> wanted_;
-    AlignedBuffer<Vec4> start_, displacements_, base_;
-    AlignedBuffer<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
-    AlignedBuffer<float> partials_;  // by block
-    ImpactZones zones_;
-    AlignedBuffer<std::uint32_t> colliding_;  // room for as many as pairs_; empty if no body needs zones
+    ScratchArray<PairLaw> laws_;
+    ScratchArray<float> wanted_;
+    ScratchArray<Vec4> start_, displacements_, base_;
+    ScratchArray<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
+    ScratchArray<float> partials_;  // by block
+    ScratchArray<std::uint32_t> colliding_;  // room for as many as pairs_; only by zones
 };
 
 }  // namespace weft

@@ -17,16 +17,16 @@ void FeatureContact::set_reach(float ContactCloth::*of_cloth) {
 void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach,
                           FullList full) {
     set_reach(reach.of_cloth);
-    finder_.find(parallel, bodies_, start_.span(), motions, pairs_, reach.of_borders, full);
+    finder_.find(parallel, bodies_.span(), start_.span(), motions, pairs_, reach.of_borders, full);
 }
 
 // No more than the rigid motion is taken out: a common motion that brings layers together, which keeps them
 // from meeting but not from coming within the radius, would hide them until they are too near. A turn brings
 // nothing nearer, and a garment that turns has ten times as many pairs with it.
-void FeatureContact::detect(Parallel& parallel) {
+void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
-    find_near(parallel);
-    if (part_touching(parallel)) find_near(parallel);
+    find_near(parallel, is_crowd);
+    if (part_touching(parallel)) find_near(parallel, is_crowd);
     if (may_cross_) find_tangles(parallel);
     make_laws(parallel);
 }
@@ -34,10 +34,10 @@ void FeatureContact::detect(Parallel& parallel) {
 // Where too much comes near on the way, the list has what is near now. In a crowd that alone is too much, and
 // so it mostly is again in the next substep. What is near now is near on the way, too: of a crowd that is
 // searched first, and there the list is the same.
-void FeatureContact::find_near(Parallel& parallel) {
+void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
     const auto search = [&](FullList full) {
         set_reach(&ContactCloth::radius);
-        const bool is_kept = finder_.find_to_look_again(parallel, bodies_, start_.span(), searched_.span(),
+        const bool is_kept = finder_.find_to_look_again(parallel, bodies_.span(), start_.span(), searched_.span(),
                                                         pairs_, of_borders, full);
         has_all_near_ = !pairs_.overflowed;
         can_look_again_ = is_kept && has_all_near_;
@@ -45,10 +45,10 @@ void FeatureContact::find_near(Parallel& parallel) {
     const auto search_standing = [&] {
         std::ranges::fill(searched_.span(), Vec4{});
         search(FullList::has_the_first);
-        crowded_ = pairs_.overflowed ? cloths_.front().mesh : nullptr;
+        is_crowd = pairs_.overflowed;
     };
     const auto is_finite = [](const Vec4& motion) { return xyz(motion).allFinite(); };
-    if (crowded_ == cloths_.front().mesh && std::ranges::all_of(settler_.relative(), is_finite)) {
+    if (is_crowd && std::ranges::all_of(settler_.relative(), is_finite)) {
         search_standing();
         if (pairs_.overflowed) return;
     }
@@ -65,11 +65,11 @@ bool FeatureContact::part_touching(Parallel& parallel) {
     for (const ContactCloth& cloth : cloths_) floor = std::max(floor, cloth.floor);
     bool any = false;
     for (int k = 0; k < most_layers; ++k) {
-        if (!weft::part_touching(bodies_, pairs_, hair * floor, start_.span(), base_.span())) break;
+        if (!weft::part_touching(bodies_.span(), pairs_, hair * floor, start_.span(), base_.span())) break;
         any = true;
         find(parallel, {}, {&ContactCloth::floor}, FullList::has_the_first);
     }
-    may_cross_ |= any;  // a mesh may be folded into itself
+    if (any) remember_nothing();  // a mesh may be folded into itself
     return any;
 }
 
@@ -84,7 +84,7 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, floa
     constexpr float with_rounding = 0.49f, never = -1;
     const auto find_block = [&](const BlockRange& range) {
         const float slack =
-            with_rounding * (of_borders * cloths_[body_of(bodies_, range.begin)].radius - reach);
+            with_rounding * (of_borders * cloths_[body_of(bodies_.span(), range.begin)].radius - reach);
         float longest = 0;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
@@ -96,7 +96,7 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, floa
         return longest;
     };
     const auto add = [&](float a, float b) { return std::min(a, b) < 0 ? never : std::max(a, b); };
-    const float longest = reduce_ranges(parallel, ranges_, partials_.span(), 0.0f, find_block, add);
+    const float longest = reduce_ranges(parallel, ranges_.span(), partials_.span(), 0.0f, find_block, add);
     return {longest >= 0, longest};
 }
 
@@ -115,7 +115,7 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     if (!can_look_again_)
         return find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     set_reach(&ContactCloth::floor);
-    finder_.find_again(parallel, bodies_, start_.span(), settler_.relative(), searched_.span(), pairs_);
+    finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(), pairs_);
 }
 
 // A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it
@@ -126,7 +126,7 @@ void FeatureContact::find_for_part_of_way(Parallel& parallel) {
     find_for_cut(parallel);
     for (int k = 0; pairs_.overflowed && k < most_tries; ++k) {
         const CommonMotion common = is_pinned_ ? CommonMotion{} : settler_.common();
-        for_ranges(parallel, ranges_, [&](const BlockRange& range) {
+        for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {
             for (std::uint32_t i = range.begin; i < range.end; ++i)
                 set_xyz(displacements_[i],
                         give_back(common, xyz(start_[i]), xyz(displacements_[i]), shorter));
@@ -137,17 +137,17 @@ void FeatureContact::find_for_part_of_way(Parallel& parallel) {
 
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
-    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_, memory_.span());
+    if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_.span(), memory_.span());
     find_for_part_of_way(parallel);
     can_look_again_ = false;  // the first search's motions make room
-    for (const ParticleRange& range : ranges_)
+    for (const ParticleRange& range : ranges_.span())
         std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
     const SettleResult result = cut_listed(parallel, is_pushed);
     return result.draws_pins ? cut_without_common(parallel, is_pushed) : counts_of(parallel, result);
 }
 
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
-    for (const ParticleRange& range : ranges_)
+    for (const ParticleRange& range : ranges_.span())
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::none);
     find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
@@ -174,7 +174,7 @@ FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& 
 // Rounding can take the gap of a pair that is not listed, even where all move alike.
 FeatureCounts FeatureContact::stand_still() {
     FeatureCounts counts{.lost = 1, .overflowed = true};
-    for (const ParticleRange& range : ranges_) {
+    for (const ParticleRange& range : ranges_.span()) {
         std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});
         counts.truncated += range.count;
     }

@@ -18,10 +18,6 @@ float least_radius(std::span<const ContactCloth> cloths) {
 
 }  // namespace
 
-bool FeatureContact::uses_zones() const {
-    return !cloths_.empty() && has_zone_memory() && std::ranges::all_of(cloths_, &ContactCloth::by_zones);
-}
-
 /// All that the motion can bring near. A turn brings nothing nearer, and is left out.
 void FeatureContact::find_for_zones(Parallel& parallel) {
     settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
@@ -66,8 +62,8 @@ FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
         if (search == 0) counts.pairs = static_cast<std::uint32_t>(colliding.size());
         if (colliding.empty()) break;
         for (int round = 0; round < rounds && !colliding.empty(); ++round) {
-            zones_.resolve({bodies_, start_.span(), pairs_, colliding},
-                           {.restitutions = restitutions_, .as_bundles = search + round > 0, .still = still},
+            zones_->resolve({bodies_.span(), start_.span(), pairs_, colliding},
+                           {.restitutions = restitutions_.span(), .as_bundles = search + round > 0, .still = still},
                            displacements_.span());
             colliding = find_colliding_pairs();
         }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cloth/frame/simulation.h"
+#include "cloth/solvers/multigrid/multilevel.h"
 #include "collision/colliders/nearest_surface.h"
 
 namespace weft {
@@ -32,7 +33,7 @@ Contact seen_from_other(const Contact& c) {
 std::uint32_t main_corner(const PairRows::Push& push, std::uint32_t begin, std::uint32_t end) {
     std::uint32_t most = begin;
     for (std::uint32_t c = begin + 1; c < end; ++c)
-        if (std::abs(push.shape.weight(c)) > std::abs(push.shape.weight(most))) most = c;
+        if (std::abs(push.pair.weights[c]) > std::abs(push.pair.weights[most])) most = c;
     return push.pair.corners[most];
 }
 
@@ -154,7 +155,7 @@ void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Clot
                               .particle = a - space.first(of_a),
                               .other_particle = b - space.first(of_b),
                               .point = to_vec3(push.point),
-                              .normal = to_vec3(xyz(push.shape.normal)),
+                              .normal = to_vec3(push.pair.normal),
                               .impulse = to_vec3(Vector3(ratio * push.impulse))};
         const bool is_first = contact.cloth.index <= contact.other_cloth.index;
         log_contact(worker.contacts, *cloths[is_first ? of_a : of_b],

@@ -37,7 +37,7 @@ Cloth::Cloth(const Cloth& cooked)
     if (cooked.history) history.emplace(model.particle_count);
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
-    if (has_features(self_collision) && !has_zones(self_collision)) reserve_pairs(*solver);
+    if (weft::has_features(self_collision) && !has_zones(self_collision)) reserve_pairs(*solver);
     take_features(make_features(self_collision), self_collision);
     take_contacts(make_contacts(false), false);
     const std::size_t of_cooked = cooked.own_bytes(), own = own_bytes();
@@ -56,15 +56,21 @@ ClothInfo Cloth::info() const {
     return info;
 }
 
+std::size_t Cloth::zone_bytes() const noexcept {
+    if (!has_features() || !has_zones(settings.self_collision)) return 0;
+    const std::size_t particles = FeatureContact::particles_of(*contact_mesh);
+    return particles * ImpactZones::bytes_per_particle +
+           FeatureContact::room_for_pairs(particles) * ImpactZones::bytes_per_pair;
+}
+
 std::size_t Cloth::own_bytes() const {
     std::size_t of_limits = worn.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
            (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
            (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-           (features ? features->bytes() + (shares_contact_mesh ? 0 : contact_mesh->bytes()) +
-                           substep_start.bytes()
-                     : 0) +
+           scratch_bytes + zone_bytes() + substep_start.bytes() +
+           (has_features() && !shares_contact_mesh ? contact_mesh->bytes() : 0) +
            surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
            (whole ? whole->bytes() : 0) + body_buffers.bytes() +

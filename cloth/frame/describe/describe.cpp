@@ -18,7 +18,7 @@ void describe_cloth(Outline& outline, const Simulation& simulation, ClothId id, 
 }
 
 std::uint64_t memory_of(const Simulation& simulation) {
-    std::uint64_t bytes = simulation.bytes_together();
+    std::uint64_t bytes = simulation.bytes_to_spare();
     simulation.cloths.for_each(
         [&](ClothId, const std::unique_ptr<Cloth>& cloth) { bytes += cloth->info().bytes; });
     simulation.shapes.for_each(
@@ -29,7 +29,7 @@ std::uint64_t memory_of(const Simulation& simulation) {
 std::string description_of(const Simulation& simulation, DescriptionFormat format) {
     Outline outline(format);
     outline.value("bytes", memory_of(simulation));
-    outline.value("bytes_between_cloths", std::uint64_t{simulation.bytes_together()});
+    outline.value("bytes_to_spare", std::uint64_t{simulation.bytes_to_spare()});
     outline.value("report", simulation.report);
     outline.value("settings", simulation.settings);
     outline.list("cloths", [&] {

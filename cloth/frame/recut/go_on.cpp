@@ -128,7 +128,7 @@ void Cloth::go_on_from(const Cloth& before, Sources sources, std::size_t collide
     gather(before.state.ahead, sources, state.ahead);
     take_contact(before.state, sources);
     take_rest(before, !is_same);
-    if (!features) return;
+    if (!has_features()) return;
     state.may_cross = is_same ? before.state.may_cross : 1;
     if (!is_same) part_copies(sources);
 }

@@ -72,9 +72,7 @@ void name_by_vertices(const Cloth& cloth, std::span<StrainedEdge> edges) {
 
 void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     std::unique_ptr<Cloth>& place = *cloths.find(id);
-    std::optional<Together> together;
-    if (next->features)
-        together = make_together(place.get(), next->settings.self_collision, next->contact_mesh.get());
+    Room room = make_room(place.get(), next->settings.self_collision, next->contact_mesh.get());
 
     // From here on nothing can fail.
     if (next->model.fingerprint != place->model.fingerprint) wake_near(*place);
@@ -82,7 +80,7 @@ void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     update_normals(parallel, *next);
     place = std::move(next);
     *views[id.index] = {};
-    if (together) together_ = *std::move(together);
+    take(std::move(room));
 }
 
 Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const std::uint32_t> from) {

@@ -121,7 +121,7 @@ void Simulation::go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins
     }
     std::ranges::copy(std::as_const(now.positions).span(), now.previous_positions.data());
     now.record.h = 0;  // the path breaks
-    now.may_cross = cloth.features ? 1 : 0;
+    now.may_cross = cloth.has_features() ? 1 : 0;
     cloth.wake();
     cloth.land();
     update_normals(parallel, cloth);

@@ -23,7 +23,7 @@ void Cloth::set_map(Map map, AlignedBuffer<float>&& values) {
 std::unique_ptr<Solver> Cloth::make_other_solver() const {
     std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
     made->reserve_pins(state.pins.size());
-    if (has_features(settings.self_collision) && !has_zones(settings.self_collision))
+    if (weft::has_features(settings.self_collision) && !has_zones(settings.self_collision))
         made->reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
     return made;
 }

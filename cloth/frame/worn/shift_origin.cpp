@@ -32,7 +32,7 @@ void Simulation::shift_origin(const Vec3& to) {
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         shift(cloth->state, by);
         cloth->surface.forget();  // rounded otherwise, the triangles have other normals
-        cloth->state.may_cross = cloth->features ? 1 : 0;
+        cloth->state.may_cross = cloth->has_features() ? 1 : 0;
         cloth->extent = survey(parallel, cloth->state, cloth->partial_surveys.span());
     });
     state.colliders.for_each([&](ColliderId, ColliderSlot& slot) {

@@ -72,12 +72,12 @@ void Simulation::plan_carries(float dt) {
     }
     if (!any) return;
     for (Cloth* cloth : present_)
-        if (is_moved(*cloth) && cloth->features && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
-    if (!together_) return;
+        if (is_moved(*cloth) && cloth->has_features() && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
+    if (featured_cloths() < 2) return;
     for (Cloth* cloth : present_) {
-        if (!is_moved(*cloth) || !cloth->features) continue;
+        if (!is_moved(*cloth) || !cloth->has_features()) continue;
         for (const Cloth* other : present_)
-            if (other != cloth && other->features && !are_carried_alike(*cloth, *other) &&
+            if (other != cloth && other->has_features() && !are_carried_alike(*cloth, *other) &&
                 may_be_carried_across(*cloth, *other))
                 cloth->state.may_cross = 1;
     }
@@ -101,17 +101,19 @@ void Simulation::fill_motions(std::vector<ColliderMotion>& motions, std::uint32_
     });
 }
 
-void Simulation::move_colliders(Worker& worker, std::uint32_t mask, const Substep& substep) const {
+/// Of all cloths of a set; a cloth that is carried sees them its own way.
+void Simulation::see_colliders(Worker& worker, std::span<Cloth* const> set, const Substep& substep) const {
+    std::uint32_t mask = 0;
+    bool with_bodies = false;
+    for (const Cloth* cloth : set) {
+        mask |= cloth->settings.collider_mask;
+        with_bodies = with_bodies || cloth->meets_bodies;
+    }
     fill_motions(worker.motions, mask, substep, nullptr);
-}
-
-void Simulation::see_colliders(Worker& worker, Cloth& cloth, const Substep& substep) const {
-    if (cloth.carried)
-        fill_motions(cloth.seen_colliders, cloth.settings.collider_mask, substep, &*cloth.carried);
-    else
-        move_colliders(worker, cloth.settings.collider_mask, substep);
-    if (cloth.meets_bodies)
-        add_carried_motions(colliders_of(worker, cloth), cloth.settings.collider_mask, substep);
+    for (Cloth* cloth : set)
+        if (cloth->carried)
+            fill_motions(cloth->seen_colliders, cloth->settings.collider_mask, substep, &*cloth->carried);
+    if (with_bodies) add_carried_motions(colliders_of(worker, *set.front()), mask, substep);
 }
 
 void Simulation::begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part) {
@@ -133,7 +135,7 @@ void Simulation::hold_worn(Worker& worker, Cloth& cloth) {
 /// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
 void Simulation::end_worn(Worker& worker, Cloth& cloth) {
     cloth.limit_lag = {};
-    if (cloth.worn.is_holding() && cloth.features && !cloth.restored)
+    if (cloth.worn.is_holding() && cloth.has_features() && !cloth.restored)
         cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
     SkinState& skin = cloth.state.skin;
     if (skin.known != 0) skin.stand_still();
@@ -150,7 +152,7 @@ void Simulation::set_frame(Cloth& cloth, const Transform& pose) {
 
 void Simulation::move(Cloth& cloth, const RigidMotion& by) {
     move_all(parallel, by, cloth.state);
-    cloth.state.may_cross = cloth.features ? 1 : 0;
+    cloth.state.may_cross = cloth.has_features() ? 1 : 0;
     // A step begins with the triangles' normals that the last one ended with.
     update_normals(parallel, cloth);
     cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());

@@ -80,8 +80,7 @@ class Passes {
         : members_(members),
           first_(members.front().step),
           parallel_(first_.parallel),
-          pairs_(first_.equation.pairs != nullptr && !first_.equation.pairs->empty() ? first_.equation.pairs
-                                                                                     : nullptr),
+          pairs_(pairs_of(members)),
           bodies_(first_.equation.bodies) {}
 
     SolveResult operator()();
@@ -89,6 +88,11 @@ class Passes {
   private:
     using Vector = AlignedBuffer<Vec4> PassVectors::*;
 
+    /// The members' that have features; null if none of these touch.
+    [[nodiscard]] static PairRows* pairs_of(std::span<const PassMember> members);
+    [[nodiscard]] bool has_pairs(const PassMember& member) const {
+        return pairs_ != nullptr && member.step.equation.pairs != nullptr;
+    }
     [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
     void begin();
     [[nodiscard]] Vec4 frame_velocity() const;
@@ -143,6 +147,13 @@ SolveResult Passes::operator()() {
     return {.unsolved = left_ > tolerated};
 }
 
+PairRows* Passes::pairs_of(std::span<const PassMember> members) {
+    for (const PassMember& member : members)
+        if (PairRows* const pairs = member.step.equation.pairs; pairs != nullptr)
+            return pairs->empty() ? nullptr : pairs;
+    return nullptr;
+}
+
 double Passes::tolerated_energy(const Multilevel& method) const {
     double mass = 0;
     for (const PassMember& member : members_) mass += member.mass;
@@ -187,7 +198,8 @@ void Passes::linearise() {
     const auto timer = first_.timed(Stage::assemble);
     if (pairs_ != nullptr) {
         for (const PassMember& member : members_)
-            pairs_->take(parallel_, member.step.equation.first, member.step.velocities);
+            if (has_pairs(member))
+                pairs_->take(parallel_, member.step.equation.first, member.step.velocities);
         pairs_->linearise(parallel_);
     }
     if (!is_first) let_bodies_follow();
@@ -297,7 +309,8 @@ double Passes::couple(Vector x, Vector product) {
     double sum = 0;
     if (pairs_ != nullptr) {
         for (const PassMember& member : members_)
-            pairs_->take(parallel_, member.step.equation.first, std::as_const(member.vectors.*x).span());
+            if (has_pairs(member))
+                pairs_->take(parallel_, member.step.equation.first, std::as_const(member.vectors.*x).span());
         sum += pairs_->multiply(parallel_);
     }
     if (bodies_ != nullptr) {
@@ -308,7 +321,8 @@ double Passes::couple(Vector x, Vector product) {
     if (product == nullptr) return sum;
     for (std::size_t k = 0; k < members_.size(); ++k) {
         const std::span<Vec4> of = (members_[k].vectors.*product).span();
-        if (pairs_ != nullptr) pairs_->add_products(parallel_, members_[k].step.equation.first, of);
+        if (has_pairs(members_[k]))
+            pairs_->add_products(parallel_, members_[k].step.equation.first, of);
         if (bodies_ != nullptr) bodies_->give(k, of);
     }
     return sum;
@@ -341,7 +355,7 @@ bool Passes::touches_what_is_held() const {
         return std::ranges::any_of(members_, [&](const PassMember& member) {
             const StepEquation& equation = member.step.equation;
             const std::uint32_t i = particle - equation.first;
-            return i < equation.positions.size() && equation.positions[i].w > 0;
+            return equation.pairs != nullptr && i < equation.positions.size() && equation.positions[i].w > 0;
         });
     };
     bool any = false;

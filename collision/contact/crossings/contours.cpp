@@ -29,11 +29,11 @@ constexpr std::size_t segments_per_crossing = 2;
 
 }  // namespace
 
-void Contours::reserve(std::size_t bodies, std::size_t crossings) {
-    first_triangle_.reserve(bodies);
-    segments_ = AlignedBuffer<Segment>(segments_per_crossing * crossings);
+void Contours::lay_out(Scratch& scratch, std::size_t bodies, std::size_t crossings) {
+    scratch.take(first_triangle_, bodies);
+    scratch.take(segments_, segments_per_crossing * crossings);
     for (auto* buffer : {&parents_, &sides_, &contours_, &firsts_, &next_})
-        *buffer = AlignedBuffer<std::uint32_t>(crossings);
+        scratch.take(*buffer, crossings);
 }
 
 void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossing> crossings) {
@@ -57,11 +57,10 @@ void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossi
 }
 
 void Contours::find_segments(std::span<const ContactBody> bodies, std::span<const Crossing> crossings) {
-    first_triangle_.clear();
     std::uint32_t triangles = 0;
-    for (const ContactBody& body : bodies) {
-        first_triangle_.push_back(triangles);
-        triangles += static_cast<std::uint32_t>(body.mesh->triangles().size());
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        first_triangle_[k] = triangles;
+        triangles += static_cast<std::uint32_t>(bodies[k].mesh->triangles().size());
     }
     segment_count_ = 0;
     for (std::uint32_t k = 0; k < crossings.size(); ++k) {
@@ -104,11 +103,6 @@ void Contours::join(const Segment& a, const Segment& b) {
     const std::uint32_t high = std::max(of_a.crossing, of_b.crossing);
     parents_[high] = low;
     sides_[high] = of_a.side ^ of_b.side ^ a.edge_is_of_higher ^ b.edge_is_of_higher;
-}
-
-std::size_t Contours::bytes() const noexcept {
-    return first_triangle_.capacity() * sizeof(std::uint32_t) + segments_.bytes() + parents_.bytes() +
-           sides_.bytes() + contours_.bytes() + firsts_.bytes() + next_.bytes();
 }
 
 }  // namespace weft

@@ -4,11 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/pair_finder.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 
 namespace weft {
 
@@ -17,7 +16,7 @@ namespace weft {
 /// two surfaces that cross along it, one is side 0 all along and the other is side 1.
 class Contours {
   public:
-    void reserve(std::size_t bodies, std::size_t crossings);
+    void lay_out(Scratch& scratch, std::size_t bodies, std::size_t crossings);
 
     /// Crossings must be those of these bodies, no more than reserved for.
     void trace(std::span<const ContactBody> bodies, std::span<const Crossing> crossings);
@@ -37,8 +36,6 @@ class Contours {
         return sides_[crossing];
     }
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
-
   private:
     static constexpr std::uint32_t none = ~0u;
     struct Segment {
@@ -53,11 +50,11 @@ class Contours {
     Root root_of(std::uint32_t crossing);
     void join(const Segment& a, const Segment& b);
 
-    std::vector<std::uint32_t> first_triangle_;  // of bodies
-    AlignedBuffer<Segment> segments_;
+    ScratchArray<std::uint32_t> first_triangle_;  // of bodies
+    ScratchArray<Segment> segments_;
     std::uint32_t segment_count_ = 0;
-    AlignedBuffer<std::uint32_t> parents_, sides_, contours_;  // of crossings; sides: against the parent's
-    AlignedBuffer<std::uint32_t> firsts_, next_;  // of contours, of crossings: those of a contour, as a list
+    ScratchArray<std::uint32_t> parents_, sides_, contours_;  // of crossings; sides: against the parent's
+    ScratchArray<std::uint32_t> firsts_, next_;  // of contours, of crossings: those of a contour, as a list
     std::uint32_t size_ = 0;
 };
 

@@ -1,13 +1,11 @@
 #pragma once
 // Where meshes cross: an edge through a triangle.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 
 namespace weft {
 
@@ -18,18 +16,13 @@ struct Crossing {
 
 /// In an order that no thread decides.
 struct CrossingList {
-    AlignedBuffer<Crossing> crossings;
+    ScratchArray<Crossing> crossings;
     std::uint32_t size = 0;
     /// There were more than there is room for: what is listed is not all.
     bool overflowed = false;
 
-    /// Crossings are listed as if there were room for no more.
-    std::size_t limit = std::numeric_limits<std::size_t>::max();
-
-    CrossingList() = default;
-    explicit CrossingList(std::size_t capacity) : crossings(capacity) {}
-    [[nodiscard]] std::size_t capacity() const noexcept { return std::min(limit, crossings.size()); }
-    [[nodiscard]] std::size_t bytes() const noexcept { return crossings.bytes(); }
+    void lay_out(Scratch& scratch, std::size_t capacity) { scratch.take(crossings, capacity); }
+    [[nodiscard]] std::size_t capacity() const noexcept { return crossings.size(); }
 };
 
 }  // namespace weft

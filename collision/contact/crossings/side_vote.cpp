@@ -14,11 +14,11 @@ Vector3 normal_of(const Vector3& a, const Vector3& b, const Vector3& c) {
 
 }  // namespace
 
-void SideVote::reserve(std::size_t particles, std::size_t pairs) {
-    starts_ = AlignedBuffer<std::uint32_t>(particles + 1);
-    order_ = AlignedBuffer<std::uint32_t>(pairs);
-    sides_ = AlignedBuffer<std::uint8_t>(particles);
-    members_ = AlignedBuffer<Member>(2 * particles);
+void SideVote::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+    scratch.take(starts_, particles + 1);
+    scratch.take(order_, pairs);
+    scratch.take(sides_, particles);
+    scratch.take(members_, 2 * particles);
 }
 
 void SideVote::begin(std::span<const ContactBody> bodies, std::span<const Vec4> positions,
@@ -27,6 +27,7 @@ void SideVote::begin(std::span<const ContactBody> bodies, std::span<const Vec4> 
     positions_ = positions;
     pairs_ = &pairs;
     spreads_left_ = static_cast<std::uint32_t>(members_.size());
+    std::ranges::fill(sides_.span(), std::uint8_t{0});
     std::ranges::fill(starts_.span(), 0u);
     for (std::uint32_t k = 0; k < pairs.vertex_triangle; ++k) ++starts_[pairs.pairs[k].corners[0]];
     std::uint32_t sum = 0;
@@ -107,10 +108,6 @@ Vector3 SideVote::way_of(const Crossing& crossing, std::uint32_t side_of_edge, f
     const Vector3 way = side_of_edge == 0 ? normal_of(at(triangle[0]), at(triangle[1]), at(triangle[2]))
                                           : Vector3(-normal_at(edge[0]) - normal_at(edge[1]));
     return (side * way).stableNormalized();
-}
-
-std::size_t SideVote::bytes() const noexcept {
-    return starts_.bytes() + order_.bytes() + sides_.bytes() + members_.bytes();
 }
 
 }  // namespace weft

@@ -8,7 +8,7 @@
 #include "collision/contact/crossings/contours.h"
 #include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -19,7 +19,7 @@ namespace weft {
 /// only what is near.
 class SideVote {
   public:
-    void reserve(std::size_t particles, std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
     /// Votes are to follow, of these bodies. What is given must outlive them.
     void begin(std::span<const ContactBody> bodies, std::span<const Vec4> positions, const PairList& pairs);
@@ -35,8 +35,6 @@ class SideVote {
 
     /// Of unit length: the way on which the crossing's edge has to go against its triangle.
     [[nodiscard]] Vector3 way_of(const Crossing& crossing, std::uint32_t side_of_edge, float side) const;
-
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     struct Member {
@@ -61,9 +59,9 @@ class SideVote {
     std::span<const ContactBody> bodies_;
     std::span<const Vec4> positions_;
     const PairList* pairs_ = nullptr;
-    AlignedBuffer<std::uint32_t> starts_, order_;  // by vertex: which pairs it is in
-    AlignedBuffer<std::uint8_t> sides_;            // of particles: bits; 0 between votes
-    AlignedBuffer<Member> members_;
+    ScratchArray<std::uint32_t> starts_, order_;  // by vertex: which pairs it is in
+    ScratchArray<std::uint8_t> sides_;            // of particles: bits; 0 between votes
+    ScratchArray<Member> members_;
     std::uint32_t member_count_ = 0, spreads_left_ = 0;
 };
 

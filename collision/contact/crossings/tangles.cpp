@@ -20,15 +20,15 @@ constexpr std::size_t corners = 5;
 
 }  // namespace
 
-void Tangles::reserve(const Room& room) {
-    contours_.reserve(room.bodies, room.crossings);
-    untangling_.reserve(room.crossings);
-    side_vote_.reserve(room.particles, room.pairs);
-    core_ = AlignedBuffer<Label>(corners * room.crossings);
-    labels_ = AlignedBuffer<Label>(labels_per_particle * room.particles);
-    label_ends_ = AlignedBuffer<std::uint32_t>(room.particles + 1);
-    names_ = marks_ = AlignedBuffer<std::uint32_t>(room.particles);
-    of_contours_ = AlignedBuffer<TangleMemory>(room.crossings);
+void Tangles::lay_out(Scratch& scratch, const Room& room) {
+    contours_.lay_out(scratch, room.bodies, room.crossings);
+    untangling_.lay_out(scratch, room.crossings);
+    side_vote_.lay_out(scratch, room.particles, room.pairs);
+    scratch.take(core_, corners * room.crossings);
+    scratch.take(labels_, labels_per_particle * room.particles);
+    scratch.take(label_ends_, room.particles + 1);
+    for (auto* array : {&names_, &marks_}) scratch.take(*array, room.particles);
+    scratch.take(of_contours_, room.crossings);
 }
 
 void Tangles::find(const Start& start, const CrossingList& list, std::span<TangleMemory> memory) {
@@ -197,11 +197,6 @@ void Tangles::exempt(Parallel& parallel, const PairList& pairs, std::span<std::u
         for (std::uint32_t k = range.begin; k < range.end; ++k)
             exempt[k] = active_ && share_contour(pairs.pairs[k], pairs.corners_of_a(k)) ? 1 : 0;
     });
-}
-
-std::size_t Tangles::bytes() const noexcept {
-    return contours_.bytes() + untangling_.bytes() + side_vote_.bytes() + core_.bytes() + labels_.bytes() +
-           label_ends_.bytes() + names_.bytes() + marks_.bytes() + of_contours_.bytes();
 }
 
 }  // namespace weft

@@ -10,7 +10,7 @@
 #include "collision/contact/crossings/side_vote.h"
 #include "collision/contact/crossings/untangling.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
@@ -35,7 +35,7 @@ class Tangles {
     struct Room {
         std::size_t bodies, particles, pairs, crossings;
     };
-    void reserve(const Room& room);
+    void lay_out(Scratch& scratch, const Room& room);
 
     /// A step's start.
     struct Start {
@@ -61,8 +61,6 @@ class Tangles {
     }
     [[nodiscard]] TangleCounts counts() const noexcept { return active_ ? counts_ : TangleCounts(); }
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
-
   private:
     struct Label {
         std::uint32_t particle, contour;
@@ -82,12 +80,12 @@ class Tangles {
     Contours contours_;
     Untangling untangling_;
     SideVote side_vote_;
-    AlignedBuffer<Label> core_;                // of crossing features: by contour, then particle
-    AlignedBuffer<Label> labels_;              // with those near them: by particle
-    AlignedBuffer<std::uint32_t> label_ends_;  // of particles; the first is where the one before ends
-    AlignedBuffer<std::uint32_t> names_;       // of particles; 0: without one
-    AlignedBuffer<std::uint32_t> marks_;       // of particles: the last contour that has it, plus one
-    AlignedBuffer<TangleMemory> of_contours_;
+    ScratchArray<Label> core_;                // of crossing features: by contour, then particle
+    ScratchArray<Label> labels_;              // with those near them: by particle
+    ScratchArray<std::uint32_t> label_ends_;  // of particles; the first is where the one before ends
+    ScratchArray<std::uint32_t> names_;       // of particles; 0: without one
+    ScratchArray<std::uint32_t> marks_;       // of particles: the last contour that has it, plus one
+    ScratchArray<TangleMemory> of_contours_;
     std::uint32_t core_size_ = 0, label_count_ = 0;
     TangleCounts counts_;
     bool active_ = false;

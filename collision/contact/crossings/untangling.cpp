@@ -66,9 +66,9 @@ Vector3 direction_of(const ContactBody& body, const Crossing& crossing, std::spa
 
 }  // namespace
 
-void Untangling::reserve(std::size_t crossings) {
-    rows_ = AlignedBuffer<UntanglingRow>(crossings);
-    means_ = AlignedBuffer<Vec4>(crossings);
+void Untangling::lay_out(Scratch& scratch, std::size_t crossings) {
+    scratch.take(rows_, crossings);
+    scratch.take(means_, crossings);
 }
 
 void Untangling::find(std::span<const ContactBody> bodies, std::span<const Vec4> positions,

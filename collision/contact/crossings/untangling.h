@@ -9,7 +9,7 @@
 
 #include "collision/contact/crossings/contours.h"
 #include "collision/contact/crossings/crossings.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -23,7 +23,7 @@ struct UntanglingRow {
 
 class Untangling {
   public:
-    void reserve(std::size_t crossings);
+    void lay_out(Scratch& scratch, std::size_t crossings);
 
     /// Makes a row of each crossing. Half of its direction is its own, and half its contour's mean:
     /// what goes one way together comes free, and what every crossing wants for itself need not agree.
@@ -35,11 +35,10 @@ class Untangling {
 
     [[nodiscard]] std::span<UntanglingRow> rows() noexcept { return rows_.span().first(size_); }
     [[nodiscard]] std::span<const UntanglingRow> rows() const noexcept { return rows_.span().first(size_); }
-    [[nodiscard]] std::size_t bytes() const noexcept { return rows_.bytes() + means_.bytes(); }
 
   private:
-    AlignedBuffer<UntanglingRow> rows_;
-    AlignedBuffer<Vec4> means_;  // of contours: the sum of what side 0 wants, and of how many
+    ScratchArray<UntanglingRow> rows_;
+    ScratchArray<Vec4> means_;  // of contours: the sum of what side 0 wants, and of how many
     std::uint32_t size_ = 0;
 };
 

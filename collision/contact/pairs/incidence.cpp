@@ -9,11 +9,12 @@ namespace weft {
 
 namespace {
 
-// Pairs that one block moves to buckets: enough that its counts, one a bucket, are few beside them.
-constexpr std::uint32_t pairs_per_block = 4096;
+// Blocks that move pairs to buckets: no more of them, and none of fewer pairs, so that the counts of each, one
+// a bucket, are few beside its pairs.
+constexpr std::uint32_t most_blocks = 64, least_pairs = 4096;
 
-std::uint32_t blocks_of(std::size_t pairs) {
-    return static_cast<std::uint32_t>((pairs + pairs_per_block - 1) / pairs_per_block);
+std::uint32_t pairs_per_block(std::size_t pairs) {
+    return std::max(least_pairs, static_cast<std::uint32_t>((pairs + most_blocks - 1) / most_blocks));
 }
 
 /// visit(particle, place) for the corners of a block's chosen pairs.
@@ -44,15 +45,15 @@ void for_each_corner(std::span<const FeaturePair> pairs, std::span<const std::ui
 
 }  // namespace
 
-void PairIncidence::reserve(std::size_t particles, std::size_t pairs) {
+void PairIncidence::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
     buckets_ = block_count(static_cast<std::uint32_t>(particles));
-    counts_ = AlignedBuffer<std::uint32_t>(std::size_t{blocks_of(pairs)} * buckets_);
-    bucket_begin_ = AlignedBuffer<std::uint32_t>(buckets_ + 1);
-    bucket_rows_ = AlignedBuffer<std::uint32_t>(buckets_ + 1);
-    entries_ = AlignedBuffer<Entry>(4 * pairs);
-    places_ = AlignedBuffer<std::uint32_t>(4 * pairs);
-    particles_ = AlignedBuffer<std::uint32_t>(std::min(particles, 4 * pairs));
-    starts_ = AlignedBuffer<std::uint32_t>(particles_.size() + 1);
+    scratch.take(counts_, std::size_t{most_blocks} * buckets_);
+    scratch.take(bucket_begin_, buckets_ + 1);
+    scratch.take(bucket_rows_, buckets_ + 1);
+    scratch.take(entries_, 4 * pairs);
+    scratch.take(places_, 4 * pairs);
+    scratch.take(particles_, std::min(particles, 4 * pairs));
+    scratch.take(starts_, particles_.size() + 1);
     rows_ = 0;
 }
 
@@ -75,10 +76,10 @@ void PairIncidence::count_by_bucket(Parallel& parallel, std::span<const FeatureP
         for_each_corner(pairs, chosen, block,
                         [&](std::uint32_t particle, std::uint32_t) { ++counts[particle / block_size]; });
     };
-    parallel.ranges(size, count_block, pairs_per_block);
+    parallel.ranges(size, count_block, pairs_per_block(size));
 
     // Buckets follow one another, and within a bucket the blocks of pairs do.
-    const std::uint32_t blocks = blocks_of(size);
+    const std::uint32_t per_block = pairs_per_block(size), blocks = (size + per_block - 1) / per_block;
     std::uint32_t sum = 0;
     for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) {
         bucket_begin_[bucket] = sum;
@@ -98,7 +99,7 @@ void PairIncidence::move_to_buckets(Parallel& parallel, std::span<const FeatureP
             entries_[next[particle / block_size]++] = {particle, place};
         });
     };
-    parallel.ranges(static_cast<std::uint32_t>(pairs.size()), move_block, pairs_per_block);
+    parallel.ranges(static_cast<std::uint32_t>(pairs.size()), move_block, pairs_per_block(pairs.size()));
 }
 
 void PairIncidence::sort_buckets(Parallel& parallel) {
@@ -134,11 +135,6 @@ void PairIncidence::sort_buckets(Parallel& parallel) {
         }
     });
     starts_[rows_] = bucket_begin_[buckets_];
-}
-
-std::size_t PairIncidence::bytes() const noexcept {
-    return counts_.bytes() + bucket_begin_.bytes() + bucket_rows_.bytes() + entries_.bytes() +
-           places_.bytes() + particles_.bytes() + starts_.bytes();
 }
 
 }  // namespace weft

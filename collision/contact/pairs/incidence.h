@@ -6,7 +6,7 @@
 #include <span>
 
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -16,7 +16,7 @@ namespace weft {
 class PairIncidence {
   public:
     /// Takes the memory for pairs of so many particles.
-    void reserve(std::size_t particles, std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
     /// Takes over the corners of those pairs for which chosen[pair] is not zero; of all, where chosen is
     /// empty. Preconditions: reserved for so many pairs and for particles above every corner.
@@ -36,7 +36,6 @@ class PairIncidence {
     [[nodiscard]] std::span<const std::uint32_t> places(std::uint32_t row) const noexcept {
         return places_.span().subspan(starts_[row], starts_[row + 1] - starts_[row]);
     }
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     struct Entry {
@@ -51,11 +50,11 @@ class PairIncidence {
 
     std::uint32_t buckets_ = 0;  // of block_size particles
     std::uint32_t rows_ = 0;
-    AlignedBuffer<std::uint32_t> counts_;        // by block of pairs and bucket; then where it writes
-    AlignedBuffer<std::uint32_t> bucket_begin_;  // among entries
-    AlignedBuffer<std::uint32_t> bucket_rows_;   // how many, then the first
-    AlignedBuffer<Entry> entries_;               // by bucket
-    AlignedBuffer<std::uint32_t> places_, particles_, starts_;
+    ScratchArray<std::uint32_t> counts_;        // by block of pairs and bucket; then where it writes
+    ScratchArray<std::uint32_t> bucket_begin_;  // among entries
+    ScratchArray<std::uint32_t> bucket_rows_;   // how many, then the first
+    ScratchArray<Entry> entries_;               // by bucket
+    ScratchArray<std::uint32_t> places_, particles_, starts_;
 };
 
 }  // namespace weft

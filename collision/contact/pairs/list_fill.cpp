@@ -1,6 +1,8 @@
 #include "collision/contact/pairs/list_fill.h"
 
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "collision/contact/pairs/pair_kernels.h"
 
@@ -18,12 +20,12 @@ void raise(std::atomic<std::uint64_t>& own, std::atomic<std::uint64_t>& all, std
 
 }  // namespace
 
-void ListFill::reserve(std::size_t blocks) {
-    if (blocks >= counts_.size()) counts_ = std::vector<Counts>(blocks + 1);
+void ListFill::lay_out(Scratch& scratch, std::size_t blocks) {
+    scratch.take(counts_, blocks + 1);
 }
 
 void ListFill::begin(std::uint32_t blocks, std::uint32_t capacity, FullList full) {
-    for (Counts& counts : std::span(counts_).first(blocks + 1)) counts.vertex_triangle = counts.edge_edge = 0;
+    for (Counts& counts : counts_.span().first(blocks + 1)) std::construct_at(&counts);
     capacity_ = capacity;
     full_ = full;
 }
@@ -44,7 +46,7 @@ void ListFill::update(std::uint32_t block, FoundPairs& found) noexcept {
         return;
     }
     std::uint64_t vertices = 0, edges = 0;
-    for (const Counts& counts : std::span(counts_).subspan(1, block + 1)) {
+    for (const Counts& counts : std::as_const(counts_).span().subspan(1, block + 1)) {
         vertices += counts.vertex_triangle.load(relaxed);
         edges += counts.edge_edge.load(relaxed);
     }

@@ -4,7 +4,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "engine/memory/scratch.h"
 
 namespace weft {
 
@@ -23,8 +24,7 @@ enum class FullList : std::uint8_t {
 /// out.
 class ListFill {
   public:
-    /// Reallocates where there are more blocks than ever before. May throw.
-    void reserve(std::size_t blocks);
+    void lay_out(Scratch& scratch, std::size_t blocks);
     void begin(std::uint32_t blocks, std::uint32_t capacity, FullList full);
 
     /// Stores what `block` has found, and ends the search of it for those kinds whose further pairs the list
@@ -33,14 +33,13 @@ class ListFill {
 
     /// Pairs that all blocks have found.
     [[nodiscard]] std::uint64_t found() const noexcept;
-    [[nodiscard]] std::size_t bytes() const noexcept { return counts_.capacity() * sizeof(Counts); }
 
   private:
     struct Counts {
-        std::atomic<std::uint64_t> vertex_triangle, edge_edge;
+        std::atomic<std::uint64_t> vertex_triangle = 0, edge_edge = 0;
     };
 
-    std::vector<Counts> counts_ = std::vector<Counts>(1);  // of all blocks together; then by block
+    ScratchArray<Counts> counts_;  // of all blocks together; then by block
     std::uint64_t capacity_ = 0;
     FullList full_ = FullList::has_the_first;
 };

@@ -18,8 +18,8 @@ struct Section {
 
 }  // namespace
 
-void PairNarrowing::reserve(std::size_t pairs) {
-    kept_ = AlignedBuffer<std::uint32_t>(block_count(static_cast<std::uint32_t>(pairs)) + 2);
+void PairNarrowing::lay_out(Scratch& scratch, std::size_t pairs) {
+    scratch.take(kept_, block_count(static_cast<std::uint32_t>(pairs)) + 2);
 }
 
 void PairNarrowing::narrow(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,

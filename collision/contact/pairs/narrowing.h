@@ -6,7 +6,7 @@
 #include <span>
 
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
@@ -14,7 +14,7 @@ namespace weft {
 
 class PairNarrowing {
   public:
-    void reserve(std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t pairs);
 
     /// Leaves in the list, in their order, the pairs that PairFinder::find would list with these motions and
     /// this reach for all bodies. No motion is longer than `longest` [m].
@@ -26,10 +26,8 @@ class PairNarrowing {
     void narrow(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
                 float reach, float longest, PairList& list);
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return kept_.bytes(); }
-
   private:
-    AlignedBuffer<std::uint32_t> kept_;  // by block of pairs
+    ScratchArray<std::uint32_t> kept_;  // by block of pairs
 };
 
 }  // namespace weft

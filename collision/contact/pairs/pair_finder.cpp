@@ -12,13 +12,6 @@ constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
 constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
 constexpr std::uint32_t kept_crossings = 64;
 
-AlignedBuffer<Boxes> no_boxes(std::size_t count) {
-    AlignedBuffer<Boxes> boxes(count);
-    for (Boxes& group : boxes.span())
-        for (std::uint32_t k = 0; k < 16; ++k) set_box(group, k, no_box);
-    return boxes;
-}
-
 /// `count` items from `first` on, as far as the list goes.
 template <class Item>
 std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t count) {
@@ -28,62 +21,66 @@ std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t cou
 
 }  // namespace
 
-// Vectors keep what they have grown to, so that later choices take no memory.
-PairFinder::Groups PairFinder::choose(std::span<const ContactBody> bodies) {
-    bodies_.clear();
-    blocks_.clear();
-    Groups groups;
-    for (const ContactBody& body : bodies) {
+void PairFinder::Room::add(const ContactMesh& mesh) {
+    const std::size_t patches = mesh.patches().size();
+    ++bodies;
+    vertices += mesh.vertex_slots().groups();
+    triangles += mesh.triangle_slots().groups();
+    edges += mesh.edge_slots().groups();
+    neighbours += mesh.flat_rest().pairs();
+    blocks += (patches + PatchBlock::most - 1) / PatchBlock::most;
+    looks_again = looks_again || mesh.flat_rest().is_empty();
+}
+
+void PairFinder::lay_out(Scratch& scratch, const Room& room) {
+    const std::size_t blocks = room.blocks;
+    const std::size_t groups = (blocks + 15) / 16;
+    scratch.take(bodies_, room.bodies);
+    scratch.take(blocks_, blocks);
+    scratch.take(is_calm_, blocks);
+    scratch.take(boxes_.vertices, room.vertices);
+    scratch.take(boxes_.triangles, room.triangles);
+    scratch.take(boxes_.edges, room.edges);
+    scratch.take(boxes_.patches, blocks);
+    scratch.take(boxes_.blocks, groups);
+    scratch.take(boxes_.groups, (groups + 15) / 16);
+    scratch.take(boxes_.strains, blocks * PatchBlock::most);
+    scratch.take(boxes_.calm, room.neighbours);
+    scratch.take(boxes_.wanted, blocks * PatchBlock::most);
+    scratch.take(room_, blocks * kept);
+    scratch.take(block_pairs_, blocks);
+    fill_.lay_out(scratch, blocks);
+    scratch.take(crossing_room_, blocks * kept_crossings);
+    scratch.take(block_crossings_, blocks);
+    const std::size_t kept_blocks = room.looks_again ? blocks : 0;
+    scratch.take(kept_, kept_blocks);
+    scratch.take(kept_reach_, room.looks_again ? room.bodies : 0);
+    scratch.take(changes_, kept_blocks * PatchBlock::most);
+    scratch.take(beyond_, kept_blocks);
+}
+
+void PairFinder::choose(std::span<const ContactBody> bodies) {
+    std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
+    block_count_ = 0;
+    for (std::uint32_t k = 0; k < bodies.size(); ++k) {
+        const ContactBody& body = bodies[k];
         const ContactMesh& mesh = *body.mesh;
-        const auto index = static_cast<std::uint32_t>(bodies_.size());
-        bodies_.push_back({&mesh, body.first, body.reach, body.layer, body.mask, body.meets_itself,
-                           groups.vertices, groups.triangles, groups.edges,
-                           static_cast<std::uint32_t>(blocks_.size()), groups.neighbours});
-        groups.vertices += mesh.vertex_slots().groups();
-        groups.triangles += mesh.triangle_slots().groups();
-        groups.edges += mesh.edge_slots().groups();
-        groups.neighbours += mesh.flat_rest().pairs();
+        bodies_[k] = {&mesh,       body.first, body.reach,   body.layer, body.mask, body.meets_itself, vertices,
+                      triangles,   edges,      block_count_, neighbours};
+        vertices += mesh.vertex_slots().groups();
+        triangles += mesh.triangle_slots().groups();
+        edges += mesh.edge_slots().groups();
+        neighbours += mesh.flat_rest().pairs();
         const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
         for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
-            blocks_.push_back({index, first, std::min(patches - first, PatchBlock::most)});
+            blocks_[block_count_++] = {k, first, std::min(patches - first, PatchBlock::most)};
     }
-    is_calm_.resize(blocks_.size());
-    block_pairs_.resize(blocks_.size());
-    fill_.reserve(blocks_.size());
-    block_crossings_.resize(blocks_.size());
-    return groups;
+    body_count_ = bodies.size();
 }
 
-void PairFinder::reserve(std::span<const ContactBody> bodies) {
-    const Groups needed = choose(bodies);
-    const auto [vertices, triangles, edges, neighbours] = needed;
-    const std::size_t blocks = blocks_.size(), groups = (blocks + 15) / 16;
-    boxes_ = {no_boxes(vertices),
-              no_boxes(triangles),
-              no_boxes(edges),
-              no_boxes(blocks),
-              no_boxes(groups),
-              no_boxes((groups + 15) / 16),
-              AlignedBuffer<PatchStrain>(blocks * PatchBlock::most),
-              AlignedBuffer<std::uint8_t>(neighbours),
-              AlignedBuffer<std::uint8_t>(blocks * PatchBlock::most)};
-    room_ = AlignedBuffer<FeaturePair>(blocks * kept);
-    const bool looks_again = std::ranges::any_of(
-        bodies, [](const ContactBody& body) { return body.mesh->flat_rest().is_empty(); });
-    kept_ = HookedVector<KeptBlock>(looks_again ? blocks : 0);
-    kept_reach_.reserve(looks_again ? bodies.size() : 0);
-    changes_ = AlignedBuffer<PatchChange>(looks_again ? blocks * PatchBlock::most : 0);
-    beyond_ = AlignedBuffer<std::uint16_t>(looks_again ? blocks : 0);
-    crossing_room_ = AlignedBuffer<Crossing>(blocks * kept_crossings);
-    reserved_ = needed;
-    reserved_blocks_ = blocks;
-}
-
-bool PairFinder::has_room_for(std::span<const ContactBody> bodies) {
-    const Groups needed = choose(bodies);
-    return needed.vertices <= reserved_.vertices && needed.triangles <= reserved_.triangles &&
-           needed.edges <= reserved_.edges && needed.neighbours <= reserved_.neighbours &&
-           blocks_.size() <= reserved_blocks_;
+PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* motions, float of_borders) const {
+    return {bodies_.span().first(body_count_), blocks_.span().first(block_count_), &boxes_, positions.data(),
+            motions, of_borders};
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -93,7 +90,7 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
 }
 
 bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
-    return !kept_.empty() && std::ranges::all_of(bodies, [](const ContactBody& body) {
+    return kept_.size() > 0 && std::ranges::all_of(bodies, [](const ContactBody& body) {
         return body.mesh->flat_rest().is_empty();
     });
 }
@@ -110,11 +107,8 @@ void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodie
                           std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
                           float of_borders, bool keeps, FullList full) {
     choose(bodies);
-    if (keeps) {
-        kept_reach_.clear();
-        for (const ContactBody& body : bodies) kept_reach_.push_back(body.reach);
-    }
-    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data(), of_borders};
+    if (keeps) std::ranges::transform(bodies, kept_reach_.data(), &ContactBody::reach);
+    const PairSearch search = search_of(positions, motions.data(), of_borders);
     place(parallel, search);
     list(parallel, positions.data(), found, full, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
         KeptBlock* const kept = keeps && is_first ? &kept_[block] : nullptr;
@@ -125,8 +119,7 @@ void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodie
 
 bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& search,
                                      std::span<const Vec4> before) {
-    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-    parallel.blocks(blocks, [&](std::uint32_t block) {
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
         PatchChange* const changes = &changes_[std::size_t{block} * PatchBlock::most];
         find_changes(search, block, before.data(), kept_reach_[blocks_[block].body], changes);
         std::uint32_t beyond = 0;
@@ -136,14 +129,14 @@ bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& searc
         }
         beyond_[block] = static_cast<std::uint16_t>(beyond);
     });
-    return std::ranges::any_of(beyond_.span().first(blocks), [](std::uint16_t bits) { return bits != 0; });
+    return std::ranges::any_of(beyond_.span().first(block_count_), [](std::uint16_t bits) { return bits != 0; });
 }
 
 void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bodies,
                             std::span<const Vec4> positions, std::span<const Vec4> motions,
                             std::span<const Vec4> before, PairList& found) {
     choose(bodies);
-    PairSearch search{bodies_, blocks_, &boxes_, positions.data(), motions.data()};
+    PairSearch search = search_of(positions, motions.data(), 1);
     if (find_patches_beyond(parallel, search, before)) {
         search.only = beyond_.data();
         place(parallel, search);
@@ -163,16 +156,15 @@ void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found
         found.size = found.vertex_triangle = 0;
         return;
     }
-    parallel.blocks(static_cast<std::uint32_t>(blocks_.size()),
+    parallel.blocks(block_count_,
                     [&](std::uint32_t block) { write(positions, block, found, find_block); });
 }
 
 template <class FindBlock>
 void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, FullList full,
                              const FindBlock& find_block) {
-    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-    fill_.begin(blocks, capacity, full);
-    parallel.blocks(blocks, [&](std::uint32_t block) {
+    fill_.begin(block_count_, capacity, full);
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
         FoundPairs pairs = room_of(block);
         pairs.fill = &fill_;
         pairs.block = block;
@@ -184,21 +176,20 @@ void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, FullLis
 void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
                                 std::span<const Vec4> positions, CrossingList& found) {
     choose(bodies);
-    for (SearchedBody& body : bodies_) body.reach = 0;
-    const PairSearch search{bodies_, blocks_, &boxes_, positions.data(), nullptr};
-    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
+    for (SearchedBody& body : bodies_.span()) body.reach = 0;
+    const PairSearch search = search_of(positions, nullptr, 1);
     const auto room_of_block = [&](std::uint32_t block) {
         return crossing_room_.span().subspan(std::size_t{block} * kept_crossings, kept_crossings);
     };
     place(parallel, search);
-    parallel.blocks(blocks, [&](std::uint32_t block) {
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
         Found<Crossing> crossings{room_of_block(block)};
         if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
         block_crossings_[block] = crossings.count;
     });
 
     std::uint64_t count = 0;
-    for (std::uint32_t block = 0; block < blocks; ++block) {  // few: most blocks have none
+    for (std::uint32_t block = 0; block < block_count_; ++block) {  // few: most blocks have none
         const std::span<Crossing> to =
             part_of(found.crossings.span(),
                     static_cast<std::size_t>(std::min<std::uint64_t>(count, found.capacity())),
@@ -215,19 +206,18 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
 }
 
 void PairFinder::place(Parallel& parallel, const PairSearch& search) {
-    const auto blocks = static_cast<std::uint32_t>(blocks_.size());
-    parallel.blocks(blocks, [&](std::uint32_t block) {
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
         set_box(boxes_.blocks[block / 16], block % 16, place_patches(search, block, boxes_));
     });
-    // Behind the last box nothing is, though a search of more bodies may have left something there.
-    const std::uint32_t groups = (blocks + 15) / 16;
-    for (std::uint32_t k = blocks; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
+    // Behind the last box nothing is.
+    const std::uint32_t groups = (block_count_ + 15) / 16;
+    for (std::uint32_t k = block_count_; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
     for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
         set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
     parallel.blocks(
-        blocks, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
-    if (std::ranges::all_of(is_calm_, [](std::uint8_t calm) { return calm == 1; })) return;
-    parallel.blocks(blocks, [&](std::uint32_t block) { place_features(search, block, boxes_); });
+        block_count_, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
+    if (std::ranges::all_of(is_calm_.span().first(block_count_), [](std::uint8_t calm) { return calm == 1; })) return;
+    parallel.blocks(block_count_, [&](std::uint32_t block) { place_features(search, block, boxes_); });
 }
 
 FoundPairs PairFinder::room_of(std::uint32_t block) {
@@ -242,9 +232,9 @@ void PairFinder::number(PairList& found) {
         count += pairs;
         return static_cast<std::uint32_t>(first);
     };
-    for (BlockPairs& block : block_pairs_) block.first_vertex_triangle = take(block.vertex_triangle);
+    for (BlockPairs& block : block_pairs_.span().first(block_count_)) block.first_vertex_triangle = take(block.vertex_triangle);
     found.vertex_triangle = take(0);
-    for (BlockPairs& block : block_pairs_) block.first_edge_edge = take(block.edge_edge);
+    for (BlockPairs& block : block_pairs_.span().first(block_count_)) block.first_edge_edge = take(block.edge_edge);
     found.size = take(0);
     found.overflowed = count > found.capacity();
 }
@@ -268,14 +258,6 @@ void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& fou
     }
     shape_pairs(positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
     shape_pairs(positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
-}
-
-std::size_t PairFinder::bytes() const noexcept {
-    return bodies_.capacity() * sizeof(SearchedBody) + blocks_.capacity() * sizeof(PatchBlock) +
-           boxes_.bytes() + room_.bytes() + block_pairs_.capacity() * sizeof(BlockPairs) + fill_.bytes() +
-           kept_.capacity() * sizeof(KeptBlock) + kept_reach_.capacity() * sizeof(float) + changes_.bytes() +
-           beyond_.bytes() + crossing_room_.bytes() + block_crossings_.capacity() * sizeof(std::uint32_t) +
-           is_calm_.capacity();
 }
 
 }  // namespace weft

@@ -2,15 +2,14 @@
 // Detection: which features of bodies of triangles are near, or are brought together by a motion.
 
 #include <cstdint>
+#include <ranges>
 #include <span>
-#include <vector>
 
 #include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/contact_mesh.h"
 #include "collision/contact/pairs/pair_kernels.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
-#include "engine/memory/hooked_vector.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -27,11 +26,13 @@ struct ContactBody {
 
 class PairFinder {
   public:
-    /// Takes the memory that searches of these bodies need, or of a part of them, whatever their reach and
-    /// positions.
-    void reserve(std::span<const ContactBody> bodies);
-    /// Whether what is reserved does for these, too. May throw.
-    [[nodiscard]] bool has_room_for(std::span<const ContactBody> bodies);
+    /// For searches of bodies of these meshes, or of a part of them, whatever their reach and positions.
+    template <std::ranges::range Bodies>
+    void lay_out(Scratch& scratch, const Bodies& bodies) {
+        Room room;
+        for (const auto& body : bodies) room.add(*body.mesh);
+        lay_out(scratch, room);
+    }
 
     /// Lists every pair of features that share no vertex, of bodies that may meet, with
     ///     min over A of min(n . x, n . (x + m)) - max over B of max(n . x, n . (x + m)) < reach,
@@ -44,7 +45,7 @@ class PairFinder {
     /// Where there are more pairs than room, the list holds what `full` says, and the search counts at most
     /// as many of each kind as there is room for.
     ///
-    /// Precondition: the bodies' meshes are among those of the last reserve(), or of has_room_for() since.
+    /// Precondition: laid out for these bodies.
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found, float of_borders = 1,
               FullList full = FullList::has_the_first);
@@ -75,7 +76,6 @@ class PairFinder {
     /// Pairs that the last search for pairs counted, listed or not: its work. Where the list was full this
     /// depends on threads.
     [[nodiscard]] std::uint64_t counted() const noexcept { return fill_.found(); }
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     /// How many pairs a block has, and where its first ones go in the list.
@@ -84,13 +84,17 @@ class PairFinder {
         std::uint32_t first_vertex_triangle, first_edge_edge;
     };
 
-    /// How many groups of sixteen the slots of each kind take, and how many neighbours patches have.
-    struct Groups {
-        std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
+    /// What bodies take: groups of sixteen slots of each kind, neighbours of patches, and blocks.
+    struct Room {
+        std::size_t bodies = 0, vertices = 0, triangles = 0, edges = 0, neighbours = 0, blocks = 0;
+        bool looks_again = false;
+        void add(const ContactMesh& mesh);
     };
-    Groups choose(std::span<const ContactBody> bodies);
-    Groups reserved_;
-    std::size_t reserved_blocks_ = 0;
+    void lay_out(Scratch& scratch, const Room& room);
+    void choose(std::span<const ContactBody> bodies);
+    /// Of the bodies that were chosen.
+    [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,
+                                       float of_borders) const;
     [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;
     void find_all(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                   std::span<const Vec4> motions, PairList& found, float of_borders, bool keeps,
@@ -109,20 +113,22 @@ class PairFinder {
     /// Returns whether any patch goes beyond.
     bool find_patches_beyond(Parallel& parallel, const PairSearch& search, std::span<const Vec4> before);
 
-    std::vector<SearchedBody> bodies_;
-    std::vector<PatchBlock> blocks_;
-    std::vector<std::uint8_t> is_calm_;  // by block: nothing to look at
+    std::size_t body_count_ = 0;     // that were chosen
+    std::uint32_t block_count_ = 0;  // theirs
+    ScratchArray<SearchedBody> bodies_;
+    ScratchArray<PatchBlock> blocks_;
+    ScratchArray<std::uint8_t> is_calm_;  // by block: nothing to look at
     FeatureBoxes boxes_;
-    AlignedBuffer<FeaturePair> room_;  // for the pairs of each block, until all are counted
-    std::vector<BlockPairs> block_pairs_;
+    ScratchArray<FeaturePair> room_;  // for the pairs of each block, until all are counted
+    ScratchArray<BlockPairs> block_pairs_;
     ListFill fill_;
-    AlignedBuffer<Crossing> crossing_room_;
-    std::vector<std::uint32_t> block_crossings_;
+    ScratchArray<Crossing> crossing_room_;
+    ScratchArray<std::uint32_t> block_crossings_;
 
-    HookedVector<KeptBlock> kept_;         // by block
-    std::vector<float> kept_reach_;        // by body
-    AlignedBuffer<PatchChange> changes_;   // of patches, sixteen to each block
-    AlignedBuffer<std::uint16_t> beyond_;  // by block: see PairSearch::only
+    ScratchArray<KeptBlock> kept_;        // by block; of meshes without FlatRest, as what follows
+    ScratchArray<float> kept_reach_;      // by body
+    ScratchArray<PatchChange> changes_;   // of patches, sixteen to each block
+    ScratchArray<std::uint16_t> beyond_;  // by block: see PairSearch::only
 };
 
 }  // namespace weft

@@ -46,19 +46,14 @@ struct PatchBlock {
 
 /// Boxes over the motion, grown by half the body's reach: two that overlap are within the mean of both.
 struct FeatureBoxes {
-    AlignedBuffer<Boxes> vertices, triangles, edges;  ///< as the meshes' slots
+    ScratchArray<Boxes> vertices, triangles, edges;  ///< as the meshes' slots
     /// Of patches, sixteen to each block, of blocks, and of groups of sixteen blocks.
-    AlignedBuffer<Boxes> patches, blocks, groups;
-    AlignedBuffer<PatchStrain> strains;  ///< of patches, sixteen to each block
+    ScratchArray<Boxes> patches, blocks, groups;
+    ScratchArray<PatchStrain> strains;  ///< of patches, sixteen to each block
     /// Of pairs of neighbours: 1 where no features of theirs come within reach.
-    AlignedBuffer<std::uint8_t> calm;
+    ScratchArray<std::uint8_t> calm;
     /// Of patches: 1 where the boxes of the features are filled, as others come near them.
-    AlignedBuffer<std::uint8_t> wanted;
-
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return vertices.bytes() + triangles.bytes() + edges.bytes() + patches.bytes() + blocks.bytes() +
-               groups.bytes() + strains.bytes() + calm.bytes() + wanted.bytes();
-    }
+    ScratchArray<std::uint8_t> wanted;
 };
 
 /// What a search reads. `motions` is null where nothing moves.

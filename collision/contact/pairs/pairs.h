@@ -2,14 +2,12 @@
 // Pairs of features that are near: a vertex and a triangle, or two edges. All that follows detection is the
 // same for both kinds: sides A and B, and a gap that is a weighted sum of four corners.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/vector.h"
 #include "weft/types.h"
 
@@ -40,24 +38,22 @@ struct PairShape {
 
 /// In an order that no thread decides: first all pairs of vertex and triangle, then all of edges.
 struct PairList {
-    AlignedBuffer<FeaturePair> pairs;
-    AlignedBuffer<PairShape> shapes;
+    ScratchArray<FeaturePair> pairs;
+    ScratchArray<PairShape> shapes;
     std::uint32_t size = 0;
     std::uint32_t vertex_triangle = 0;  ///< of these
     /// There were more pairs than there is room for: what is listed is not all.
     bool overflowed = false;
 
-    /// Pairs are listed as if there were room for no more.
-    std::size_t limit = std::numeric_limits<std::size_t>::max();
-
-    PairList() = default;
-    explicit PairList(std::size_t capacity) : pairs(capacity), shapes(capacity) {}
-    [[nodiscard]] std::size_t capacity() const noexcept { return std::min(limit, pairs.size()); }
+    void lay_out(Scratch& scratch, std::size_t capacity) {
+        scratch.take(pairs, capacity);
+        scratch.take(shapes, capacity);
+    }
+    [[nodiscard]] std::size_t capacity() const noexcept { return pairs.size(); }
     /// How many of a pair's corners are side A: the first so many.
     [[nodiscard]] std::uint32_t corners_of_a(std::uint32_t pair) const noexcept {
         return pair < vertex_triangle ? 1 : 2;
     }
-    [[nodiscard]] std::size_t bytes() const noexcept { return pairs.bytes() + shapes.bytes(); }
 };
 
 }  // namespace weft

@@ -59,8 +59,8 @@ void set_map(CommonMotion& motion, const Matrix3d& map, CommonMotionKind kind) {
 
 }  // namespace
 
-void CommonMotionFit::reserve(std::size_t particles, std::size_t ranges) {
-    partials_ = AlignedBuffer<Moments>(block_count(static_cast<std::uint32_t>(particles)) + ranges);
+void CommonMotionFit::lay_out(Scratch& scratch, std::size_t particles, std::size_t ranges) {
+    scratch.take(partials_, block_count(static_cast<std::uint32_t>(particles)) + ranges);
 }
 
 CommonMotionFit::Moments CommonMotionFit::add(const Moments& a, const Moments& b) {

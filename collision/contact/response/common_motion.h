@@ -13,7 +13,7 @@
 #include <span>
 
 #include "collision/contact/pairs/particle_ranges.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 #include "weft/types.h"
@@ -46,7 +46,7 @@ class CommonMotionFit {
     /// width, and displacements without the common motion are at most the inverse of it times larger.
     static constexpr double least_scale = 0.3, most_scale = 3;
 
-    void reserve(std::size_t particles, std::size_t ranges);
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t ranges);
 
     /// In directions in which the particles have no extent (a flat sheet's normal) the map is that of the
     /// rigid motion that fits best. Spans are of all bodies' particles. `most`: affine, or no more than
@@ -54,8 +54,6 @@ class CommonMotionFit {
     [[nodiscard]] CommonMotion fit(Parallel& parallel, std::span<const ParticleRange> island,
                                    std::span<const Vec4> positions, std::span<const Vec4> displacements,
                                    CommonMotionKind most = CommonMotionKind::affine);
-
-    [[nodiscard]] std::size_t bytes() const noexcept { return partials_.bytes(); }
 
   private:
     /// Of particles, about a point near them: u their positions, v their displacements.
@@ -66,7 +64,7 @@ class CommonMotionFit {
     };
     static Moments add(const Moments& a, const Moments& b);
 
-    AlignedBuffer<Moments> partials_;
+    ScratchArray<Moments> partials_;
 };
 
 /// E of every particle of the island: what is left of its displacement, in the frame of the common motion.

@@ -32,12 +32,12 @@ float inverse_mass_of_gap(const FeaturePair& pair, const PairShape& shape, std::
 
 }  // namespace
 
-void PairProjection::reserve(std::size_t particles, std::size_t pairs) {
-    incidence_.reserve(particles, pairs);
-    impulses_ = AlignedBuffer<float>(pairs);
-    has_impulse_ = AlignedBuffer<std::uint8_t>(pairs);
-    sharers_ = AlignedBuffer<std::uint32_t>(particles);
-    block_counts_ = AlignedBuffer<std::uint32_t>(block_count(static_cast<std::uint32_t>(pairs)));
+void PairProjection::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+    incidence_.lay_out(scratch, particles, pairs);
+    scratch.take(impulses_, pairs);
+    scratch.take(has_impulse_, pairs);
+    scratch.take(sharers_, particles);
+    scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(pairs)));
 }
 
 std::uint32_t PairProjection::project(Parallel& parallel, std::span<const Vec4> positions,
@@ -115,11 +115,6 @@ void PairProjection::apply_impulses(Parallel& parallel, std::span<const Vec4> po
             set_xyz(displacements[particle], xyz(displacements[particle]) + positions[particle].w * sum);
         }
     });
-}
-
-std::size_t PairProjection::bytes() const noexcept {
-    return incidence_.bytes() + has_impulse_.bytes() + impulses_.bytes() + sharers_.bytes() +
-           block_counts_.bytes();
 }
 
 }  // namespace weft

@@ -6,7 +6,7 @@
 
 #include "collision/contact/pairs/incidence.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
@@ -24,7 +24,7 @@ struct PairLengths {
 /// Jacobi projections, weighted by mass (position based dynamics, Mueller et al. 2007, of all pairs at once).
 class PairProjection {
   public:
-    void reserve(std::size_t particles, std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
     /// Up to `iterations` times: each pair whose gap after the motion, along its normal at the start, is less
     /// than wanted, asks its corners for the impulse that would open it to that. It takes 1 / (such pairs of
@@ -39,8 +39,6 @@ class PairProjection {
                           std::span<const std::uint8_t> exempt, PairLengths wanted, std::uint32_t iterations,
                           std::span<Vec4> displacements);
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
-
   private:
     std::uint32_t find_impulses(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
                                 std::span<const std::uint8_t> exempt, PairLengths wanted,
@@ -50,10 +48,10 @@ class PairProjection {
                         std::span<Vec4> displacements);
 
     PairIncidence incidence_;                  // of pairs with an impulse
-    AlignedBuffer<std::uint8_t> has_impulse_;  // by pair
-    AlignedBuffer<float> impulses_;            // by pair: displacement over inverse mass [m kg]
-    AlignedBuffer<std::uint32_t> sharers_;     // by particle: pairs with an impulse
-    AlignedBuffer<std::uint32_t> block_counts_;
+    ScratchArray<std::uint8_t> has_impulse_;  // by pair
+    ScratchArray<float> impulses_;            // by pair: displacement over inverse mass [m kg]
+    ScratchArray<std::uint32_t> sharers_;     // by particle: pairs with an impulse
+    ScratchArray<std::uint32_t> block_counts_;
 };
 
 }  // namespace weft

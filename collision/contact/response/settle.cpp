@@ -33,16 +33,25 @@ float gap_along(const Vector3& normal, const FeaturePair& pair, std::uint32_t co
 
 }  // namespace
 
-void Settler::reserve(std::size_t particles, std::size_t bodies, std::size_t pairs) {
-    projection_.reserve(particles, pairs);
-    fit_.reserve(particles, bodies);
-    truncation_.reserve(particles, pairs);
-    relative_ = ends_ = AlignedBuffer<Vec4>(particles);
-    held_ = AlignedBuffer<std::uint8_t>(pairs);
+void Settler::lay_out(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs) {
+    lay_out_split(scratch, particles, bodies);
+    lay_out_cut(scratch, particles, bodies, pairs);
+}
+
+void Settler::lay_out_split(Scratch& scratch, std::size_t particles, std::size_t bodies) {
+    fit_.lay_out(scratch, particles, bodies);
+    scratch.take(relative_, particles);
+}
+
+void Settler::lay_out_cut(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs) {
+    scratch.take_by_turns([&] { projection_.lay_out(scratch, particles, pairs); },
+                          [&] { truncation_.lay_out(scratch, particles, pairs); });
+    scratch.take(ends_, particles);
+    scratch.take(held_, pairs);
     const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies;
-    partials_ = AlignedBuffer<Totals>(blocks);
-    momenta_ = AlignedBuffer<Momentum>(blocks);
-    failures_ = AlignedBuffer<Failures>(block_count(static_cast<std::uint32_t>(pairs)));
+    scratch.take(partials_, blocks);
+    scratch.take(momenta_, blocks);
+    scratch.take(failures_, block_count(static_cast<std::uint32_t>(pairs)));
 }
 
 void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
@@ -191,11 +200,6 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
         return Totals{a.wanted + b.wanted, a.lost + b.lost, a.truncated + b.truncated};
     };
     return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, apply_block, add);
-}
-
-std::size_t Settler::bytes() const noexcept {
-    return projection_.bytes() + fit_.bytes() + truncation_.bytes() + relative_.bytes() + ends_.bytes() +
-           held_.bytes() + partials_.bytes() + momenta_.bytes() + failures_.bytes();
 }
 
 }  // namespace weft

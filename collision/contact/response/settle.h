@@ -9,7 +9,7 @@
 #include "collision/contact/response/common_motion.h"
 #include "collision/contact/response/projection.h"
 #include "collision/contact/response/truncation.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -49,8 +49,11 @@ struct SettleResult {
 /// the sum rounded to float.
 class Settler {
   public:
-    /// Takes the memory for islands of that many particles, bodies and pairs in all.
-    void reserve(std::size_t particles, std::size_t bodies, std::size_t pairs);
+    /// For islands of that many particles, bodies and pairs in all.
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
+    /// The same in two: what split() needs, and what only project() and settle() do.
+    void lay_out_split(Scratch& scratch, std::size_t particles, std::size_t bodies);
+    void lay_out_cut(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
 
     /// See PairProjection::project.
     std::uint32_t project(Parallel& parallel, const Island& island, const PairList& pairs,
@@ -74,8 +77,6 @@ class Settler {
                         std::span<Vec4> displacements);
     /// tau of every particle, as last settled.
     [[nodiscard]] std::span<const float> fractions() const noexcept { return truncation_.fractions(); }
-
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     struct Totals {
@@ -103,12 +104,12 @@ class Settler {
     Truncation truncation_;
     CommonMotion common_;
     Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
-    AlignedBuffer<Vec4> relative_;
-    AlignedBuffer<Vec4> ends_;          // rounded positions at the end of the step
-    AlignedBuffer<std::uint8_t> held_;  // by pair: rounding took its gap
-    AlignedBuffer<Totals> partials_;
-    AlignedBuffer<Momentum> momenta_;
-    AlignedBuffer<Failures> failures_;
+    ScratchArray<Vec4> relative_;
+    ScratchArray<Vec4> ends_;          // rounded positions at the end of the step
+    ScratchArray<std::uint8_t> held_;  // by pair: rounding took its gap
+    ScratchArray<Totals> partials_;
+    ScratchArray<Momentum> momenta_;
+    ScratchArray<Failures> failures_;
 };
 
 }  // namespace weft

@@ -65,14 +65,14 @@ struct Truncation::Sides {
     }
 };
 
-void Truncation::reserve(std::size_t particles, std::size_t pairs) {
-    incidence_.reserve(particles, pairs);
-    lanes_ = AlignedBuffer<Lane>(pairs);
-    limits_ = AlignedBuffer<Limits>(pairs);
-    kinds_ = can_fail_ = failed_ = AlignedBuffer<std::uint8_t>(pairs);
-    was_cut_ = AlignedBuffer<std::uint8_t>(particles);
-    fractions_ = AlignedBuffer<float>(particles);
-    block_counts_ = AlignedBuffer<std::uint32_t>(block_count(static_cast<std::uint32_t>(pairs)));
+void Truncation::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+    incidence_.lay_out(scratch, particles, pairs);
+    scratch.take(lanes_, pairs);
+    scratch.take(limits_, pairs);
+    for (auto* array : {&kinds_, &can_fail_, &failed_}) scratch.take(*array, pairs);
+    scratch.take(was_cut_, particles);
+    scratch.take(fractions_, particles);
+    scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(pairs)));
 }
 
 void Truncation::cut(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
@@ -251,11 +251,6 @@ std::uint32_t Truncation::standing_planes(Parallel& parallel, const PairList& pa
         return count;
     };
     return parallel.reduce(pairs.size, block_counts_.span(), 0u, count_block, std::plus<>());
-}
-
-std::size_t Truncation::bytes() const noexcept {
-    return incidence_.bytes() + lanes_.bytes() + limits_.bytes() + kinds_.bytes() + can_fail_.bytes() +
-           failed_.bytes() + was_cut_.bytes() + fractions_.bytes() + block_counts_.bytes();
 }
 
 }  // namespace weft

@@ -20,7 +20,7 @@
 
 #include "collision/contact/pairs/incidence.h"
 #include "collision/contact/pairs/pairs.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/types.h"
 
@@ -35,7 +35,7 @@ struct TruncationSettings {
 
 class Truncation {
   public:
-    void reserve(std::size_t particles, std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
     /// Finds tau. Each pair keeps a gap of min(floor, gap at the start), save those that are exempt
     /// (exempt[pair] != 0; may be empty). Corners of other pairs without a positive gap do not move, nor do
@@ -61,7 +61,6 @@ class Truncation {
     [[nodiscard]] bool list_was_incomplete() const noexcept { return incomplete_; }
     [[nodiscard]] std::uint32_t sweeps() const noexcept { return sweeps_; }
     [[nodiscard]] std::uint32_t standing_planes(Parallel& parallel, const PairList& pairs);
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     /// What a pair's sides do along its normal, from its first corner.
@@ -93,12 +92,12 @@ class Truncation {
     void gather_limits(Parallel& parallel);
 
     PairIncidence incidence_;  // of pairs that can fail
-    AlignedBuffer<Lane> lanes_;
-    AlignedBuffer<Limits> limits_;
-    AlignedBuffer<std::uint8_t> kinds_, can_fail_, failed_;  // by pair
-    AlignedBuffer<std::uint8_t> was_cut_;                    // by particle, in the last sweep
-    AlignedBuffer<float> fractions_;
-    AlignedBuffer<std::uint32_t> block_counts_;
+    ScratchArray<Lane> lanes_;
+    ScratchArray<Limits> limits_;
+    ScratchArray<std::uint8_t> kinds_, can_fail_, failed_;  // by pair
+    ScratchArray<std::uint8_t> was_cut_;                    // by particle, in the last sweep
+    ScratchArray<float> fractions_;
+    ScratchArray<std::uint32_t> block_counts_;
     std::uint32_t sweeps_ = 0;
     bool incomplete_ = false;
 };

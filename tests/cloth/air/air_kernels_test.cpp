@@ -207,7 +207,7 @@ TEST(Normals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     settings.wind = breeze;
     Simulation simulation(settings);
     const ClothId id =
-        simulation.cloths.insert(std::make_unique<Cloth>(cook(sheet(9, 11)).value(), ClothSettings()));
+        simulation.add(std::make_unique<Cloth>(cook(sheet(9, 11)).value(), ClothSettings()));
     Cloth& cloth = **simulation.cloths.find(id);
     simulation.prepare(cloth);
     const auto expect_current = [&](const char* when) {

@@ -60,7 +60,7 @@ class CollapsedStart : public testing::TestWithParam<Case> {
         world.threads = 1;
         Simulation simulation(world);
         simulation.prepare(cloth);
-        simulation.cloths.insert(std::move(made));
+        simulation.add(std::move(made));
         // No step is short enough for the explicit method and fabric that is ten thousand times as stiff.
         const bool can = stiffer == 1 || !std::holds_alternative<SymplecticEuler>(settings.method);
         bool says_so = false;

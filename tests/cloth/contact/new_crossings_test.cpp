@@ -10,6 +10,8 @@
 #include "cloth/frame/contact/feature_contact.h"
 #include "crossing_count.h"
 
+#include "tests/laid_out.h"
+
 namespace weft::test {
 namespace {
 
@@ -23,12 +25,11 @@ struct TwoTriangles {
     ContactMesh low_mesh{low, triangles}, high_mesh{high, triangles};
     std::vector<ContactCloth> bodies{{.mesh = &low_mesh, .radius = 0.02f, .floor = 1e-4f},
                                      {.mesh = &high_mesh, .radius = 0.02f, .floor = 1e-4f}};
-    FeatureContact space{bodies};
+    LaidOut<FeatureContact> space{std::span<const ContactCloth>(bodies)};
     Parallel parallel{1};
+    bool is_crowd = false;
 
     TwoTriangles() {
-        space.begin();
-        for (const ContactCloth& body : bodies) space.add(body);
         const ExpectedMotion still{.velocities = velocities, .h = 0.01f};
         space.place(parallel, 0, low, still);
         space.place(parallel, 1, high, still);
@@ -44,7 +45,7 @@ struct TwoTriangles {
 
 TEST(NewCrossings, AreSeenWhereTheMotionIsNotCut) {
     TwoTriangles scene;
-    scene.space.detect(scene.parallel);
+    scene.space.detect(scene.parallel, scene.is_crowd);
     scene.arrive(0.5f * TwoTriangles::apart);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
     scene.arrive(1.5f * TwoTriangles::apart);
@@ -53,7 +54,7 @@ TEST(NewCrossings, AreSeenWhereTheMotionIsNotCut) {
 
 TEST(NewCrossings, AreNoneWhereItIsCut) {
     TwoTriangles scene;
-    scene.space.detect(scene.parallel);
+    scene.space.detect(scene.parallel, scene.is_crowd);
     scene.arrive(1.5f * TwoTriangles::apart);
     EXPECT_GT(scene.space.settle(scene.parallel, false).truncated, 0u);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
@@ -64,14 +65,13 @@ TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
     for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;
     scene.high[2].y -= 0.05f;
     scene.high[0].y += 0.05f;
-    scene.space.begin();
-    for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+    scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
     const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
     scene.space.place(scene.parallel, 0, scene.low, still);
     scene.space.place(scene.parallel, 1, scene.high, still);
     const std::vector<TangleMemory> nothing(3);
     for (const std::size_t body : {0u, 1u}) scene.space.recall(body, nothing);
-    scene.space.detect(scene.parallel);
+    scene.space.detect(scene.parallel, scene.is_crowd);
     scene.arrive(0);
     const FeatureCounts counts = scene.space.settle(scene.parallel, false);
     EXPECT_GT(counts.tangles.crossings, 0u);
@@ -96,13 +96,12 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     }
     const ContactMesh mesh{start, corners};
     const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
-    FeatureContact space{std::span(&body, 1)};
+    LaidOut<FeatureContact> space{std::span(&body, 1)};
     Parallel parallel{1};
+    bool is_crowd = false;
     std::vector<Vec4> velocities(start.size());
-    space.begin();
-    space.add(body);
     space.place(parallel, 0, start, {.velocities = velocities, .h = h});
-    space.detect(parallel);
+    space.detect(parallel, is_crowd);
     space.arrive(parallel, 0, end);
 
     const FeatureCounts counts = space.settle(parallel, false);
@@ -117,7 +116,7 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     EXPECT_FLOAT_EQ(velocities[0].y, -(0.8f + 0.37f * start[0].x - 0.21f * start[0].z) / h);
 }
 
-// A space is used for one island after another.
+// One island after another has the same memory.
 TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
     TwoTriangles scene;
     const std::vector<Vec4> above = scene.high;
@@ -128,12 +127,11 @@ TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
     const std::vector<TangleMemory> nothing(3);
     const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
     const auto place = [&](std::size_t recalled) {
-        scene.space.begin();
-        for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+        scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
         scene.space.place(scene.parallel, 0, scene.low, still);
         scene.space.place(scene.parallel, 1, scene.high, still);
         for (std::size_t body = 0; body < recalled; ++body) scene.space.recall(body, nothing);
-        scene.space.detect(scene.parallel);
+        scene.space.detect(scene.parallel, scene.is_crowd);
     };
     const auto remembers = [&](std::size_t body) {
         return std::ranges::any_of(scene.space.memory(body),
@@ -163,12 +161,11 @@ TEST(NewCrossings, AreLookedForWhereRoundingMayHaveMadeThem) {
     for (const float way : {1.0f, 1e4f}) {
         TwoTriangles scene;
         for (Vec4& x : scene.high) x.y = 5e-5f;
-        scene.space.begin();
-        for (const ContactCloth& body : scene.bodies) scene.space.add(body);
+        scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
         const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
         scene.space.place(scene.parallel, 0, scene.low, still);
         scene.space.place(scene.parallel, 1, scene.high, still);
-        scene.space.detect(scene.parallel);
+        scene.space.detect(scene.parallel, scene.is_crowd);
         for (auto* rows : {&scene.low, &scene.high})
             for (Vec4& x : *rows) x.y += way;
         scene.arrive(0);
@@ -197,13 +194,12 @@ TEST(FullList, ShortensTheMotionUntilThereIsRoom) {
     const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
     for (const bool is_pinned : {false, true}) {
         start[0].w = is_pinned ? 0.0f : 1.0f;
-        FeatureContact space{std::span(&body, 1)};
+        LaidOut<FeatureContact> space{std::span(&body, 1)};
         Parallel parallel{1};
+        bool is_crowd = false;
         const std::vector<Vec4> velocities(start.size());
-        space.begin();
-        space.add(body);
         space.place(parallel, 0, start, {.velocities = velocities, .h = 0.01f});
-        space.detect(parallel);
+        space.detect(parallel, is_crowd);
         space.arrive(parallel, 0, end);
         const FeatureCounts counts = space.settle(parallel, false);
         EXPECT_FALSE(counts.overflowed) << is_pinned;

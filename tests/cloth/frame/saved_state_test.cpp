@@ -68,7 +68,7 @@ struct SavedScene {
         auto made = std::make_unique<Cloth>(cook(mesh).value(), of.settings);
         cloth = made.get();
         simulation.prepare(*cloth);
-        simulation.cloths.insert(std::move(made));
+        simulation.add(std::move(made));
         for (const Collider& collider :
              {Collider{Plane{}, 0.6f},
               Collider{Capsule{{-0.3f, 0.1f, 0.1f}, {0.3f, 0.1f, 0.1f}, 0.08f}, 0.4f}})

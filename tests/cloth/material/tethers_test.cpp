@@ -143,7 +143,7 @@ LongRangeAttachments attached(const ClothModel& model, std::span<const std::uint
 struct HungSheet {
     explicit HungSheet(const ClothSettings& settings, std::uint32_t side = 32)
         : simulation({}),
-          id(simulation.cloths.insert(std::make_unique<Cloth>(must(cook(sheet(side, side))), settings))) {
+          id(simulation.add(std::make_unique<Cloth>(must(cook(sheet(side, side))), settings))) {
         simulation.settings.wind.air_density = 0;
         simulation.prepare(cloth());
         cloth().pin(0);

@@ -216,7 +216,7 @@ TEST(Positional, OpensACollapsedCloth) {
         settings.method = method;
         settings.substeps = 8;
         const ClothId id =
-            simulation.cloths.insert(std::make_unique<Cloth>(must(cook(sheet(9, 9))), settings));
+            simulation.add(std::make_unique<Cloth>(must(cook(sheet(9, 9))), settings));
         Cloth& cloth = **simulation.cloths.find(id);
         simulation.settings.gravity = {};
         simulation.prepare(cloth);

@@ -222,7 +222,7 @@ TEST_P(EachMethod, GoesOnAfterAStateThatIsNotFinite) {
         Cloth& cloth = *made;
         cloth.pin(0);
         simulation.prepare(cloth);
-        simulation.cloths.insert(std::move(made));
+        simulation.add(std::move(made));
         for (int frame = 0; frame < 5; ++frame) simulation.step(h);
         ASSERT_EQ(simulation.report.restored_cloths, 0u);
         const std::vector<Vec4> sound(cloth.state.positions.data(),

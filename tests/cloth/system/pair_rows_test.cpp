@@ -14,6 +14,7 @@
 #include "tests/cloth/as_for_threads.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/system/dense_algebra.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -32,7 +33,7 @@ Vector3d exact(const Vec4& v) {
 /// apart.
 struct PairScene {
     std::vector<Vec4> positions, velocities;
-    PairList pairs;
+    LaidOut<PairList> pairs;
     std::vector<PairLaw> laws;
 
     explicit PairScene(std::uint32_t particles, std::uint32_t count, std::uint32_t pinned_every = 7)
@@ -124,7 +125,7 @@ struct Reference {
 /// Rows that were linearised at the scene's velocities.
 struct Linearised {
     Parallel parallel;
-    PairRows rows;
+    LaidOut<PairRows> rows;
 
     explicit Linearised(const PairScene& scene, int threads = 1) : parallel(as_for_threads(threads)) {
         rows.reserve(scene.positions.size(), scene.pairs.size);

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "tests/collision/contact/settle_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -16,7 +17,7 @@ CommonMotion fit(const Rows& positions, const Rows& displacements, std::vector<P
                  int threads = 1) {
     if (island.empty()) island = {{0, static_cast<std::uint32_t>(positions.size())}};
     Parallel parallel(threads);
-    CommonMotionFit fitting;
+    LaidOut<CommonMotionFit> fitting;
     fitting.reserve(positions.size(), island.size());
     return fitting.fit(parallel, island, positions, displacements);
 }

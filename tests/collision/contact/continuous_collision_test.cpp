@@ -9,6 +9,7 @@
 
 #include "collision/contact/response/settle.h"
 #include "tests/collision/contact/pair_finder_scenes.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -41,7 +42,7 @@ TEST(CollisionOracle, SeesWhatHasCrossedAtTheEnd) {
     const Points start = points(mesh.positions);
     const Points end = points(ends_of(mesh.positions, random_vectors(mesh.size(), 0.3f, 12)));
     ASSERT_GT(crossings(mesh, end), 0);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     int colliding = 0;
     for (std::uint32_t k = 0; k < pairs.size; ++k)
         colliding += collides(moving_pair(pairs.pairs[k], pairs.corners_of_a(k), start, end));
@@ -80,17 +81,17 @@ TEST(PairFinder, ListsEveryPairThatCollidesOnItsWay) {
     for (const float speed : {0.5f, 3.0f, 10.0f}) {
         ContactScene scene = folded(side, 0.3f);
         scene.add_motions(random_vectors(scene.positions.size(), speed * edge, 5));
-        const PairList list = pairs_of(scene, 1, 1 << 20);
+        const LaidOut<PairList> list = pairs_of(scene, 1, 1 << 20);
         ASSERT_FALSE(list.overflowed);
         const std::set<std::array<std::uint32_t, 4>> of_kind[] = {listed(list, 1), listed(list, 2)};
         const Points start = points(scene.positions), end = points(ends_of(scene.positions, scene.motions));
         Triangles mesh{scene.positions, grid_triangles(side, side)};
-        const PairList all = all_pairs(mesh);
+        const LaidOut<PairList> all = all_pairs(mesh);
         int colliding = 0, missed = 0;
         for (std::uint32_t k = 0; k < all.size; ++k) {
             const std::uint32_t of_a = all.corners_of_a(k);
             if (!collides(moving_pair(all.pairs[k], of_a, start, end))) continue;
-            PairList one(1);
+            LaidOut<PairList> one(1);
             one.pairs[0] = all.pairs[k];
             one.size = 1;
             one.vertex_triangle = of_a == 1 ? 1 : 0;
@@ -120,11 +121,11 @@ TEST(Settle, NoPairCollidesOnItsWay) {
         const bool is_soup = seed < 2;
         const Triangles mesh =
             is_soup ? triangle_soup(40, 0.5f, seed) : folded_packet(4, 20, 5, 0.05f, 0.01f);
-        const PairList pairs = all_pairs(mesh);
+        const LaidOut<PairList> pairs = all_pairs(mesh);
         for (const float size : {0.03f, 0.5f}) {
             Rows wanted = random_vectors(mesh.size(), size, seed + 40);
             Parallel parallel(1);
-            Settler settler;
+            LaidOut<Settler> settler;
             settler.reserve(mesh.positions.size(), 1, pairs.size);
             const ParticleRange all{0, mesh.size()};
             const Island island{{&all, 1}, mesh.positions};

@@ -12,15 +12,16 @@
 #include "tests/collision/contact/contact_reference.h"
 #include "tests/collision/contact/cuts.h"
 #include "tests/targets/targets.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
 
-CrossingList crossings_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
-    PairFinder finder;
+LaidOut<CrossingList> crossings_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
+    LaidOut<PairFinder> finder;
     finder.reserve(scene.bodies);
     Parallel parallel(threads);
-    CrossingList list(capacity);
+    LaidOut<CrossingList> list(capacity);
     finder.find_crossings(parallel, scene.bodies, scene.positions, list);
     return list;
 }
@@ -308,11 +309,11 @@ TEST(Crossings, ALineThroughSidesAndCornersIsSeen) {
 
 TEST(Crossings, TheListDoesNotDependOnThreadsAndEndsWhereRoomDoes) {
     const ContactScene scene = crumpled(48);
-    const CrossingList all = crossings_of(scene);
+    const LaidOut<CrossingList> all = crossings_of(scene);
     ASSERT_GT(all.size, 2000u);
     for (const std::uint32_t capacity : {0u, 1u, 1000u, all.size - 1, all.size}) {
         for (const int threads : {1, 2, 4}) {
-            const CrossingList list = crossings_of(scene, threads, capacity);
+            const LaidOut<CrossingList> list = crossings_of(scene, threads, capacity);
             EXPECT_EQ(list.overflowed, capacity < all.size);
             ASSERT_EQ(list.size, capacity);
             EXPECT_EQ(std::memcmp(list.crossings.data(), all.crossings.data(), capacity * sizeof(Crossing)),

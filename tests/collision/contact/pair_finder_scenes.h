@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "tests/collision/contact/contact_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 
-inline PairList pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18,
+inline LaidOut<PairList> pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18,
                          float of_borders = 1) {
-    PairFinder finder;
+    LaidOut<PairFinder> finder;
     finder.reserve(scene.bodies);
     Parallel parallel(threads);
-    PairList list(capacity);
+    LaidOut<PairList> list(capacity);
     finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, of_borders);
     return list;
 }

@@ -9,6 +9,7 @@
 
 #include "tests/collision/contact/pair_list_reference.h"
 #include "tests/targets/targets.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -182,7 +183,7 @@ TEST(PairFinder, CoincidentLayersAsReference) {
     scene.add(rest, shifted, grid_triangles(10, 10), 0.3f * edge);
     expect_same_pairs(scene, 1000);
     // What touches has distance 0 to rounding, is listed, and has a normal across.
-    const PairList list = pairs_of(scene);
+    const LaidOut<PairList> list = pairs_of(scene);
     std::map<Corners, std::uint32_t> listed[2];
     for (std::uint32_t k = 0; k < list.size; ++k) {
         const bool vt = k < list.vertex_triangle;
@@ -235,19 +236,18 @@ TEST(PairFinder, LooseParticlesAndEmptyMeshesListNothing) {
     EXPECT_EQ(pairs_of(ContactScene()).size, 0u);
 }
 
-/// One finder searches now these bodies, now those, in the room of the largest: what it found before, where
+/// One finder searches now these bodies, now those, in the memory of the largest: what it found before, where
 /// bodies had more patches or lay elsewhere, is forgotten.
 TEST(PairFinder, FindsTheSameWhateverItSearchedBefore) {
     std::deque<ContactScene> scenes;  // where they are made they stay: bodies point to their meshes
     for (const std::uint32_t side : {40u, 9u, 24u, 12u, 40u}) scenes.push_back(folded(side, 0.3f));
-    PairFinder finder;
-    finder.reserve(scenes[0].bodies);
+    LaidOut<PairFinder> finder;
     Parallel parallel(1);
     for (const ContactScene& scene : scenes) {
-        ASSERT_TRUE(finder.has_room_for(scene.bodies));
-        PairList list(1 << 18);
+        finder.reserve(scene.bodies);
+        LaidOut<PairList> list(1 << 18);
         finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
-        const PairList expected = pairs_of(scene);
+        const LaidOut<PairList> expected = pairs_of(scene);
         ASSERT_EQ(list.size, expected.size);
         for (std::uint32_t k = 0; k < list.size; ++k)
             EXPECT_EQ(list.pairs[k].corners, expected.pairs[k].corners);
@@ -270,7 +270,7 @@ TEST(PairFinder, WhatIsNotFiniteListsNothing) {
     spoil(99, spoilt.motions, {0, nan, 0, 0});
     spoil(130, spoilt.motions, {inf, 0, 0, 0});
     spoilt.positions[200].w = nan;
-    const PairList all = pairs_of(scene), some = pairs_of(spoilt);
+    const LaidOut<PairList> all = pairs_of(scene), some = pairs_of(spoilt);
     std::set<Corners> expected[2], found[2];
     for (std::uint32_t k = 0; k < all.size; ++k) {
         const Corners& c = all.pairs[k].corners;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/collision/contact/pair_finder_scenes.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 
@@ -57,7 +58,7 @@ void for_each_pair(const ContactScene& scene, const Visit& visit) {
 inline constexpr double margin = 1e-4, sure = 2e-3;
 
 inline void expect_same_pairs(const ContactScene& scene, std::size_t at_least = 0) {
-    const PairList list = pairs_of(scene);
+    const LaidOut<PairList> list = pairs_of(scene);
     ASSERT_FALSE(list.overflowed);
     EXPECT_GE(list.size, at_least);
     std::map<Corners, std::uint32_t> listed[2];

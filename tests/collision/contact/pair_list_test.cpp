@@ -10,6 +10,7 @@
 #include "tests/cloth/as_for_threads.h"
 #include "tests/collision/contact/pair_finder_scenes.h"
 #include "tests/collision/contact/pair_list_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -30,16 +31,16 @@ void expect_equal(const PairList& a, const PairList& b) {
 
 TEST(PairFinder, TheListDoesNotDependOnThreads) {
     const ContactScene scene = crowded();
-    const PairList expected = pairs_of(scene);
+    const LaidOut<PairList> expected = pairs_of(scene);
     ASSERT_GT(expected.size, 10000u);
     for (const int threads : {2, 4}) expect_equal(pairs_of(scene, threads), expected);
 }
 
 TEST(PairFinder, WhatDoesNotFitIsLeftOutFromTheEnd) {
     const ContactScene scene = crowded();
-    const PairList all = pairs_of(scene);
+    const LaidOut<PairList> all = pairs_of(scene);
     for (const std::uint32_t capacity : {0u, 1u, 100u, all.vertex_triangle, all.size - 1, all.size}) {
-        const PairList list = pairs_of(scene, 2, capacity);
+        const LaidOut<PairList> list = pairs_of(scene, 2, capacity);
         EXPECT_EQ(list.overflowed, capacity < all.size);
         ASSERT_EQ(list.size, capacity);
         EXPECT_EQ(list.vertex_triangle, std::min(capacity, all.vertex_triangle));
@@ -66,9 +67,9 @@ TEST(PairFinder, CountsNoMorePairsThanAFullListHasRoomFor) {
     constexpr std::uint64_t capacity = 1 << 14, at_a_time = 2048;
     for (const std::uint32_t sheets : {1u, 10u, 80u}) {
         const ContactScene scene = crushed(sheets);
-        PairFinder finder;
+        LaidOut<PairFinder> finder;
         finder.reserve(scene.bodies);
-        PairList first(capacity), list(capacity);
+        LaidOut<PairList> first(capacity), list(capacity);
         for (const std::uint32_t threads : {1u, 4u}) {
             SCOPED_TRACE(testing::Message() << sheets << " sheets, " << threads << " threads");
             Parallel parallel(static_cast<int>(threads));
@@ -92,22 +93,22 @@ TEST(PairFinder, CountsNoMorePairsThanAFullListHasRoomFor) {
 
 TEST(PairFinder, AListThatIsToBeEmptyWhereItIsFullIsWholeWhereItIsNot) {
     const ContactScene scene = crowded();
-    const PairList expected = pairs_of(scene);
-    PairFinder finder;
+    const LaidOut<PairList> expected = pairs_of(scene);
+    LaidOut<PairFinder> finder;
     finder.reserve(scene.bodies);
     Parallel serial(1);
-    PairList list(expected.size);
+    LaidOut<PairList> list(expected.size);
     finder.find(serial, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
     expect_equal(list, expected);
-    list.limit = expected.size - 1;
-    finder.find(serial, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
-    EXPECT_TRUE(list.overflowed);
-    EXPECT_EQ(list.size + list.vertex_triangle, 0u);
+    LaidOut<PairList> shorter(expected.size - 1);
+    finder.find(serial, scene.bodies, scene.positions, scene.motions, shorter, 1, FullList::is_empty);
+    EXPECT_TRUE(shorter.overflowed);
+    EXPECT_EQ(shorter.size + shorter.vertex_triangle, 0u);
 }
 
 TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
     const ContactScene scene = crushed(1);
-    const PairList expected = pairs_of(scene, 1, 1 << 20);
+    const LaidOut<PairList> expected = pairs_of(scene, 1, 1 << 20);
     EXPECT_FALSE(expected.overflowed);
     EXPECT_GT(expected.size, 200000u);
     expect_equal(pairs_of(scene, 2, 1 << 20), expected);
@@ -123,10 +124,10 @@ TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
     }
     const std::vector<Triangle> triangles = grid_triangles(20, 20);
     all.add(small.positions, small.positions, triangles, 0.3f * edge);
-    PairFinder finder;
+    LaidOut<PairFinder> finder;
     finder.reserve(all.bodies);
     Parallel serial(1);
-    PairList of_all(1 << 18), found(1 << 18);
+    LaidOut<PairList> of_all(1 << 18), found(1 << 18);
     finder.find(serial, all.bodies, all.positions, all.motions, of_all);
     ContactBody alone = all.bodies[1];
     alone.first = 0;
@@ -138,7 +139,7 @@ TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
 
 TEST(PairFinder, OfPairsNearestAtABorderAPartOfTheReachCounts) {
     const ContactScene scene = crowded();
-    const PairList all = pairs_of(scene), list = pairs_of(scene, 1, 1 << 18, 0.5f);
+    const LaidOut<PairList> all = pairs_of(scene), list = pairs_of(scene, 1, 1 << 18, 0.5f);
     const double reach = 0.5 * double{scene.bodies[0].reach};
     std::uint32_t k = 0, left_out = 0;
     for (std::uint32_t of_all = 0; of_all < all.size; ++of_all) {
@@ -176,16 +177,16 @@ std::multiset<Corners> keys_of(const PairList& list, bool vertex_triangle) {
 
 /// Expects that looking again finds what a search by itself does.
 void expect_the_same_again(const ContactScene& first, const ContactScene& then) {
-    const PairList expected = pairs_of(then);
-    PairList before(1 << 18), list(1 << 18);
+    const LaidOut<PairList> expected = pairs_of(then);
+    LaidOut<PairList> before(1 << 18), list(1 << 18);
     for (const int threads : {1, 3}) {
-        PairFinder finder;
+        LaidOut<PairFinder> finder;
         finder.reserve(first.bodies);
         Parallel parallel(threads);
         ASSERT_TRUE(
             finder.find_to_look_again(parallel, first.bodies, first.positions, first.motions, before, 0.5f));
         expect_equal(before, pairs_of(first, 1, 1 << 18, 0.5f));
-        CrossingList crossings(1 << 12);
+        LaidOut<CrossingList> crossings(1 << 12);
         finder.find_crossings(parallel, first.bodies, first.positions, crossings);
         for (int time = 0; time < 2; ++time) {
             finder.find_again(parallel, then.bodies, then.positions, then.motions, first.motions, list);
@@ -266,17 +267,17 @@ float longest_of(const std::vector<Vec4>& motions) {
 
 TEST(PairNarrowing, LeavesWhatASearchWithTheShorterReachFinds) {
     ContactScene wide = crowded();
-    PairNarrowing narrowing;
+    LaidOut<PairNarrowing> narrowing;
     narrowing.reserve(1 << 18);
     constexpr float of_borders = 0.8f;
     for (const float reach : {0.12f, 0.16f, 0.2f}) {
         ContactScene narrow = wide;
         narrow.bodies[0].reach = reach * edge;
         narrow.motions = near_these(wide.motions, 0.49f * (of_borders * wide.bodies[0].reach - reach * edge));
-        const PairList searched = pairs_of(narrow);
+        const LaidOut<PairList> searched = pairs_of(narrow);
         EXPECT_GT(searched.size, 10u);
         for (const int threads : {1, 3}) {
-            PairList list = pairs_of(wide, 1, 1 << 18, of_borders);
+            LaidOut<PairList> list = pairs_of(wide, 1, 1 << 18, of_borders);
             EXPECT_GT(list.size, searched.size + 1000);
             Parallel parallel(threads);
             narrowing.narrow(parallel, narrow.positions, narrow.motions, reach * edge,
@@ -287,9 +288,9 @@ TEST(PairNarrowing, LeavesWhatASearchWithTheShorterReachFinds) {
 }
 
 TEST(PairNarrowing, OfAListWithoutPairsNothingIsLeft) {
-    PairNarrowing narrowing;
+    LaidOut<PairNarrowing> narrowing;
     narrowing.reserve(100);
-    PairList list(100);
+    LaidOut<PairList> list(100);
     Parallel serial(1);
     narrowing.narrow(serial, {}, {}, 1, 0, list);
     EXPECT_EQ(list.size, 0u);

@@ -6,6 +6,7 @@
 
 #include "collision/contact/response/leverage.h"
 #include "tests/collision/contact/settle_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -13,14 +14,14 @@ namespace {
 std::uint32_t project(const Rows& positions, const PairList& pairs, float wanted, std::uint32_t iterations,
                       Rows& displacements, std::span<const std::uint8_t> exempt = {}, int threads = 1) {
     Parallel parallel(threads);
-    PairProjection projection;
+    LaidOut<PairProjection> projection;
     projection.reserve(positions.size(), pairs.size);
     return projection.project(parallel, positions, pairs, exempt, {wanted, {}}, iterations, displacements);
 }
 
 /// A vertex over the middle of a triangle's edge: weights 1, and -1/2, -1/2, 0.
-PairList one_pair() {
-    PairList pairs(1);
+LaidOut<PairList> one_pair() {
+    LaidOut<PairList> pairs(1);
     pairs.size = pairs.vertex_triangle = 1;
     pairs.pairs[0] = {{0, 1, 2, 3}};
     pairs.shapes[0] = {{1, -0.5f, -0.5f, 0}, {0, 1, 0, 0.1f}};
@@ -62,7 +63,7 @@ TEST(PairProjection, LeavesPinnedAndExemptAndUncertainAlone) {
 
     const std::uint8_t exempt = 1;
     EXPECT_EQ(project(one_pairs_corners(), one_pair(), 0.05f, 1, displacements, {&exempt, 1}), 0u);
-    PairList uncertain = one_pair();
+    LaidOut<PairList> uncertain = one_pair();
     uncertain.shapes[0].normal.w = 0;
     EXPECT_EQ(project(one_pairs_corners(), uncertain, 0.05f, 1, displacements), 0u);
     EXPECT_EQ(project(one_pairs_corners(), PairList(), 0.05f, 1, displacements), 0u);
@@ -70,7 +71,7 @@ TEST(PairProjection, LeavesPinnedAndExemptAndUncertainAlone) {
 
 TEST(PairProjection, APairsShareIsThatOfItsBusiestCorner) {
     // The second pair has corners 0 to 2 too, and a vertex of its own.
-    PairList pairs(2);
+    LaidOut<PairList> pairs(2);
     pairs.size = pairs.vertex_triangle = 2;
     pairs.pairs[0] = {{0, 1, 2, 3}};
     pairs.pairs[1] = {{4, 1, 2, 3}};
@@ -94,7 +95,7 @@ TEST(PairProjection, APairsShareIsThatOfItsBusiestCorner) {
 
 struct Crowd {
     Triangles mesh = folded_packet(6, 24, 8, 0.03f, 2e-3f);
-    PairList pairs = all_pairs(mesh);
+    LaidOut<PairList> pairs = all_pairs(mesh);
     Rows wanted = random_vectors(mesh.size(), 2e-3f, 4);
     Crowd() {
         for (std::uint32_t i = 0; i < mesh.size(); ++i) mesh.positions[i].w = 1 + static_cast<float>(i % 5);
@@ -162,7 +163,7 @@ TEST(PairIncidence, RowsAreThoseOfALoopOverPairs) {
         for (std::uint32_t& corner : pairs[k].corners) corner = 3 * any(random) / (1 + k % 3);
         chosen[k] = k % 7 != 0;
     }
-    PairIncidence incidence;
+    LaidOut<PairIncidence> incidence;
     incidence.reserve(15000, size);
     for (const int threads : {1, 4}) {
         for (const bool all : {false, true}) {

@@ -14,6 +14,7 @@
 #include "engine/vector.h"
 #include "tests/collision/contact/contact_reference.h"
 #include "tests/collision/contact/cuts.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 
@@ -112,7 +113,7 @@ inline void set_shape(const Rows& positions, const FeaturePair& pair, std::uint3
 }
 
 /// All pairs of vertex and triangle, then of edges, that share no vertex, however far.
-inline PairList all_pairs(const Triangles& mesh) {
+inline LaidOut<PairList> all_pairs(const Triangles& mesh) {
     std::vector<FeaturePair> found;
     const auto& x = mesh.positions;
     for (std::uint32_t v = 0; v < mesh.size(); ++v) {
@@ -127,7 +128,7 @@ inline PairList all_pairs(const Triangles& mesh) {
             if (a < c && b != c && b != d && a != d) found.push_back({{a, b, c, d}});
         }
     }
-    PairList list(found.size());
+    LaidOut<PairList> list(found.size());
     list.size = static_cast<std::uint32_t>(found.size());
     list.vertex_triangle = static_cast<std::uint32_t>(vertex_triangle);
     for (std::uint32_t k = 0; k < list.size; ++k) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "tests/collision/contact/settle_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -22,7 +23,7 @@ Settled settle(const Triangles& mesh, const PairList& pairs, Rows displacements,
                const TruncationSettings& how = settings, std::span<const std::uint8_t> exempt = {},
                bool is_pinned = false, CommonMotionKind most = CommonMotionKind::affine) {
     Parallel parallel(threads);
-    Settler settler;
+    LaidOut<Settler> settler;
     settler.reserve(mesh.positions.size(), 1, pairs.size);
     const ParticleRange all{0, mesh.size()};
     const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_pinned = is_pinned};
@@ -88,7 +89,7 @@ struct Cut {
 Cut cut(const Triangles& mesh, const PairList& pairs, const Rows& motions,
         const TruncationSettings& how = settings) {
     Parallel parallel(1);
-    Truncation truncation;
+    LaidOut<Truncation> truncation;
     truncation.reserve(mesh.size(), pairs.size);
     truncation.cut(parallel, mesh.positions, motions, pairs, {}, how);
     const auto fractions = truncation.fractions();
@@ -100,7 +101,7 @@ Cut cut(const Triangles& mesh, const PairList& pairs, const Rows& motions,
 TEST(Settle, TheCertificateHoldsBeforeRoundingIsLookedAt) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         const Triangles mesh = triangle_soup(60, 0.5f, seed);
-        const PairList pairs = all_pairs(mesh);
+        const LaidOut<PairList> pairs = all_pairs(mesh);
         Rows motions = random_vectors(mesh.size(), 0.02f, seed + 50);
         Settled settled{{}, motions, cut(mesh, pairs, motions).fractions, {}};
         EXPECT_GT(least_gap_kept(mesh, pairs, settled, 1e-4), 0.98) << seed;
@@ -113,7 +114,7 @@ TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
     int wished = 0;
     for (unsigned seed = 0; seed < 8; ++seed) {
         Triangles mesh = triangle_soup(60, 0.5f, seed);
-        const PairList pairs = all_pairs(mesh);
+        const LaidOut<PairList> pairs = all_pairs(mesh);
         for (std::uint32_t i = 0; i < mesh.size(); i += 7) mesh.positions[i].w = 0;
         for (const float size : {0.02f, 0.3f, 3.0f}) {
             const Rows wanted = random_vectors(mesh.size(), size, seed + 100);
@@ -132,7 +133,7 @@ TEST(Settle, RandomTrianglesCrossNothingOnTheirWay) {
 
 TEST(Settle, PlanesThatStandFromTheFirstCrossNothingAndLoseMore) {
     const Triangles mesh = triangle_soup(60, 0.5f, 3);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     const Rows wanted = random_vectors(mesh.size(), 0.1f, 4);
     const Settled moving = settle(mesh, pairs, wanted), standing = settle(mesh, pairs, wanted, 1, {1e-4f, 0});
     EXPECT_EQ(crossings_on_the_way(mesh, standing), 0);
@@ -176,7 +177,7 @@ TEST(Settle, WhatApproachesNothingKeepsAllItsMotion) {
 
 TEST(Settle, APacketLosesNothingOfAMotionThatItsLayersShare) {
     const Triangles mesh = folded_packet(6, 24, 8, 0.03f, 1e-3f);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     Matrix3 turn = Eigen::AngleAxisf(1.0f, Vector3(1, 2, 3).normalized()).toRotationMatrix(), affine;
     affine << 1.2f, 0.1f, -0.1f, 0, 0.8f, 0.3f, 0.2f, 0, 0.9f;
     for (const Matrix3& map : {Matrix3(Matrix3::Identity()), turn, affine, Matrix3(turn * affine)}) {
@@ -195,7 +196,7 @@ TEST(Settle, APacketLosesNothingOfAMotionThatItsLayersShare) {
 
 TEST(Settle, TheSameBytesWhateverTheThreads) {
     const Triangles mesh = triangle_soup(120, 0.4f, 5);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     const Rows wanted = random_vectors(mesh.size(), 0.2f, 6);
     const Settled one = settle(mesh, pairs, wanted, 1);
     for (const int threads : {2, 4}) {
@@ -214,7 +215,7 @@ TEST(Settle, FarFromTheOriginRoundingCrossesNothing) {
         Triangles mesh = triangle_soup(60, 0.5f, seed);
         for (Vec4& x : mesh.positions) x = {x.x + 1000, x.y - 500, x.z + 800, 1};
         ASSERT_EQ(crossings(mesh, points(mesh.positions)), 0);
-        const PairList pairs = all_pairs(mesh);
+        const LaidOut<PairList> pairs = all_pairs(mesh);
         Rows wanted = random_vectors(mesh.size(), 0.3f, seed);
         const Matrix3 turn = Eigen::AngleAxisf(0.5f, Vector3(0, 1, 0)).toRotationMatrix();
         for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -232,7 +233,7 @@ TEST(Settle, FarFromTheOriginRoundingCrossesNothing) {
 
 TEST(Settle, ASideThatFollowsAnotherIsNotCut) {
     const Triangles mesh = vertex_above_triangle(0.01f);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     Rows motions(mesh.size(), Vec4{0, -0.5f, 0, 0});
     EXPECT_EQ(std::ranges::min(cut(mesh, pairs, motions).fractions), 1.0f);
     // Where the triangle goes less far, the vertex goes as far and the gap less the floor, at once.
@@ -253,7 +254,7 @@ TEST(Settle, ASideThatFollowsAnotherIsNotCut) {
 
 TEST(Settle, SidesThatMeetShareTheGapAsTheyCloseIt) {
     const Triangles mesh = vertex_above_triangle(0.1f);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     Rows motions(mesh.size());
     for (std::size_t i = 0; i < 3; ++i) motions[i].y = 0.1f;
     motions[3].y = -0.3f;
@@ -293,7 +294,7 @@ TEST(Settle, CuttingKeepsTheMomentumOfWhatIsFree) {
         Triangles mesh = triangle_soup(40, 0.5f, seed);
         for (std::uint32_t i = 0; i < mesh.size(); ++i)
             mesh.positions[i].w = 0.5f + 0.1f * static_cast<float>(i % 17);
-        const PairList pairs = all_pairs(mesh);
+        const LaidOut<PairList> pairs = all_pairs(mesh);
         const Rows wanted = random_vectors(mesh.size(), 0.3f, seed + 10);
         const auto momentum = [&](const Rows& displacements) {
             Point sum = Point::Zero();
@@ -302,7 +303,7 @@ TEST(Settle, CuttingKeepsTheMomentumOfWhatIsFree) {
             return sum;
         };
         Parallel serial(1);
-        Settler settler;
+        LaidOut<Settler> settler;
         settler.reserve(mesh.positions.size(), 1, pairs.size);
         const ParticleRange all{0, mesh.size()};
         const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_free = true};
@@ -331,7 +332,7 @@ TEST(Settle, APairThatOnlyRoundingBringsTogetherIsHeld) {
     mesh.positions[3].x += fine;
     for (const Vec4& far : {Vec4{510, 1010, 0, 1}, Vec4{520, 1010, 3, 1}}) mesh.positions.push_back(far);
     mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     Rows wanted(mesh.size());
     wanted[3] = {0.55f * coarse, -0.55f * coarse, 0, 0};
     const auto plane = [](const Rows& rows) { return double{rows[3].x} + double{rows[3].y} - 1500; };
@@ -355,7 +356,7 @@ TEST(Settle, PinnedParticlesAreCut) {
 // What all have in common is not cut, and rounding at its end can take any gap.
 TEST(Settle, APairWhoseGapIsLostOnTheCommonWayIsUncertain) {
     const Triangles mesh = vertex_above_triangle(1e-9f);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     for (const float way : {0.0f, 1000.0f}) {
         const Settled settled = settle(mesh, pairs, Rows(mesh.size(), Vec4{0, way, 0, 0}));
         const Rows ends = ends_of(mesh.positions, settled.displacements);
@@ -409,7 +410,7 @@ TEST(Settle, NoPinIsDrawnOffByWhatOthersHaveInCommon) {
 TEST(Settle, ExemptPairsTakeNoPlaneAndOthersWithoutAGapDoNotMove) {
     Triangles mesh = vertex_above_triangle(-0.1f);  // through the triangle
     ASSERT_GT(crossings(mesh, points(mesh.positions)), 0);
-    PairList pairs = all_pairs(mesh);
+    LaidOut<PairList> pairs = all_pairs(mesh);
     std::uint32_t crossed = 0;  // the edge from 3 to 4 and one of the triangle's, as if they touched
     while (pairs.pairs[pairs.vertex_triangle + crossed].corners[2] != 3) ++crossed;
     crossed += pairs.vertex_triangle;
@@ -429,7 +430,7 @@ TEST(Settle, ExemptPairsTakeNoPlaneAndOthersWithoutAGapDoNotMove) {
 
 TEST(Settle, AnIncompleteListLeavesTheCommonMotionAlone) {
     const Triangles mesh = triangle_soup(40, 0.5f, 7);
-    PairList pairs = all_pairs(mesh);
+    LaidOut<PairList> pairs = all_pairs(mesh);
     pairs.overflowed = true;
     pairs.size = 10;
     Rows wanted = random_vectors(mesh.size(), 0.3f, 8);
@@ -460,7 +461,7 @@ TEST(Settle, NothingListedAndNothingThere) {
 
 TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
     const Triangles mesh = triangle_soup(40, 0.5f, 11);
-    const PairList pairs = all_pairs(mesh);
+    const LaidOut<PairList> pairs = all_pairs(mesh);
     Rows wanted = random_vectors(mesh.size(), 0.1f, 12);
     wanted[4] = {not_a_number, 0, 0, 0};
     wanted[50] = {0, std::numeric_limits<float>::infinity(), 0, 0};

@@ -6,6 +6,7 @@
 
 #include "collision/contact/pairs/pair_finder.h"
 #include "tests/collision/contact/contact_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -69,11 +70,11 @@ struct Vote {
     }
 
     Parallel serial{1};
-    PairFinder finder;
-    CrossingList list;
-    PairList pairs;
-    Contours contours;
-    SideVote votes;
+    LaidOut<PairFinder> finder;
+    LaidOut<CrossingList> list;
+    LaidOut<PairList> pairs;
+    LaidOut<Contours> contours;
+    LaidOut<SideVote> votes;
     SideVote::Result result;
 };
 

@@ -9,6 +9,7 @@
 
 #include "collision/contact/pairs/pair_finder.h"
 #include "tests/collision/contact/contact_reference.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -55,7 +56,7 @@ struct Found {
     explicit Found(const ContactScene& scene, std::size_t room = 1 << 12, int threads = 1)
         : parallel(threads), list(room), pairs(1 << 15), exempt(1 << 15), memory(scene.positions.size()) {
         finder.reserve(scene.bodies);
-        tangles.reserve({.bodies = scene.bodies.size(),
+        tangles.reserve(Tangles::Room{.bodies = scene.bodies.size(),
                          .particles = scene.positions.size(),
                          .pairs = pairs.capacity(),
                          .crossings = room});
@@ -74,10 +75,10 @@ struct Found {
     }
 
     Parallel parallel;
-    PairFinder finder;
-    CrossingList list;
-    Tangles tangles;
-    PairList pairs;
+    LaidOut<PairFinder> finder;
+    LaidOut<CrossingList> list;
+    LaidOut<Tangles> tangles;
+    LaidOut<PairList> pairs;
     std::vector<std::uint8_t> exempt;
     std::vector<TangleMemory> memory;
 };
@@ -115,7 +116,7 @@ TEST(Tangles, TwoSheetsCrossAlongOneContourOfTwoSides) {
     EXPECT_EQ(found.tangles.counts().contours, 1u);
     EXPECT_EQ(found.tangles.counts().crossings, found.list.size);
 
-    Contours contours;
+    LaidOut<Contours> contours;
     contours.reserve(scene.bodies.size(), found.list.size);
     contours.trace(scene.bodies, found.list.crossings.span().first(found.list.size));
     const auto body = [&](std::uint32_t k) { return body_of(scene.bodies, found.list.crossings[k].edge[0]); };

@@ -1,0 +1,124 @@
+#pragma once
+// Memory for what is of use within a substep only: arrays that are laid out one after the other, anew in each
+// use.
+//
+// Who lays arrays out does so twice, by the same calls: once to measure how many bytes they take, long before
+// a step, and then in memory of that size, as often as it likes and at no cost. So nothing is allocated in a
+// step, and what is measured is what is taken.
+//
+// Invariant: an array is padded to a whole group of 16 elements, as an AlignedBuffer is. But it holds what
+// its memory held before: whoever reads an element has written it since the layout.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/hooks.h"
+
+namespace weft {
+
+/// An array in someone else's memory, by which it does not know whether that is still there.
+template <class T>
+class ScratchArray {
+    static_assert(std::is_trivially_destructible_v<T> && alignof(T) <= memory_alignment);
+
+  public:
+    ScratchArray() = default;
+    /// Precondition: there is memory for `size` elements, and for what fills them up to whole groups. Null:
+    /// it has a size and no memory, and nobody may read or write it.
+    ScratchArray(T* data, std::size_t size) noexcept : data_(data), size_(size) {}
+
+    [[nodiscard]] T* data() noexcept { return data_; }
+    [[nodiscard]] const T* data() const noexcept { return data_; }
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    [[nodiscard]] std::span<T> span() noexcept { return {data_, size_}; }
+    [[nodiscard]] std::span<const T> span() const noexcept { return {data_, size_}; }
+
+  private:
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+class Scratch {
+  public:
+    /// Measures, and gives out arrays without memory.
+    Scratch() = default;
+    /// Precondition: it is aligned to memory_alignment, and all that is taken goes into it.
+    explicit Scratch(std::byte* memory) noexcept : begin_(memory) {}
+
+    /// The array becomes the next `size` elements.
+    template <class T>
+    void take(ScratchArray<T>& array, std::size_t size) {
+        take_padded(array, size, AlignedBuffer<T>::padded(size));
+    }
+    /// Without padding, for what is no kernel's.
+    template <class T>
+    void take_few(ScratchArray<T>& array, std::size_t size) {
+        take_padded(array, size, size);
+    }
+
+    /// Both calls take arrays from the same place on: those of the first are of no use any more when those of
+    /// the second begin to be.
+    template <class First, class Second>
+    void take_by_turns(const First& first, const Second& second) {
+        const std::size_t begin = end_;
+        first();
+        const std::size_t end = std::exchange(end_, begin);
+        second();
+        end_ = std::max(end_, end);
+    }
+
+    [[nodiscard]] bool is_measured() const noexcept { return begin_ == nullptr; }
+    /// That all which was taken lies in.
+    [[nodiscard]] std::size_t bytes() const noexcept { return most_; }
+
+  private:
+    template <class T>
+    void take_padded(ScratchArray<T>& array, std::size_t size, std::size_t padded) {
+        std::byte* const at = begin_ == nullptr ? nullptr : begin_ + end_;
+        const std::size_t bytes = padded * sizeof(T);
+        array = {reinterpret_cast<T*>(at), size};
+        end_ += (bytes + memory_alignment - 1) / memory_alignment * memory_alignment;
+        most_ = std::max(most_, end_);
+#ifndef NDEBUG
+        if (at != nullptr) std::memset(at, 0xCD, bytes);  // who reads what it has not written is to notice
+#endif
+    }
+
+    std::byte* begin_ = nullptr;
+    std::size_t end_ = 0, most_ = 0;
+};
+
+/// Memory to lay arrays out in. The system is asked for it, but it is not touched before it is used.
+class ScratchMemory {
+  public:
+    ScratchMemory() = default;
+    /// Throws std::bad_alloc where there is none.
+    explicit ScratchMemory(std::size_t bytes)
+        : data_(bytes > 0 ? static_cast<std::byte*>(take_memory(bytes)) : nullptr), bytes_(bytes) {}
+    ScratchMemory(ScratchMemory&& other) noexcept
+        : data_(std::exchange(other.data_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
+    ScratchMemory& operator=(ScratchMemory&& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
+    ~ScratchMemory() {
+        if (data_ != nullptr) give_memory_back(data_, bytes_);
+    }
+
+    [[nodiscard]] std::byte* data() const noexcept { return data_; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
+
+  private:
+    std::byte* data_ = nullptr;
+    std::size_t bytes_ = 0;
+};
+
+}  // namespace weft
