@@ -197,8 +197,8 @@ struct Cloth {
     [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
-    /// Whether it meets by features.
-    [[nodiscard]] bool has_features() const noexcept { return state.tangles.size() > 0; }
+    /// Whether it meets others by features.
+    [[nodiscard]] bool has_features() const noexcept { return substep_start.size() > 0; }
     /// That its steps take of what the World has for impact zones.
     [[nodiscard]] std::size_t zone_bytes() const noexcept;
     /// As it is met by features. Precondition: it has features.

@@ -73,7 +73,7 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
         for (const Cloth* cloth : group.cloths) {
             group.work += work_of(*cloth);
             scratch += cloth->scratch_bytes;
-            group.blocks = std::max(group.blocks, block_count(cloth->model.particle_count));
+            group.blocks += block_count(cloth->model.particle_count);
         }
         groups_.push_back(group);
     }

@@ -24,7 +24,7 @@ class Schedule {
     struct Group {
         std::span<Cloth* const> cloths;
         std::uint64_t work;    // particles moved in a step
-        std::uint32_t blocks;  // of the largest
+        std::uint32_t blocks;
         std::size_t scratch;   // where its part of the World's begins
         bool is_whole;
     };
