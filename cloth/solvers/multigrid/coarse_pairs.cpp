@@ -131,19 +131,25 @@ void CoarsePairs::merge(const AddRow& add_row) {
     }
 }
 
-void CoarsePairs::gather(PairRows& pairs, std::uint32_t first, std::uint32_t particles,
-                         const Interpolation& p, std::span<const float> weights) {
-    keys_.clear();
+// A group has room for more than one of its cloths: what is over is left to the finest level.
+void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
     active_.clear();
-    has_outer_ = false;
-    // An island has room for more than one of its cloths: what is over is left to the finest level.
     pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
-        if (keys_.size() == order_.size()) return;
-        for (const std::uint32_t corner : active.pair.corners)
-            if (corner - first >= particles) {
-                has_outer_ = true;
-                return;
-            }
+        if (active_.size() < order_.size()) active_.push_back(active);
+    });
+}
+
+void CoarsePairs::gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
+                         std::span<const float> weights) {
+    keys_.clear();
+    has_outer_ = false;
+    for (const PairRows::ActivePair& active : active_) {
+        const auto is_inner = [&](std::uint32_t i) { return i - first < particles; };
+        if (!std::ranges::all_of(active.pair.corners, is_inner)) {
+            has_outer_ = true;
+            keys_.push_back({none, none, 1});
+            continue;
+        }
         std::uint32_t most = 0, least = 0;
         for (std::uint32_t c = 1; c < 4; ++c) {
             if (active.shape.weight(c) > active.shape.weight(most)) most = c;
@@ -151,8 +157,7 @@ void CoarsePairs::gather(PairRows& pairs, std::uint32_t first, std::uint32_t par
         }
         keys_.push_back(
             key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first));
-        active_.push_back(active);
-    });
+    }
     merge([&](std::uint32_t k, Sum* sum) {
         const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)

@@ -40,17 +40,25 @@ class CoarsePairs {
     void reserve(std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Of the pairs that push, all of whose corners are among a cloth's `particles` from `first` on. P leads
-    /// from the first coarse level to them; `weights` are its weights, 0 where pinned.
-    void gather(PairRows& pairs, std::uint32_t first, std::uint32_t particles, const Interpolation& p,
+    /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by one
+    /// cloth at a time.
+    void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
+    /// Then the rows of those all of whose corners are the cloth's. P leads from the first coarse level to its
+    /// particles; `weights` are its weights, 0 where pinned.
+    void gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
                 std::span<const float> weights);
+    [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept { return active_; }
     /// Of the rows of a finer coarse level.
     void gather(const CoarsePairs& finer, const Interpolation& p);
 
-    /// Whether gather() met pairs that are not of this cloth alone.
+    /// Whether pairs are listed that are not of this cloth alone.
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
 
-    void clear() noexcept { size_ = 0; }
+    void clear() noexcept {
+        active_.clear();
+        size_ = 0;
+        has_outer_ = false;
+    }
 
     [[nodiscard]] std::span<const Row> rows() const noexcept { return std::span(rows_).first(size_); }
     /// What bounds the rows from above on the diagonal: node k of a row has reach |c_k| K.

@@ -286,16 +286,23 @@ void Multigrid::reserve_pairs(std::size_t count) {
     has_pairs_ = count > 0;
 }
 
-void Multigrid::build(Parallel& parallel, ImplicitSystem& system, PairRows* pairs, std::uint32_t first) {
+void Multigrid::list_pairs(PairRows* pairs, std::uint32_t first) {
+    if (coarse_.empty() || !has_pairs_) return;
+    first_ = first;
+    for (CoarseLevel& level : coarse_) level.pairs().clear();
+    if (pairs != nullptr && !pairs->empty())
+        coarse_.front().pairs().list(*pairs, first, static_cast<std::uint32_t>(pinned_.size()));
+}
+
+void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     if (coarse_.empty()) return;
-    if (has_pairs_) gather_pairs(pairs, first);
+    if (has_pairs_) gather_pairs();
     system.spring_blocks(parallel, slots_, springs_.span());
     sum_first_ground(parallel, system);
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
     coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
-    if (has_pairs_ && pairs != nullptr && !pairs->empty() && coarse_.front().pairs().has_outer())
-        hold_other_bodies(*pairs, first);
+    if (has_pairs_ && coarse_.front().pairs().has_outer()) hold_other_bodies();
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
     for (CoarseLevel& level : coarse_) {
@@ -304,32 +311,30 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system, PairRows* pair
     }
 }
 
-void Multigrid::gather_pairs(PairRows* pairs, std::uint32_t first) {
-    if (pairs == nullptr || pairs->empty()) {
-        for (CoarseLevel& level : coarse_) level.pairs().clear();
-        return;
-    }
-    coarse_.front().pairs().gather(*pairs, first, static_cast<std::uint32_t>(pinned_.size()),
-                                   coarse_.front().interpolation(), weights_.span());
+void Multigrid::gather_pairs() {
+    CoarsePairs& pairs = coarse_.front().pairs();
+    if (pairs.listed().empty()) return;
+    pairs.gather(first_, static_cast<std::uint32_t>(pinned_.size()), coarse_.front().interpolation(),
+                 weights_.span());
     for (std::size_t k = 1; k < coarse_.size(); ++k)
         coarse_[k].pairs().gather(coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
 
 // What is between this cloth and others holds it where it is.
-void Multigrid::hold_other_bodies(PairRows& pairs, std::uint32_t first) {
+void Multigrid::hold_other_bodies() {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
     const Interpolation& p = coarse_.front().interpolation();
     SymmetricRows& ground = coarse_.front().matrix().ground_rows;
-    pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
+    for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
         const auto& corners = active.pair.corners;
         const bool is_within =
-            std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first < particles; });
-        if (is_within) return;
+            std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first_ < particles; });
+        if (is_within) continue;
         const Symmetric3 stiffness = active.stiffness();
         for (std::uint32_t c = 0; c < 4; ++c) {
-            if (corners[c] - first >= particles) continue;
+            if (corners[c] - first_ >= particles) continue;
             const float bound = 2 * std::abs(active.shape.weight(c));
-            const std::uint32_t row = Interpolation::width * (corners[c] - first);
+            const std::uint32_t row = Interpolation::width * (corners[c] - first_);
             for (std::uint32_t e = row; e < row + Interpolation::width; ++e) {
                 if (weights_[e] == 0) continue;
                 Symmetric3 sum = ground[p.nodes[e]];
@@ -337,7 +342,7 @@ void Multigrid::hold_other_bodies(PairRows& pairs, std::uint32_t first) {
                 ground.set(p.nodes[e], sum);
             }
         }
-    });
+    }
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {

@@ -43,10 +43,11 @@ class Multigrid {
     /// Makes room for contact of the cloth with itself, with so many pairs; of none, frees it.
     void reserve_pairs(std::size_t count);
 
-    /// Sums the coarse operators of the system's present W, and of the pairs that push, if there are any: the
-    /// particles are numbered from `first` on in these.
-    void build(Parallel& parallel, ImplicitSystem& system, PairRows* pairs = nullptr,
-               std::uint32_t first = 0);
+    /// Lists the pairs that push the cloth, if there are any, for build(): its particles are numbered from
+    /// `first` on in these. Pairs are asked for them by one cloth at a time.
+    void list_pairs(PairRows* pairs, std::uint32_t first);
+    /// Sums the coarse operators of the system's present W, and of the pairs that are listed.
+    void build(Parallel& parallel, ImplicitSystem& system);
     /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
     void cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r, std::span<Vec4> z);
 
@@ -88,8 +89,8 @@ class Multigrid {
     void mark(std::uint32_t particle, bool pinned) noexcept;
     /// Whether those of inverse mass 0 are, and no others.
     [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
-    void gather_pairs(PairRows* pairs, std::uint32_t first);
-    void hold_other_bodies(PairRows& pairs, std::uint32_t first);
+    void gather_pairs();
+    void hold_other_bodies();
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
     void solve_level(Parallel& parallel, std::size_t level);
     void relax_and_correct(Parallel& parallel, std::size_t level);
@@ -104,6 +105,7 @@ class Multigrid {
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, remainder_;
     bool has_pairs_ = false;
+    std::uint32_t first_ = 0;  // of the cloth's particles in the pairs that are listed
     bool has_pins_set_ = false;  // what follows from pins was made
     // Of a particle that has the most, and of all; 0 until they were counted.
     std::uint32_t most_links_ = 0;

@@ -93,6 +93,9 @@ class Passes {
     [[nodiscard]] bool has_pairs(const PassMember& member) const {
         return pairs_ != nullptr && member.step.equation.pairs != nullptr;
     }
+    /// work(member, threads): of many members side by side, of few by all threads one after the other.
+    template <class Work>
+    void for_each_member(const Work& work);
     [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
     void begin();
     [[nodiscard]] Vec4 frame_velocity() const;
@@ -147,6 +150,18 @@ SolveResult Passes::operator()() {
     return {.unsolved = left_ > tolerated};
 }
 
+template <class Work>
+void Passes::for_each_member(const Work& work) {
+    const auto count = static_cast<std::uint32_t>(members_.size()), threads = static_cast<std::uint32_t>(parallel_.width());
+    if (count >= 2 * threads)
+        parallel_.blocks(count, [&](std::uint32_t k) {
+            Parallel alone(1);
+            work(members_[k], alone);
+        });
+    else
+        for (std::uint32_t k = 0; k < count; ++k) work(members_[k], parallel_);
+}
+
 PairRows* Passes::pairs_of(std::span<const PassMember> members) {
     for (const PassMember& member : members)
         if (PairRows* const pairs = member.step.equation.pairs; pairs != nullptr)
@@ -164,17 +179,17 @@ double Passes::tolerated_energy(const Multilevel& method) const {
 
 void Passes::begin() {
     const FourRows frame = load(frame_velocity()).array().replicate<1, 4>();
-    for (const PassMember& member : members_) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
-        copy(parallel_, equation.velocities, member.step.velocities);
-        fill_fours(parallel_, member.vectors.motion.span(), [&](std::uint32_t i) -> FourRows {
+        copy(threads, equation.velocities, member.step.velocities);
+        fill_fours(threads, member.vectors.motion.span(), [&](std::uint32_t i) -> FourRows {
             const Eigen::Array<float, 1, 4> is_free =
                 (load_four(&equation.positions[i]).row(3) != 0).cast<float>();
             FourRows motion = (load_four(&equation.velocities[i]) - frame).rowwise() * is_free;
             motion.row(3).setZero();
             return motion;
         });
-    }
+    });
 }
 
 /// The mean velocity of what is pinned, or else of all mass. What a group does as a whole is no whipping.
@@ -202,14 +217,18 @@ void Passes::linearise() {
                 pairs_->take(parallel_, member.step.equation.first, member.step.velocities);
         pairs_->linearise(parallel_);
     }
-    if (!is_first) let_bodies_follow();
-    for (const PassMember& member : members_) {
+    if (is_first)
+        for (const PassMember& member : members_)
+            member.levels.list_pairs(member.step.equation.pairs, member.step.equation.first);
+    else
+        let_bodies_follow();
+    for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
-        member.system.linearise(parallel_, equation, member.step.velocities, LinearisedAbout::iterate);
-        if (!is_first) continue;
+        member.system.linearise(threads, equation, member.step.velocities, LinearisedAbout::iterate);
+        if (!is_first) return;
         const auto levels_timer = member.step.timed(Stage::coarse_operators);
-        member.levels.build(parallel_, member.system, equation.pairs, equation.first);
-    }
+        member.levels.build(threads, member.system);
+    });
     eliminate_bodies();
 }
 
@@ -274,32 +293,34 @@ void Passes::subtract(const Coefficients& c) {
         return Eigen::Array4f(by, by, by, 0).replicate<1, 4>();
     };
     const FourRows of_motion = part(motion), of_change = part(change);
-    for (const PassMember& member : members_) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
         const PassVectors& of = member.vectors;
         Vec4* const b = member.system.right_side().data();
-        fill_fours(parallel_, member.system.right_side().span(), [&](std::uint32_t i) -> FourRows {
+        fill_fours(threads, member.system.right_side().span(), [&](std::uint32_t i) -> FourRows {
             FourRows left = load_four(b + i) - of_motion * load_four(&of.of_motion[i]);
             if (c[change] != 0) left -= of_change * load_four(&of.of_change[i]);
             return left;
         });
-    }
+    });
 }
 
 void Passes::find_corrections() {
-    for (const PassMember& member : members_) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
         const auto timer = member.step.timed(Stage::cycles);
-        member.levels.cycle(parallel_, member.system, std::as_const(member.system).right_side().span(),
+        member.levels.cycle(threads, member.system, std::as_const(member.system).right_side().span(),
                             member.vectors.correction.span());
-    }
+    });
 }
 
 template <class With>
 Products Passes::multiply(Vector x, Vector product, const With& with) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        member.vectors.products = member.system.multiply_coupled(
+            threads, with(member), std::as_const(member.vectors.*x).span(),
+            product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>());
+    });
     Products sum;
-    for (const PassMember& member : members_)
-        sum = sum + member.system.multiply_coupled(
-                        parallel_, with(member), std::as_const(member.vectors.*x).span(),
-                        product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>());
+    for (const PassMember& member : members_) sum = sum + member.vectors.products;
     sum.x_wx += couple(x, product);
     return sum;
 }
@@ -330,10 +351,10 @@ double Passes::couple(Vector x, Vector product) {
 
 void Passes::move(const Coefficients& c) {
     const auto by = [&](Direction d) { return static_cast<float>(c[d]); };
-    for (const PassMember& member : members_) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
         PassVectors& of = member.vectors;
         Vec4* const v = member.step.velocities.data();
-        parallel_.ranges(static_cast<std::uint32_t>(member.step.velocities.size()),
+        threads.ranges(static_cast<std::uint32_t>(member.step.velocities.size()),
                          [&](const BlockRange& range) {
                              for (std::uint32_t i = range.begin; i < range.end; i += 4) {
                                  const FourRows before = load_four(&of.motion[i]);
@@ -346,7 +367,7 @@ void Passes::move(const Coefficients& c) {
                                  store_four(load_four(v + i) + more, v + i);
                              }
                          });
-    }
+    });
 }
 
 /// A piece that is held in whole has no row of its own, but corners of pairs.

@@ -53,6 +53,7 @@ struct PassVectors {
     AlignedBuffer<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
     AlignedBuffer<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
     AlignedBuffer<VelocitySums> partials;      ///< of blocks
+    Products products;                         ///< of the multiplication that was last
 };
 
 /// A cloth of a group: its step, and what its solver owns.
