@@ -12,9 +12,7 @@ class LaidOut : public Object {
   public:
     LaidOut() = default;
     template <class... Sizes>
-    explicit LaidOut(const Sizes&... sizes)
-    requires(sizeof...(Sizes) > 0)
-    {
+    explicit LaidOut(const Sizes&... sizes) requires(sizeof...(Sizes) > 0) {
         reserve(sizes...);
     }
     LaidOut(LaidOut&&) noexcept = default;

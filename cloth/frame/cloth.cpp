@@ -255,7 +255,8 @@ void Cloth::reserve_pairs(Solver& with) const {
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
-    const bool with_pairs = weft::has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
+    const bool with_pairs =
+        weft::has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
     const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
     const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;

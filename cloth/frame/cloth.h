@@ -225,9 +225,9 @@ struct Cloth {
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
     std::optional<Contacts> contacts;  ///< only with colliders or features, and if the solver is implicit
     std::shared_ptr<const ContactMesh> contact_mesh;
-    bool shares_contact_mesh = false;        ///< it is the CookedCloth's
-    AlignedBuffer<Vec4> substep_start;       ///< only with contact: where the substep began
-    std::size_t scratch_bytes = 0;           ///< that its steps take of the World's scratch
+    bool shares_contact_mesh = false;   ///< it is the CookedCloth's
+    AlignedBuffer<Vec4> substep_start;  ///< only with contact: where the substep began
+    std::size_t scratch_bytes = 0;      ///< that its steps take of the World's scratch
 
     Surface surface;
     AirBuffers air;

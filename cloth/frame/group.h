@@ -20,8 +20,8 @@ struct Cloth;
 struct Group {
     void lay_out(Scratch& scratch, std::size_t count);
 
-    ScratchArray<Cloth*> cloths;     ///< set by set; what follows is in this order, too
-    ScratchArray<Cloth*> featured;   ///< those that have features, in the group's order, and
+    ScratchArray<Cloth*> cloths;        ///< set by set; what follows is in this order, too
+    ScratchArray<Cloth*> featured;      ///< those that have features, in the group's order, and
     ScratchArray<ContactCloth> bodies;  ///< these as bodies in contact
     ScratchArray<StepEquation> equations;
     ScratchArray<SolverStep> steps;
@@ -32,8 +32,12 @@ struct Group {
 
     /// Those of them that have features, as bodies in contact.
     void add_featured(std::span<Cloth* const> group);
-    [[nodiscard]] std::span<Cloth* const> all_featured() const { return featured.span().first(featured_count); }
-    [[nodiscard]] std::span<const ContactCloth> all_bodies() const { return bodies.span().first(featured_count); }
+    [[nodiscard]] std::span<Cloth* const> all_featured() const {
+        return featured.span().first(featured_count);
+    }
+    [[nodiscard]] std::span<const ContactCloth> all_bodies() const {
+        return bodies.span().first(featured_count);
+    }
 };
 
 /// Scratch that a cloth adds to what its group takes; `mesh`: of its features, or null.

@@ -160,7 +160,8 @@ struct Simulation {
         std::size_t zone_particles = 0;
     };
     /// For the cloth that changes, or comes, by these settings and this mesh of features.
-    [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of, const ContactMesh* mesh) const;
+    [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of,
+                                 const ContactMesh* mesh) const;
     void take(Room&& room) noexcept;
     /// Of those that the step takes.
     [[nodiscard]] std::size_t featured_cloths() const noexcept;

@@ -96,8 +96,8 @@ int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& subst
                             std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
 }
 
-// Set after set is solved and moved; whoever has gone is for the others where it then is. What contact does at
-// the end is the last set's to tell bodies.
+// Set after set is solved and moved; whoever has gone is for the others where it then is. What contact does
+// at the end is the last set's to tell bodies.
 void Simulation::solve_part(Worker& worker, Group& group, Scratch scratch, std::span<Cloth* const> cloths,
                             const Substep& part) {
     const std::span<Cloth* const> featured = group.all_featured();
@@ -119,8 +119,8 @@ void Simulation::solve_part(Worker& worker, Group& group, Scratch scratch, std::
     if (any_meets_bodies(cloths)) end_part_of_bodies(cloths);
 }
 
-/// Each cloth that cannot be in an equation with others is a set; then those whose step is of first order are,
-/// as far as there are any, and those whose step is of second order.
+/// Each cloth that cannot be in an equation with others is a set; then those whose step is of first order
+/// are, as far as there are any, and those whose step is of second order.
 Simulation::SetEnds Simulation::order_by_sets(Group& group, std::span<Cloth* const> cloths, float h) const {
     // There is one list of colliders with which bodies move.
     const auto is_alone = [&](const Cloth& cloth) { return !can_join(cloth) || (bodies_ && cloth.carried); };
@@ -152,9 +152,8 @@ void Simulation::solve_set(Worker& worker, Group& group, std::span<Cloth* const>
     const auto of_set = [&](auto& array) { return array.span().subspan(first, set.size()); };
     const std::span<StepEquation> equations = of_set(group.equations);
     const std::span<float> residuals = of_set(group.residuals);
-    const SolveResult result = can_join(*set.front())
-                                   ? solve_by_passes(of_set(group.members), residuals)
-                                   : set.front()->solver->solve(group.steps[first]);
+    const SolveResult result = can_join(*set.front()) ? solve_by_passes(of_set(group.members), residuals)
+                                                      : set.front()->solver->solve(group.steps[first]);
     if (!can_join(*set.front())) residuals.front() = result.residual;
     for (std::size_t m = 0; m < set.size(); ++m) {
         take_result(worker, *set[m], equations[m], {residuals[m], result.ok, result.unsolved},
@@ -198,13 +197,14 @@ void Simulation::make_equations(Worker& worker, Group& group, std::span<Cloth* c
             any_pairs = true;
         }
         if (cloth.meets_bodies) carry_bodies(cloth, equation);
-        std::construct_at(&group.steps[m], SolverStep{.parallel = worker.parallel,
-                                                      .profiler = profiler,
-                                                      .model = cloth.model,
-                                                      .settings = cloth.stepped_settings(),
-                                                      .equation = equation,
-                                                      .velocities = cloth.next_velocities.span(),
-                                                      .wants_residual = part.is_last() && is_residual_due(cloth)});
+        std::construct_at(&group.steps[m],
+                          SolverStep{.parallel = worker.parallel,
+                                     .profiler = profiler,
+                                     .model = cloth.model,
+                                     .settings = cloth.stepped_settings(),
+                                     .equation = equation,
+                                     .velocities = cloth.next_velocities.span(),
+                                     .wants_residual = part.is_last() && is_residual_due(cloth)});
         if (can_join(cloth))
             std::construct_at(&group.members[m],
                               static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m]));

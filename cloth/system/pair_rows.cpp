@@ -41,7 +41,8 @@ void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const P
     gamma_ = gamma;
     choose(parallel, laws);
     vertex_triangles_ = static_cast<std::uint32_t>(
-        std::ranges::lower_bound(numbers_.span().first(size_), list.vertex_triangle) - numbers_.span().begin());
+        std::ranges::lower_bound(numbers_.span().first(size_), list.vertex_triangle) -
+        numbers_.span().begin());
     incidence_.build(parallel, std::as_const(pairs_).span().first(size_), {});
     const PairSources sources{numbers_.data(), &list, laws.data(), base_positions.data()};
     parallel.ranges(size_, [&](const BlockRange& range) {

@@ -114,8 +114,9 @@ class PairRows {
     }
     /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
     /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
-    /// Gauss-Seidel. The list may have changed. Few iterations leave the rows' own law, with its stiff springs, several times off.
-    /// missing(particle) is what it has not been given yet [kg m/s]; what is of a body that is fixed stays.
+    /// Gauss-Seidel. The list may have changed. Few iterations leave the rows' own law, with its stiff
+    /// springs, several times off. missing(particle) is what it has not been given yet [kg m/s]; what is of a
+    /// body that is fixed stays.
     void begin_sweeps();
     template <class Missing>
     void sweep(const Missing& missing) {
@@ -186,8 +187,8 @@ class PairRows {
     const PairList* list_ = nullptr;
     std::span<const Vec4> base_positions_;
     float gamma_ = 0;
-    std::uint32_t size_ = 0;                // pairs that have a row
-    std::uint32_t vertex_triangles_ = 0;    // of these, which come first
+    std::uint32_t size_ = 0;               // pairs that have a row
+    std::uint32_t vertex_triangles_ = 0;   // of these, which come first
     ScratchArray<std::uint32_t> numbers_;  // of these in the list, ascending
     ScratchArray<FeaturePair> pairs_;
     ScratchArray<PairGroup> groups_;

@@ -51,7 +51,8 @@ class CollisionClusters {
     static constexpr std::uint32_t none = ~0u;
 
     void reserve(std::size_t particles);
-    static constexpr std::size_t bytes_per_particle = sizeof(CollisionCluster) + 3 * sizeof(std::uint32_t) + 2;
+    static constexpr std::size_t bytes_per_particle =
+        sizeof(CollisionCluster) + 3 * sizeof(std::uint32_t) + 2;
 
     /// Clusters of the pairs' corners. One that collides with itself is split (section 3.1): at its border
     /// edges, whose faces' normals have N1 . N2 < 0 and whose particles are then in none; and if it is still

@@ -73,8 +73,9 @@ std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positi
     return count;
 }
 
-const std::size_t ImpactZones::bytes_per_particle =
-    CollisionClusters::bytes_per_particle + sizeof(CollisionCluster) + 4 * sizeof(std::uint32_t) + 1 + sizeof(Vector3d);
+const std::size_t ImpactZones::bytes_per_particle = CollisionClusters::bytes_per_particle +
+                                                    sizeof(CollisionCluster) + 4 * sizeof(std::uint32_t) + 1 +
+                                                    sizeof(Vector3d);
 const std::size_t ImpactZones::bytes_per_pair = sizeof(Collision) + 2 * sizeof(std::uint32_t);
 
 void ImpactZones::reserve(std::size_t particles, std::size_t pairs) {

@@ -23,9 +23,9 @@ class Schedule {
     /// Cloths that are taken together; mostly one.
     struct Group {
         std::span<Cloth* const> cloths;
-        std::uint64_t work;    // particles moved in a step
+        std::uint64_t work;  // particles moved in a step
         std::uint32_t blocks;
-        std::size_t scratch;   // where its part of the World's begins
+        std::size_t scratch;  // where its part of the World's begins
         bool is_whole;
     };
     [[nodiscard]] std::span<const Group> groups() const { return groups_; }

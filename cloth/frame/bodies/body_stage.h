@@ -2,10 +2,10 @@
 // What the steps of a World that has bodies need; each body has a number, its place in the order of ids.
 //
 // Cloths that may meet the same body are a group, and those of its cloths whose method can have bodies as
-// unknowns are one equation with them. In each part of a substep each of the group's equations takes the bodies
-// along in turn: from where they were when the part began, with gravity, what the other equations' cloths give
-// or, if these are still to come, gave in the last substep, and what its own give. The last to take them brings
-// them where they go on.
+// unknowns are one equation with them. In each part of a substep each of the group's equations takes the
+// bodies along in turn: from where they were when the part began, with gravity, what the other equations'
+// cloths give or, if these are still to come, gave in the last substep, and what its own give. The last to
+// take them brings them where they go on.
 
 #include <cstdint>
 #include <span>

@@ -37,8 +37,8 @@ void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
 void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
     const auto search = [&](FullList full) {
         set_reach(&ContactCloth::radius);
-        const bool is_kept = finder_.find_to_look_again(parallel, bodies_.span(), start_.span(), searched_.span(),
-                                                        pairs_, of_borders, full);
+        const bool is_kept = finder_.find_to_look_again(parallel, bodies_.span(), start_.span(),
+                                                        searched_.span(), pairs_, of_borders, full);
         has_all_near_ = !pairs_.overflowed;
         can_look_again_ = is_kept && has_all_near_;
     };
@@ -115,7 +115,8 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     if (!can_look_again_)
         return find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     set_reach(&ContactCloth::floor);
-    finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(), pairs_);
+    finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(),
+                       pairs_);
 }
 
 // A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it

@@ -62,9 +62,10 @@ FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
         if (search == 0) counts.pairs = static_cast<std::uint32_t>(colliding.size());
         if (colliding.empty()) break;
         for (int round = 0; round < rounds && !colliding.empty(); ++round) {
-            zones_->resolve({bodies_.span(), start_.span(), pairs_, colliding},
-                           {.restitutions = restitutions_.span(), .as_bundles = search + round > 0, .still = still},
-                           displacements_.span());
+            zones_->resolve(
+                {bodies_.span(), start_.span(), pairs_, colliding},
+                {.restitutions = restitutions_.span(), .as_bundles = search + round > 0, .still = still},
+                displacements_.span());
             colliding = find_colliding_pairs();
         }
     }

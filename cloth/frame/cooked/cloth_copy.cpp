@@ -70,8 +70,8 @@ std::size_t Cloth::own_bytes() const {
            (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
            (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
            scratch_bytes + zone_bytes() + substep_start.bytes() +
-           (has_features() && !shares_contact_mesh ? contact_mesh->bytes() : 0) +
-           surface.bytes() + air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
+           (has_features() && !shares_contact_mesh ? contact_mesh->bytes() : 0) + surface.bytes() +
+           air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
            (whole ? whole->bytes() : 0) + body_buffers.bytes() +
            collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +

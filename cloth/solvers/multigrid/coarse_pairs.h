@@ -40,11 +40,11 @@ class CoarsePairs {
     void reserve(std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by one
-    /// cloth at a time.
+    /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by
+    /// one cloth at a time.
     void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
-    /// Then the rows of those all of whose corners are the cloth's. P leads from the first coarse level to its
-    /// particles; `weights` are its weights, 0 where pinned.
+    /// Then the rows of those all of whose corners are the cloth's. P leads from the first coarse level to
+    /// its particles; `weights` are its weights, 0 where pinned.
     void gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
                 std::span<const float> weights);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept { return active_; }

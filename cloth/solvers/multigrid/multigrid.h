@@ -105,7 +105,7 @@ class Multigrid {
     std::vector<CoarseLevel> coarse_;
     AlignedBuffer<Vec4> smooth_, remainder_;
     bool has_pairs_ = false;
-    std::uint32_t first_ = 0;  // of the cloth's particles in the pairs that are listed
+    std::uint32_t first_ = 0;    // of the cloth's particles in the pairs that are listed
     bool has_pins_set_ = false;  // what follows from pins was made
     // Of a particle that has the most, and of all; 0 until they were counted.
     std::uint32_t most_links_ = 0;

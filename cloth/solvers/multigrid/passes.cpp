@@ -152,7 +152,8 @@ SolveResult Passes::operator()() {
 
 template <class Work>
 void Passes::for_each_member(const Work& work) {
-    const auto count = static_cast<std::uint32_t>(members_.size()), threads = static_cast<std::uint32_t>(parallel_.width());
+    const auto count = static_cast<std::uint32_t>(members_.size()),
+               threads = static_cast<std::uint32_t>(parallel_.width());
     if (count >= 2 * threads)
         parallel_.blocks(count, [&](std::uint32_t k) {
             Parallel alone(1);
@@ -342,8 +343,7 @@ double Passes::couple(Vector x, Vector product) {
     if (product == nullptr) return sum;
     for (std::size_t k = 0; k < members_.size(); ++k) {
         const std::span<Vec4> of = (members_[k].vectors.*product).span();
-        if (has_pairs(members_[k]))
-            pairs_->add_products(parallel_, members_[k].step.equation.first, of);
+        if (has_pairs(members_[k])) pairs_->add_products(parallel_, members_[k].step.equation.first, of);
         if (bodies_ != nullptr) bodies_->give(k, of);
     }
     return sum;
@@ -355,18 +355,17 @@ void Passes::move(const Coefficients& c) {
         PassVectors& of = member.vectors;
         Vec4* const v = member.step.velocities.data();
         threads.ranges(static_cast<std::uint32_t>(member.step.velocities.size()),
-                         [&](const BlockRange& range) {
-                             for (std::uint32_t i = range.begin; i < range.end; i += 4) {
-                                 const FourRows before = load_four(&of.motion[i]);
-                                 FourRows more = by(motion) * before;
-                                 if (c[change] != 0) more += by(change) * load_four(&of.change[i]);
-                                 if (c[correction] != 0)
-                                     more += by(correction) * load_four(&of.correction[i]);
-                                 store_four(more, &of.change[i]);
-                                 store_four(before + more, &of.motion[i]);
-                                 store_four(load_four(v + i) + more, v + i);
-                             }
-                         });
+                       [&](const BlockRange& range) {
+                           for (std::uint32_t i = range.begin; i < range.end; i += 4) {
+                               const FourRows before = load_four(&of.motion[i]);
+                               FourRows more = by(motion) * before;
+                               if (c[change] != 0) more += by(change) * load_four(&of.change[i]);
+                               if (c[correction] != 0) more += by(correction) * load_four(&of.correction[i]);
+                               store_four(more, &of.change[i]);
+                               store_four(before + more, &of.motion[i]);
+                               store_four(load_four(v + i) + more, v + i);
+                           }
+                       });
     });
 }
 

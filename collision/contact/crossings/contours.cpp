@@ -32,8 +32,7 @@ constexpr std::size_t segments_per_crossing = 2;
 void Contours::lay_out(Scratch& scratch, std::size_t bodies, std::size_t crossings) {
     scratch.take(first_triangle_, bodies);
     scratch.take(segments_, segments_per_crossing * crossings);
-    for (auto* buffer : {&parents_, &sides_, &contours_, &firsts_, &next_})
-        scratch.take(*buffer, crossings);
+    for (auto* buffer : {&parents_, &sides_, &contours_, &firsts_, &next_}) scratch.take(*buffer, crossings);
 }
 
 void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossing> crossings) {

@@ -9,8 +9,8 @@ namespace weft {
 
 namespace {
 
-// Blocks that move pairs to buckets: no more of them, and none of fewer pairs, so that the counts of each, one
-// a bucket, are few beside its pairs.
+// Blocks that move pairs to buckets: no more of them, and none of fewer pairs, so that the counts of each,
+// one a bucket, are few beside its pairs.
 constexpr std::uint32_t most_blocks = 64, least_pairs = 4096;
 
 std::uint32_t pairs_per_block(std::size_t pairs) {

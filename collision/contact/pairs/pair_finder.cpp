@@ -65,8 +65,8 @@ void PairFinder::choose(std::span<const ContactBody> bodies) {
     for (std::uint32_t k = 0; k < bodies.size(); ++k) {
         const ContactBody& body = bodies[k];
         const ContactMesh& mesh = *body.mesh;
-        bodies_[k] = {&mesh,       body.first, body.reach,   body.layer, body.mask, body.meets_itself, vertices,
-                      triangles,   edges,      block_count_, neighbours};
+        bodies_[k] = {&mesh,    body.first, body.reach, body.layer,   body.mask, body.meets_itself,
+                      vertices, triangles,  edges,      block_count_, neighbours};
         vertices += mesh.vertex_slots().groups();
         triangles += mesh.triangle_slots().groups();
         edges += mesh.edge_slots().groups();
@@ -78,9 +78,14 @@ void PairFinder::choose(std::span<const ContactBody> bodies) {
     body_count_ = bodies.size();
 }
 
-PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* motions, float of_borders) const {
-    return {bodies_.span().first(body_count_), blocks_.span().first(block_count_), &boxes_, positions.data(),
-            motions, of_borders};
+PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* motions,
+                                 float of_borders) const {
+    return {bodies_.span().first(body_count_),
+            blocks_.span().first(block_count_),
+            &boxes_,
+            positions.data(),
+            motions,
+            of_borders};
 }
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -91,8 +96,8 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
 
 bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
     return kept_.size() > 0 && std::ranges::all_of(bodies, [](const ContactBody& body) {
-        return body.mesh->flat_rest().is_empty();
-    });
+               return body.mesh->flat_rest().is_empty();
+           });
 }
 
 bool PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -129,7 +134,8 @@ bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& searc
         }
         beyond_[block] = static_cast<std::uint16_t>(beyond);
     });
-    return std::ranges::any_of(beyond_.span().first(block_count_), [](std::uint16_t bits) { return bits != 0; });
+    return std::ranges::any_of(beyond_.span().first(block_count_),
+                               [](std::uint16_t bits) { return bits != 0; });
 }
 
 void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -156,8 +162,7 @@ void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found
         found.size = found.vertex_triangle = 0;
         return;
     }
-    parallel.blocks(block_count_,
-                    [&](std::uint32_t block) { write(positions, block, found, find_block); });
+    parallel.blocks(block_count_, [&](std::uint32_t block) { write(positions, block, found, find_block); });
 }
 
 template <class FindBlock>
@@ -214,9 +219,11 @@ void PairFinder::place(Parallel& parallel, const PairSearch& search) {
     for (std::uint32_t k = block_count_; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
     for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
         set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
-    parallel.blocks(
-        block_count_, [&](std::uint32_t block) { is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1; });
-    if (std::ranges::all_of(is_calm_.span().first(block_count_), [](std::uint8_t calm) { return calm == 1; })) return;
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
+        is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1;
+    });
+    if (std::ranges::all_of(is_calm_.span().first(block_count_), [](std::uint8_t calm) { return calm == 1; }))
+        return;
     parallel.blocks(block_count_, [&](std::uint32_t block) { place_features(search, block, boxes_); });
 }
 
@@ -232,9 +239,11 @@ void PairFinder::number(PairList& found) {
         count += pairs;
         return static_cast<std::uint32_t>(first);
     };
-    for (BlockPairs& block : block_pairs_.span().first(block_count_)) block.first_vertex_triangle = take(block.vertex_triangle);
+    for (BlockPairs& block : block_pairs_.span().first(block_count_))
+        block.first_vertex_triangle = take(block.vertex_triangle);
     found.vertex_triangle = take(0);
-    for (BlockPairs& block : block_pairs_.span().first(block_count_)) block.first_edge_edge = take(block.edge_edge);
+    for (BlockPairs& block : block_pairs_.span().first(block_count_))
+        block.first_edge_edge = take(block.edge_edge);
     found.size = take(0);
     found.overflowed = count > found.capacity();
 }

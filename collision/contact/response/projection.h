@@ -47,7 +47,7 @@ class PairProjection {
     void apply_impulses(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
                         std::span<Vec4> displacements);
 
-    PairIncidence incidence_;                  // of pairs with an impulse
+    PairIncidence incidence_;                 // of pairs with an impulse
     ScratchArray<std::uint8_t> has_impulse_;  // by pair
     ScratchArray<float> impulses_;            // by pair: displacement over inverse mass [m kg]
     ScratchArray<std::uint32_t> sharers_;     // by particle: pairs with an impulse

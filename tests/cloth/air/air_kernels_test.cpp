@@ -206,8 +206,7 @@ TEST(Normals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     settings.threads = 1;
     settings.wind = breeze;
     Simulation simulation(settings);
-    const ClothId id =
-        simulation.add(std::make_unique<Cloth>(cook(sheet(9, 11)).value(), ClothSettings()));
+    const ClothId id = simulation.add(std::make_unique<Cloth>(cook(sheet(9, 11)).value(), ClothSettings()));
     Cloth& cloth = **simulation.cloths.find(id);
     simulation.prepare(cloth);
     const auto expect_current = [&](const char* when) {

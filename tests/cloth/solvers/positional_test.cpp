@@ -215,8 +215,7 @@ TEST(Positional, OpensACollapsedCloth) {
         ClothSettings settings;
         settings.method = method;
         settings.substeps = 8;
-        const ClothId id =
-            simulation.add(std::make_unique<Cloth>(must(cook(sheet(9, 9))), settings));
+        const ClothId id = simulation.add(std::make_unique<Cloth>(must(cook(sheet(9, 9))), settings));
         Cloth& cloth = **simulation.cloths.find(id);
         simulation.settings.gravity = {};
         simulation.prepare(cloth);

@@ -11,13 +11,14 @@
 #include "collision/contact/pairs/pair_finder.h"
 #include "tests/collision/contact/contact_reference.h"
 #include "tests/collision/contact/cuts.h"
-#include "tests/targets/targets.h"
 #include "tests/laid_out.h"
+#include "tests/targets/targets.h"
 
 namespace weft::test {
 namespace {
 
-LaidOut<CrossingList> crossings_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18) {
+LaidOut<CrossingList> crossings_of(const ContactScene& scene, int threads = 1,
+                                   std::size_t capacity = 1 << 18) {
     LaidOut<PairFinder> finder;
     finder.reserve(scene.bodies);
     Parallel parallel(threads);

@@ -9,7 +9,7 @@
 namespace weft::test {
 
 inline LaidOut<PairList> pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18,
-                         float of_borders = 1) {
+                                  float of_borders = 1) {
     LaidOut<PairFinder> finder;
     finder.reserve(scene.bodies);
     Parallel parallel(threads);

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "tests/collision/contact/pair_list_reference.h"
-#include "tests/targets/targets.h"
 #include "tests/laid_out.h"
+#include "tests/targets/targets.h"
 
 namespace weft::test {
 namespace {

@@ -57,9 +57,9 @@ struct Found {
         : parallel(threads), list(room), pairs(1 << 15), exempt(1 << 15), memory(scene.positions.size()) {
         finder.reserve(scene.bodies);
         tangles.reserve(Tangles::Room{.bodies = scene.bodies.size(),
-                         .particles = scene.positions.size(),
-                         .pairs = pairs.capacity(),
-                         .crossings = room});
+                                      .particles = scene.positions.size(),
+                                      .pairs = pairs.capacity(),
+                                      .crossings = room});
         find(scene);
     }
     void find(const ContactScene& scene) {
