@@ -29,7 +29,7 @@ std::size_t scratch_bytes(const ContactMesh* mesh, bool by_zones) noexcept {
     Group alone;
     alone.lay_out(scratch, 1);
     const ContactCloth body{.mesh = mesh, .by_zones = by_zones};
-    if (mesh != nullptr) alone.contact.lay_out(scratch, std::span(&body, 1));
+    if (mesh != nullptr) alone.contact.lay_out(scratch, std::span(&body, 1), nullptr);
     return scratch.bytes();
 }
 

@@ -181,7 +181,10 @@ std::size_t Simulation::featured_cloths() const noexcept {
 }
 
 void Simulation::cloth_has_gone() noexcept {
-    if (cloths.size() == 0) scratch_ = {};
+    if (cloths.size() > 0) return;
+    scratch_ = {};
+    zones_.reset();
+    zone_particles_ = 0;
 }
 
 const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {

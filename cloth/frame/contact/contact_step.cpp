@@ -198,7 +198,7 @@ void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> near, const 
     const std::span<Cloth* const> cloths = group.all_featured();
     if (cloths.size() < 2) return;
     FeatureContact& space = group.contact;
-    space.lay_out(scratch, group.all_bodies());
+    space.lay_out(scratch, group.all_bodies(), zones_.get());
     place_features(
         worker, space, cloths, [](const Cloth& cloth) { return cloth.substep_start.span(); }, substep.h);
     for (std::size_t k = 0; k < cloths.size(); ++k)

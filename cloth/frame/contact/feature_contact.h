@@ -73,7 +73,7 @@ class FeatureContact {
 
     /// A substep begins, with these bodies, which must outlive it. `zones`: what resolves those that are by
     /// zones; null: none is.
-    void lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones = nullptr);
+    void lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones);
 
     /// Bodies are placed, with the way that they are expected to go. Then finds what is near what.
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,

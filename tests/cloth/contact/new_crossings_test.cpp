@@ -15,6 +15,8 @@
 namespace weft::test {
 namespace {
 
+constexpr ImpactZones* no_zones = nullptr;
+
 /// Two triangles of 1 m, one 0.1 m above the other, through the frame's part that features have.
 struct TwoTriangles {
     static constexpr float apart = 0.1f;
@@ -25,7 +27,7 @@ struct TwoTriangles {
     ContactMesh low_mesh{low, triangles}, high_mesh{high, triangles};
     std::vector<ContactCloth> bodies{{.mesh = &low_mesh, .radius = 0.02f, .floor = 1e-4f},
                                      {.mesh = &high_mesh, .radius = 0.02f, .floor = 1e-4f}};
-    LaidOut<FeatureContact> space{std::span<const ContactCloth>(bodies)};
+    LaidOut<FeatureContact> space{std::span<const ContactCloth>(bodies), no_zones};
     Parallel parallel{1};
     bool is_crowd = false;
 
@@ -65,7 +67,7 @@ TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
     for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;
     scene.high[2].y -= 0.05f;
     scene.high[0].y += 0.05f;
-    scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
+    scene.space.reserve(std::span<const ContactCloth>(scene.bodies), no_zones);
     const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
     scene.space.place(scene.parallel, 0, scene.low, still);
     scene.space.place(scene.parallel, 1, scene.high, still);
@@ -96,7 +98,7 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     }
     const ContactMesh mesh{start, corners};
     const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
-    LaidOut<FeatureContact> space{std::span(&body, 1)};
+    LaidOut<FeatureContact> space{std::span(&body, 1), no_zones};
     Parallel parallel{1};
     bool is_crowd = false;
     std::vector<Vec4> velocities(start.size());
@@ -127,7 +129,7 @@ TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
     const std::vector<TangleMemory> nothing(3);
     const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
     const auto place = [&](std::size_t recalled) {
-        scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
+        scene.space.reserve(std::span<const ContactCloth>(scene.bodies), no_zones);
         scene.space.place(scene.parallel, 0, scene.low, still);
         scene.space.place(scene.parallel, 1, scene.high, still);
         for (std::size_t body = 0; body < recalled; ++body) scene.space.recall(body, nothing);
@@ -161,7 +163,7 @@ TEST(NewCrossings, AreLookedForWhereRoundingMayHaveMadeThem) {
     for (const float way : {1.0f, 1e4f}) {
         TwoTriangles scene;
         for (Vec4& x : scene.high) x.y = 5e-5f;
-        scene.space.reserve(std::span<const ContactCloth>(scene.bodies));
+        scene.space.reserve(std::span<const ContactCloth>(scene.bodies), no_zones);
         const ExpectedMotion still{.velocities = scene.velocities, .h = 0.01f};
         scene.space.place(scene.parallel, 0, scene.low, still);
         scene.space.place(scene.parallel, 1, scene.high, still);
@@ -194,7 +196,7 @@ TEST(FullList, ShortensTheMotionUntilThereIsRoom) {
     const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
     for (const bool is_pinned : {false, true}) {
         start[0].w = is_pinned ? 0.0f : 1.0f;
-        LaidOut<FeatureContact> space{std::span(&body, 1)};
+        LaidOut<FeatureContact> space{std::span(&body, 1), no_zones};
         Parallel parallel{1};
         bool is_crowd = false;
         const std::vector<Vec4> velocities(start.size());
