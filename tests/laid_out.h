@@ -18,7 +18,8 @@ class LaidOut : public Object {
     LaidOut(LaidOut&&) noexcept = default;
     LaidOut& operator=(LaidOut&&) noexcept = default;
 
-    /// As Object::lay_out() has them. Memory that there was has what was left there; other has rubbish.
+    /// Lays the object out, with what Object::lay_out() takes. Memory that was used before holds what was
+    /// left there, and new memory rubbish.
     template <class... Sizes>
     void reserve(const Sizes&... sizes) {
         Scratch measure;

@@ -197,9 +197,9 @@ struct Cloth {
     [[nodiscard]] float distance_of(const SelfCollision& self_collision) const;
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
-    /// Whether it meets others by features.
+    /// Whether the cloth meets itself and others by features.
     [[nodiscard]] bool has_features() const noexcept { return substep_start.size() > 0; }
-    /// That its steps take of what the World has for impact zones.
+    /// Bytes that its steps take of the World's memory for impact zones.
     [[nodiscard]] std::size_t zone_bytes() const noexcept;
     /// As it is met by features. Precondition: it has features.
     [[nodiscard]] ContactCloth as_body() const;
@@ -227,7 +227,7 @@ struct Cloth {
     std::shared_ptr<const ContactMesh> contact_mesh;
     bool shares_contact_mesh = false;   ///< it is the CookedCloth's
     AlignedBuffer<Vec4> substep_start;  ///< only with contact: where the substep began
-    std::size_t scratch_bytes = 0;      ///< that its steps take of the World's scratch
+    std::size_t scratch_bytes = 0;      ///< bytes that its steps take of the World's
 
     Surface surface;
     AirBuffers air;

@@ -15,8 +15,8 @@ namespace weft {
 
 struct Cloth;
 
-/// What one part of a substep makes of a group. Cloths that are solved as one equation follow one another: a
-/// set. All of it is scratch.
+/// A group's cloths in the order in which a part of a substep solves them, and what it makes of each. Cloths
+/// that are one equation follow one another: a set. All arrays are scratch.
 struct Group {
     void lay_out(Scratch& scratch, std::size_t count);
 
@@ -30,7 +30,7 @@ struct Group {
     std::size_t featured_count = 0;
     FeatureContact contact;  ///< of these, if there are any
 
-    /// Those of them that have features, as bodies in contact.
+    /// Lists those of the group's cloths that have features, and each as a body in contact.
     void add_featured(std::span<Cloth* const> group);
     [[nodiscard]] std::span<Cloth* const> all_featured() const {
         return featured.span().first(featured_count);
@@ -40,7 +40,8 @@ struct Group {
     }
 };
 
-/// Scratch that a cloth adds to what its group takes; `mesh`: of its features, or null.
+/// Bytes of scratch that a cloth takes alone, and at most adds to what a group takes. `mesh` is that of its
+/// features, or null.
 [[nodiscard]] std::size_t scratch_bytes(const ContactMesh* mesh, bool by_zones) noexcept;
 
 }  // namespace weft

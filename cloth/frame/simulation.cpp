@@ -136,8 +136,8 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     take(std::move(room));
 }
 
-// Where it is made anew there is room for an eighth more of such cloths as there are: so of n that are added
-// one after the other few make it, and it is hardly larger than it has to be.
+// Scratch that is made anew has room for an eighth more of such cloths as there are: so few of n cloths that
+// are added one after the other make it, and it is hardly larger than it has to be.
 Simulation::Room Simulation::make_room(const Cloth* changed, const SelfCollision& of,
                                        const ContactMesh* mesh) const {
     std::size_t bytes = scratch_bytes(has_features(of) ? mesh : nullptr, has_zones(of)), count = 1;
@@ -171,6 +171,7 @@ std::size_t Simulation::bytes_to_spare() const noexcept {
     cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
         used += cloth->scratch_bytes + cloth->zone_bytes();
     });
+    // Few cloths by zones share the least number of pairs, which each of them counts.
     const std::size_t all = scratch_.bytes() + (zones_ ? zones_->bytes() : 0);
     return all - std::min(all, used);
 }

@@ -132,7 +132,7 @@ struct Simulation {
     /// Instead of it, where time is to be known: what the step took of a cloth [ns].
     std::int64_t (*cost_of)(const Cloth& cloth) = nullptr;
 
-    /// Scratch that no cloth counts as its own.
+    /// Bytes that steps have and no cloth counts as its own.
     [[nodiscard]] std::size_t bytes_to_spare() const noexcept;
 
     /// Wakes all cloths; those near a collider; those that may touch a cloth. A cloth that is awake stays so
@@ -153,17 +153,18 @@ struct Simulation {
 
     /// Makes room for one cloth more, so that no step needs to.
     void reserve_cloth();
-    /// Scratch for all cloths.
+    /// Memory that the steps of all cloths share.
     struct Room {
         ScratchMemory scratch;  ///< none: there is enough
         std::unique_ptr<ImpactZones> zones;
         std::size_t zone_particles = 0;
     };
-    /// For the cloth that changes, or comes, by these settings and this mesh of features.
+    /// Makes what there is too little of when a cloth comes, or changes, with these settings and this mesh of
+    /// features. May throw.
     [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of,
                                  const ContactMesh* mesh) const;
     void take(Room&& room) noexcept;
-    /// Of those that the step takes.
+    /// How many of the step's cloths have features.
     [[nodiscard]] std::size_t featured_cloths() const noexcept;
     void begin(float dt);
     void choose_present(float dt);
@@ -207,7 +208,7 @@ struct Simulation {
     [[nodiscard]] int parts_of(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
     void solve_part(Worker& worker, Group& group, Scratch scratch, std::span<Cloth* const> cloths,
                     const Substep& part);
-    /// Where the sets of a group end among its cloths.
+    /// The places among a group's cloths where its sets of one and its set of first order end.
     struct SetEnds {
         std::size_t alone, first_order;
     };

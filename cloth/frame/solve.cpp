@@ -23,7 +23,7 @@ bool any_meets_bodies(std::span<Cloth* const> cloths) {
     return std::ranges::any_of(cloths, &Cloth::meets_bodies);
 }
 
-/// Of cloths that take their next step by one equation, which has one gamma: the largest of theirs.
+/// The gamma of one equation for all of these cloths: the largest of theirs.
 float common_gamma(std::span<Cloth* const> cloths, float h) {
     float most = 0;
     for (const Cloth* cloth : cloths) most = std::max(most, cloth->bdf_of(h).gamma);
@@ -39,7 +39,7 @@ bool was_cut_much(std::span<Cloth* const> featured) {
     for (const Cloth* cloth : featured) particles += cloth->state.size();
     const FeatureCounts& counts = featured.front()->feature_counts;
     if (counts.unresolved > 0) return false;  // by zones, which cut nothing
-    // What comes apart would be pushed twice a step, and fly.
+    // Half steps would push crossing cloth apart twice, and it would fly.
     const bool is_tangled = counts.tangles.crossings > 0;
     return counts.overflowed || (!is_tangled && most * counts.truncated > particles);
 }
@@ -83,7 +83,7 @@ int Simulation::parts_of(Worker& worker, std::span<Cloth* const> cloths, const S
     return substeps * parts;
 }
 
-/// Since colliders are thin or fast.
+/// The parts that a substep needs so that no thin or fast collider is passed.
 int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep) {
     constexpr std::uint32_t most = 8;
     if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
@@ -152,9 +152,13 @@ void Simulation::solve_set(Worker& worker, Group& group, std::span<Cloth* const>
     const auto of_set = [&](auto& array) { return array.span().subspan(first, set.size()); };
     const std::span<StepEquation> equations = of_set(group.equations);
     const std::span<float> residuals = of_set(group.residuals);
-    const SolveResult result = can_join(*set.front()) ? solve_by_passes(of_set(group.members), residuals)
-                                                      : set.front()->solver->solve(group.steps[first]);
-    if (!can_join(*set.front())) residuals.front() = result.residual;
+    SolveResult result;
+    if (can_join(*set.front())) {
+        result = solve_by_passes(of_set(group.members), residuals);
+    } else {
+        result = set.front()->solver->solve(group.steps[first]);
+        residuals.front() = result.residual;
+    }
     for (std::size_t m = 0; m < set.size(); ++m) {
         take_result(worker, *set[m], equations[m], {residuals[m], result.ok, result.unsolved},
                     group.steps[first + m].wants_residual);
@@ -216,8 +220,8 @@ void Simulation::make_equations(Worker& worker, Group& group, std::span<Cloth* c
     group.contact.make_rows(worker.parallel, gamma);
 }
 
-// What must hold exactly, the most important last: no particle inside a collider, none beyond its leash or in
-// its backstop, none too fast.
+// The order says what matters more, the most important last: springs' limits, other cloth, colliders, leashes
+// and backstops.
 void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(worker, cloth);
     avoid_self_collision(worker, cloth, part.h);
@@ -247,7 +251,7 @@ StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h, cons
             .divisor = bdf.divisor};
 }
 
-// Of finite elements it takes a quarter of a step, so it is measured in one step of 32.
+// The residual of finite elements takes a quarter of a step, so it is measured in one step of 32.
 bool Simulation::is_residual_due(const Cloth& cloth) const {
     return !cloth.settings.finite_elements.enabled || state.steps % 32 == 1;
 }

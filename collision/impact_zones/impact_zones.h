@@ -61,7 +61,7 @@ class ImpactZones {
     static constexpr std::uint32_t most_compared = 64;
 
     void reserve(std::size_t particles, std::size_t pairs);
-    /// That reserve() takes for each particle and for each pair, besides what it takes for none.
+    /// Bytes that reserve() takes for each particle and for each pair, besides what it takes for none.
     static const std::size_t bytes_per_particle, bytes_per_pair;
 
     /// Changes velocities, or displacements just so, of free particles in zones. Momentum of what nothing

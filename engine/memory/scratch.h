@@ -74,8 +74,9 @@ class Scratch {
         end_ = std::max(end_, end);
     }
 
-    [[nodiscard]] bool is_measured() const noexcept { return begin_ == nullptr; }
-    /// That all which was taken lies in.
+    /// Whether arrays have memory; else they are only measured.
+    [[nodiscard]] bool has_memory() const noexcept { return begin_ != nullptr; }
+    /// Bytes that all arrays lie in.
     [[nodiscard]] std::size_t bytes() const noexcept { return most_; }
 
   private:

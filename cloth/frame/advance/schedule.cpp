@@ -83,7 +83,7 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 void Schedule::share_out(int threads) {
     std::uint64_t total = 0;
     for (const Group& group : groups_) total += group.work;
-    // What bodies and impact zones need there is once.
+    // The World has one memory for its bodies' motion and one for impact zones: who uses them goes alone.
     const auto needs_what_there_is_once = [](const Cloth* cloth) {
         return cloth->meets_bodies || has_zones(cloth->settings.self_collision);
     };

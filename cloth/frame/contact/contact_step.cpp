@@ -44,7 +44,7 @@ Bounds predicted_box(const Cloth& cloth, const Vector3& gravity, float h) {
     return box.grown_by(cloth.as_body().radius);
 }
 
-/// Where the cloth has gone in the substep.
+/// The box around where the cloth was in the substep.
 Bounds swept_box(const Cloth& cloth) {
     GrowingBox box;
     if (!cloth.has_features()) return box.grown_by(0);
@@ -60,7 +60,7 @@ bool touches_colliders(std::span<Cloth* const> cloths) {
         cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
 }
 
-/// Calm cloth costs nothing.
+/// Writes what particles remember of tangles back, unless neither was nor is any: calm cloth costs nothing.
 void remember_tangles(FeatureContact& space, std::size_t body, ClothState& state) {
     if (state.may_cross == 0 && !space.may_cross()) return;
     std::ranges::copy(space.memory(body), state.tangles.data());

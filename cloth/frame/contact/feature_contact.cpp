@@ -53,10 +53,10 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
             rows_.untangling().lay_out(scratch, crossings);
         },
         [&] { settler_.lay_out_cut(scratch, particles, bodies.size(), pairs); });
-    if (!scratch.is_measured()) number_bodies();
+    if (scratch.has_memory()) number_bodies();
 }
 
-/// Particles between two bodies' stay where they are, at 0.
+/// Numbers the bodies' particles, and puts the numbers between two bodies at 0, since kernels read them.
 void FeatureContact::number_bodies() {
     std::uint32_t first = 0;
     for (std::size_t k = 0; k < cloths_.size(); ++k) {
@@ -72,7 +72,7 @@ void FeatureContact::number_bodies() {
     }
 }
 
-/// Nobody has recalled what crosses.
+/// Clears what particles remember of tangles, unless some body has recalled its own.
 void FeatureContact::remember_nothing() {
     if (!std::exchange(may_cross_, true)) std::ranges::fill(memory_.span(), TangleMemory{});
 }

@@ -65,24 +65,24 @@ class FeatureContact {
         return std::max(least_pairs, pairs_per_particle * particles);
     }
 
-    /// As they are numbered: with those that fill a body's up.
+    /// How many numbers a body's particles take, since each body begins at a whole group.
     [[nodiscard]] static std::uint32_t particles_of(const ContactMesh& mesh) noexcept {
         constexpr std::uint32_t group = 16;  // whole groups of a system's rows
         return (mesh.particles() + group - 1) / group * group;
     }
 
-    /// A substep begins, with these bodies, which must outlive it. `zones`: what resolves those that are by
-    /// zones; null: none is.
+    /// Lays a substep's arrays out, of these bodies, which must outlive it. `zones` resolves them if all are
+    /// by zones; only then it may not be null, unless nothing but the size is asked for.
     void lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones);
 
-    /// Bodies are placed, with the way that they are expected to go. Then finds what is near what.
+    /// Places a body, with the way that it is expected to go.
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                const ExpectedMotion& expected);
     /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
     /// for that crosses.
     void recall(std::size_t body, std::span<const TangleMemory> memory);
-    /// `is_crowd`: whether more is near than there is room for; as it was the last time, which only spares a
-    /// search, and as it is now.
+    /// Finds what is near what. `is_crowd` says whether more is near than there is room for: before, as the
+    /// last search found, which only spares one; after, as this one did.
     void detect(Parallel& parallel, bool& is_crowd);
     /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
     [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }

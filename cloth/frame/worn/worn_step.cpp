@@ -101,7 +101,7 @@ void Simulation::fill_motions(std::vector<ColliderMotion>& motions, std::uint32_
     });
 }
 
-/// Of all cloths of a set; a cloth that is carried sees them its own way.
+/// Finds how colliders move that a set's cloths may meet; a cloth that is carried sees them its own way.
 void Simulation::see_colliders(Worker& worker, std::span<Cloth* const> set, const Substep& substep) const {
     std::uint32_t mask = 0;
     bool with_bodies = false;

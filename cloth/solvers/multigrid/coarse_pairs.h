@@ -43,15 +43,15 @@ class CoarsePairs {
     /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by
     /// one cloth at a time.
     void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
-    /// Then the rows of those all of whose corners are the cloth's. P leads from the first coarse level to
-    /// its particles; `weights` are its weights, 0 where pinned.
+    /// Makes rows of the listed pairs all of whose corners are the cloth's. P leads from the first coarse
+    /// level to its particles; `weights` are its weights, 0 where pinned.
     void gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
                 std::span<const float> weights);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept { return active_; }
     /// Of the rows of a finer coarse level.
     void gather(const CoarsePairs& finer, const Interpolation& p);
 
-    /// Whether pairs are listed that are not of this cloth alone.
+    /// Whether gather() met listed pairs that are not of this cloth alone.
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
 
     void clear() noexcept {

@@ -84,7 +84,8 @@ class PairFinder {
         std::uint32_t first_vertex_triangle, first_edge_edge;
     };
 
-    /// What bodies take: groups of sixteen slots of each kind, neighbours of patches, and blocks.
+    /// How much of each array bodies take: groups of sixteen slots of each kind, neighbours of patches,
+    /// blocks.
     struct Room {
         std::size_t bodies = 0, vertices = 0, triangles = 0, edges = 0, neighbours = 0, blocks = 0;
         bool looks_again = false;
@@ -92,7 +93,7 @@ class PairFinder {
     };
     void lay_out(Scratch& scratch, const Room& room);
     void choose(std::span<const ContactBody> bodies);
-    /// Of the bodies that were chosen.
+    /// A search of the bodies that were chosen.
     [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,
                                        float of_borders) const;
     [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;

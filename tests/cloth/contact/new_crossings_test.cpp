@@ -118,7 +118,7 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     EXPECT_FLOAT_EQ(velocities[0].y, -(0.8f + 0.37f * start[0].x - 0.21f * start[0].z) / h);
 }
 
-// One island after another has the same memory.
+// Groups are laid out in the same memory, one after another.
 TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
     TwoTriangles scene;
     const std::vector<Vec4> above = scene.high;

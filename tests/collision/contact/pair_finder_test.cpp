@@ -236,7 +236,7 @@ TEST(PairFinder, LooseParticlesAndEmptyMeshesListNothing) {
     EXPECT_EQ(pairs_of(ContactScene()).size, 0u);
 }
 
-/// One finder searches now these bodies, now those, in the memory of the largest: what it found before, where
+/// A finder searches now these bodies, now those, in the memory of the largest: what it found before, where
 /// bodies had more patches or lay elsewhere, is forgotten.
 TEST(PairFinder, FindsTheSameWhateverItSearchedBefore) {
     std::deque<ContactScene> scenes;  // where they are made they stay: bodies point to their meshes
