@@ -230,7 +230,6 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
             contact_mesh = std::move(made->mesh);
             shares_contact_mesh = false;
         }
-        substep_start = std::move(made->substep_start);
         state.tangles = std::move(made->tangles);
         state.may_cross = 1;
     }
@@ -239,7 +238,6 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
     if (weft::has_features(of)) return;
     contact_mesh.reset();
     solver->reserve_pairs(0);
-    substep_start = {};
     state.tangles = {};
     state.may_cross = state.halved = 0;
     feature_counts = {};

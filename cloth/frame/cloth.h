@@ -78,11 +78,18 @@ struct CollectedShare {
 struct FeatureBuffers {
     /// `made`: a mesh of features, if the cloth has none.
     FeatureBuffers(std::shared_ptr<const ContactMesh>&& made, std::uint32_t particles)
-        : mesh(std::move(made)), substep_start(particles), tangles(particles) {}
+        : mesh(std::move(made)), tangles(particles) {}
 
     std::shared_ptr<const ContactMesh> mesh;
-    AlignedBuffer<Vec4> substep_start;
     AlignedBuffer<TangleMemory> tangles;
+};
+
+/// Where a cloth with features will be in a substep, as far as can be told.
+struct ExpectedWay {
+    Bounds box{};
+    float length = 0;    ///< of the way of its fastest particle [m]
+    float longest = 0;   ///< of its group, if it is the first of several [m]
+    float grown_by = 0;  ///< the box, for what others may pass on [m]
 };
 
 /// Copies of what a host reads, while a step that was begun writes over it.
@@ -198,7 +205,7 @@ struct Cloth {
     /// Counts of the mesh, mass and memory.
     [[nodiscard]] ClothInfo info() const;
     /// Whether the cloth meets itself and others by features.
-    [[nodiscard]] bool has_features() const noexcept { return substep_start.size() > 0; }
+    [[nodiscard]] bool has_features() const noexcept { return state.tangles.size() > 0; }
     /// Bytes that its steps take of the World's memory for impact zones.
     [[nodiscard]] std::size_t zone_bytes() const noexcept;
     /// As it is met by features. Precondition: it has features.
@@ -225,9 +232,10 @@ struct Cloth {
     std::optional<RestNeighbours> rest_neighbours;  ///< likewise
     std::optional<Contacts> contacts;  ///< only with colliders or features, and if the solver is implicit
     std::shared_ptr<const ContactMesh> contact_mesh;
-    bool shares_contact_mesh = false;   ///< it is the CookedCloth's
-    AlignedBuffer<Vec4> substep_start;  ///< only with contact: where the substep began
-    std::size_t scratch_bytes = 0;      ///< bytes that its steps take of the World's
+    bool shares_contact_mesh = false;  ///< it is the CookedCloth's
+    ExpectedWay expected;              ///< with features: where it will be in the present substep
+    std::uint32_t group = 0;        ///< that it is solved with then: the place of its first cloth in the step
+    std::size_t scratch_bytes = 0;  ///< bytes that its steps take of the World's
 
     Surface surface;
     AirBuffers air;

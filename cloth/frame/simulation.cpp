@@ -176,11 +176,6 @@ std::size_t Simulation::bytes_to_spare() const noexcept {
     return all - std::min(all, used);
 }
 
-std::size_t Simulation::featured_cloths() const noexcept {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(present_, [](const Cloth* cloth) { return cloth->has_features(); }));
-}
-
 void Simulation::cloth_has_gone() noexcept {
     if (cloths.size() > 0) return;
     scratch_ = {};
@@ -239,7 +234,6 @@ void Simulation::reserve_cloth() {
     each_.reserve(count);
     islands_.reserve(count);
     finder_.reserve(count);
-    solved_with_.reserve(count);
     if (bodies_) bodies_->reserve(count, state.colliders.size());
     if (settings.budget > 0) reserve_budget(count);
 }

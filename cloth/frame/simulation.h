@@ -164,8 +164,6 @@ struct Simulation {
     [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of,
                                  const ContactMesh* mesh) const;
     void take(Room&& room) noexcept;
-    /// How many of the step's cloths have features.
-    [[nodiscard]] std::size_t featured_cloths() const noexcept;
     void begin(float dt);
     void choose_present(float dt);
     void wake_disturbed(bool is_gusty);
@@ -183,7 +181,10 @@ struct Simulation {
     static void count_still_time(Cloth& cloth, float dt);
     void step_together(float dt);
     void step_each(float dt);
-    void meet(const Substep& substep);
+    void expect(Cloth& cloth, float h) const;
+    void meet();
+    bool pass_ways_on();
+    [[nodiscard]] Bounds own_space(const Cloth& cloth) const;
     template <class Work>
     void for_each_group(const Schedule& schedule, const Work& work);
     static void share_out_time(const Schedule::Group& group, std::int64_t nanoseconds);
@@ -217,17 +218,14 @@ struct Simulation {
     void make_equations(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part,
                         float gamma);
     void settle(Worker& worker, Cloth& cloth, const Substep& part);
-    template <class StartOf>
-    void place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                        const StartOf& start_of, float h) const;
     void find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths, float h);
     /// By its pins, its skin or its frame.
     [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
     void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                          const Substep& substep);
-    void part_strays(const Substep& substep);
-    void join_solved(bool all);
-    void cut_strays(Worker& worker, std::span<Cloth* const> near, const Substep& substep);
+    void keep_in_own_space(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) const;
+    [[nodiscard]] bool is_taken_out_of_own_space(Worker& worker, FeatureContact& space, std::size_t body,
+                                                 const Cloth& cloth) const;
     void guard(Worker& worker, Cloth& cloth);
     void finish(Worker& worker, Cloth& cloth);
 
@@ -270,8 +268,8 @@ struct Simulation {
     /// touch.
     [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
     void hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth, float h);
-    void keep_cut_out_of_colliders(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                                   float h) const;
+    void keep_common_motion_out(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                                float h) const;
     [[nodiscard]] static bool is_taken_into_colliders(Worker& worker, const FeatureContact& space,
                                                       std::size_t body, Cloth& cloth, float h);
     void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
@@ -320,10 +318,10 @@ struct Simulation {
     std::unique_ptr<BodyStage> bodies_;     // null: there are none
     std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
 
-    std::vector<std::uint32_t> solved_with_;  // of each cloth the first of its group
-    ScratchMemory scratch_;                   // of all cloths, group by group
-    std::unique_ptr<ImpactZones> zones_;      // null: no cloth needs any
-    std::size_t zone_particles_ = 0;          // that they have memory for
+    std::size_t featured_cloths_ = 0;     // that the step takes
+    ScratchMemory scratch_;               // of all cloths, group by group
+    std::unique_ptr<ImpactZones> zones_;  // null: no cloth needs any
+    std::size_t zone_particles_ = 0;      // that they have memory for
 };
 
 }  // namespace weft

@@ -21,7 +21,7 @@ Vector3 limited(const Vector3& velocity, float max_speed) {
 
 void Simulation::step(float dt) {
     begin(dt);
-    if (featured_cloths() > 1 || bodies_)
+    if (featured_cloths_ > 1 || bodies_)
         step_together(dt);
     else
         step_each(dt);
@@ -36,14 +36,14 @@ void Simulation::step_together(float dt) {
         for_each_cloth([&](Worker& worker, Cloth& cloth) {
             if (!cloth.is_gliding())
                 predict(worker, cloth, cloth.stride() * dt, substep.times(cloth.stride()));
+            expect(cloth, substep.h);
         });
-        meet(substep);
+        meet();
         for_each_group(islands_, [&](Worker& worker, std::span<Cloth* const> island) {
             const Cloth& first = *island.front();  // cloths that may touch take no long steps
             if (!first.is_gliding())
                 solve(worker, island, first.stride() * dt, substep.times(first.stride()));
         });
-        part_strays(substep);
         end_bodies(substep);
     }
     for_each_cloth([&](Worker& worker, Cloth& cloth) {
@@ -113,6 +113,8 @@ void Simulation::begin(float dt) {
         cloth->pins_limited = false;
         cloth->contact_count = 0;
     }
+    featured_cloths_ = static_cast<std::size_t>(
+        std::ranges::count_if(present_, [](const Cloth* cloth) { return cloth->has_features(); }));
     plan_carries(dt);
     each_.plan(present_, parallel.width());
 }

@@ -139,6 +139,13 @@ Result<void> validate(const Collider& collider) {
 }
 
 Collider blend(const Collider& from, const Collider& to, float t) {
+    if (t == 1) return to;
+    if (t == 0) {
+        Collider start = from;
+        start.layers = to.layers;
+        start.is_trigger = to.is_trigger;
+        return start;
+    }
     const auto blended = [&]<class Shape>(const Shape& end) -> decltype(Collider::shape) {
         return blend(*std::get_if<Shape>(&from.shape), end, t);
     };

@@ -7,6 +7,9 @@
 
 #include "cloth/frame/advance/advance.h"
 #include "cloth/frame/simulation.h"
+#include "collision/search/patch_kernels.h"
+#include "collision/shapes/moving_shapes.h"
+#include "engine/bounds.h"
 
 namespace weft {
 
@@ -29,30 +32,47 @@ class GrowingBox {
     Vector3 lower_ = Vector3::Constant(infinity), upper_ = -lower_;
 };
 
-/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends.
-Bounds predicted_box(const Cloth& cloth, const Vector3& gravity, float h) {
+/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends; and how far it
+/// goes then.
+ExpectedWay way_of(const Cloth& cloth, const Vector3& gravity, float h) {
     GrowingBox box;
-    if (!cloth.has_features()) return box.grown_by(0);
+    float squared = 0;
     const Vector3 fall = h * h * gravity;
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
         const Vector3 here = xyz(cloth.state.positions[i]);
-        const Vector3 there = here + h * xyz(cloth.state.velocities[i]);
+        const Vector3 velocity = xyz(cloth.state.velocities[i]), there = here + h * velocity;
         box.add(here);
         box.add(there);
         box.add(there + fall);
+        squared = std::max(squared, velocity.squaredNorm());
     }
-    return box.grown_by(cloth.as_body().radius);
+    return {.box = box.grown_by(cloth.as_body().radius), .length = h * std::sqrt(squared) + fall.norm()};
 }
 
-/// The box around where the cloth was in the substep.
-Bounds swept_box(const Cloth& cloth) {
-    GrowingBox box;
-    if (!cloth.has_features()) return box.grown_by(0);
-    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        box.add(xyz(cloth.substep_start[i]));
-        box.add(xyz(cloth.state.positions[i]));
-    }
-    return box.grown_by(cloth.as_body().floor);
+/// How far the collider pushes what it meets in the box at most [m].
+float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, const Bounds& box) {
+    const Reach reach{thickness + motion.end.thickness, 0};
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        if (!may_meet(start, end, pace, reach, BlockPaths{box, 0})) return 0.0f;
+        return std::max(0.0f, sweeping(start, end, pace, reach.thickness).way);
+    });
+}
+
+/// A plane across an axis, and which of two cloths is below it.
+struct ParallelPlane {
+    Eigen::Index axis;
+    float place;
+    bool has_first_below;
+};
+
+/// Halfway between two boxes, where they are farthest apart.
+ParallelPlane plane_between(const Bounds& first, const Bounds& second) {
+    const Vector3 gaps_above = to_vector(second.lower) - to_vector(first.upper),
+                  gaps_below = to_vector(first.lower) - to_vector(second.upper);
+    Eigen::Index above = 0, below = 0;
+    if (gaps_above.maxCoeff(&above) >= gaps_below.maxCoeff(&below))
+        return {above, 0.5f * (to_vector(second.lower)[above] + to_vector(first.upper)[above]), true};
+    return {below, 0.5f * (to_vector(first.lower)[below] + to_vector(second.upper)[below]), false};
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
@@ -69,39 +89,104 @@ void remember_tangles(FeatureContact& space, std::size_t body, ClothState& state
 
 }  // namespace
 
-// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body.
-void Simulation::meet(const Substep& substep) {
-    boxes_.clear();
-    for (Cloth* cloth : present_) {
-        boxes_.push_back(predicted_box(*cloth, to_vector(settings.gravity), substep.h));
-        if (cloth->has_features())
-            std::ranges::copy(std::as_const(cloth->state.positions).span(), cloth->substep_start.data());
-    }
-    finder_.find(boxes_,
-                 [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
-    if (bodies_) finder_.join(bodies_->sharing.first_of());
-    islands_.plan(present_, finder_.first_of(), parallel.width());
-    solved_with_.assign(finder_.first_of().begin(), finder_.first_of().end());
+/// Where the cloth will be in a substep of h seconds as far as can be told, with what colliders may push it
+/// in the whole step.
+void Simulation::expect(Cloth& cloth, float h) const {
+    if (!cloth.has_features()) return;
+    cloth.expected = way_of(cloth, to_vector(settings.gravity), h);
+    float push = 0;
+    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & cloth.settings.collider_mask) == 0) return;
+        ColliderMotion motion{slot.current, slot.target, settings.max_speed};
+        motion.held = held_by(slot.target);
+        push = std::max(
+            push, push_of(motion, {h, settings.max_speed}, cloth.settings.thickness, cloth.expected.box));
+    });
+    cloth.expected.length += push;
+    cloth.expected.box = grown(cloth.expected.box, push);
 }
 
-/// Places the cloths at the positions that start_of(cloth) returns.
-template <class StartOf>
-void Simulation::place_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                                const StartOf& start_of, float h) const {
-    for (std::size_t k = 0; k < cloths.size(); ++k) {
-        const Cloth& cloth = *cloths[k];
-        space.place(worker.parallel, k, start_of(cloth),
-                    {.velocities = cloth.state.velocities.span(), .h = h});
-        if (cloth.state.may_cross != 0) space.recall(k, cloth.state.tangles.span());
+// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body. Those that
+// meet pass their speed on to one another, and each may go as far as any of them.
+void Simulation::meet() {
+    for (bool any = true; any;) {
+        boxes_.clear();
+        for (const Cloth* cloth : present_)
+            boxes_.push_back(cloth->has_features() ? cloth->expected.box : no_box);
+        finder_.find(boxes_,
+                     [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
+        if (bodies_) finder_.join(bodies_->sharing.first_of());
+        any = pass_ways_on();
     }
+    for (std::size_t i = 0; i < present_.size(); ++i) present_[i]->group = finder_.first_of()[i];
+    islands_.plan(present_, finder_.first_of(), parallel.width());
+}
+
+/// Grows the boxes of cloths that meet. Returns whether any has grown.
+bool Simulation::pass_ways_on() {
+    const std::span<const std::uint32_t> first_of = finder_.first_of();
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        ExpectedWay& of_first = present_[first_of[i]]->expected;
+        if (first_of[i] != i)
+            of_first.longest = std::max({of_first.longest, of_first.length, present_[i]->expected.length});
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        ExpectedWay& own = present_[i]->expected;
+        const float more = present_[first_of[i]]->expected.longest - own.grown_by;
+        if (!(more > 0)) continue;
+        own.box = grown(own.box, more);
+        own.grown_by += more;
+        any = true;
+    }
+    return any;
+}
+
+/// The space on the cloth's side of planes halfway between its box and those of cloths in other groups. As
+/// long as each stays in its own, groups cannot meet.
+Bounds Simulation::own_space(const Cloth& cloth) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Vector3 lower = Vector3::Constant(-infinity), upper = -lower;
+    const float floor = cloth.as_body().floor;
+    bool is_first = false;
+    for (const Cloth* other : present_) {
+        is_first = is_first || other == &cloth;
+        if (other->group == cloth.group || !other->has_features() || !may_meet(cloth, *other)) continue;
+        const ParallelPlane plane = is_first ? plane_between(cloth.expected.box, other->expected.box)
+                                             : plane_between(other->expected.box, cloth.expected.box);
+        if (plane.has_first_below == is_first)
+            upper[plane.axis] = std::min(upper[plane.axis], plane.place - floor);
+        else
+            lower[plane.axis] = std::max(lower[plane.axis], plane.place + floor);
+    }
+    return {to_vec3(lower), to_vec3(upper)};
 }
 
 void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                                float h) {
     const auto timer = timed(Stage::self_search);
-    place_features(
-        worker, space, cloths, [](const Cloth& cloth) { return cloth.state.positions.span(); }, h);
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        const ClothState& now = cloths[k]->state;
+        space.place(worker.parallel, k, now.positions.span(), {.velocities = now.velocities.span(), .h = h});
+        if (now.may_cross != 0) space.recall(k, now.tangles.span());
+    }
     if (!space.uses_zones()) space.detect(worker.parallel, cloths.front()->is_in_crowd);
+}
+
+/// Shortens the way of what goes another way than it was expected to, and would leave the cloth's own space.
+void Simulation::keep_in_own_space(Worker& worker, FeatureContact& space,
+                                   std::span<Cloth* const> cloths) const {
+    if (featured_cloths_ == 1) return;
+    for (std::size_t k = 0; k < cloths.size(); ++k)
+        if (space.leaves(worker.parallel, k, cloths[k]->expected.box))
+            space.keep_within(worker.parallel, k, own_space(*cloths[k]));
+}
+
+/// Whether a common motion has taken some of the cloth out of its own space.
+bool Simulation::is_taken_out_of_own_space(Worker& worker, FeatureContact& space, std::size_t body,
+                                           const Cloth& cloth) const {
+    return featured_cloths_ > 1 && space.leaves(worker.parallel, body, cloth.expected.box) &&
+           space.leaves(worker.parallel, body, own_space(cloth));
 }
 
 // The last that moves particles in a substep.
@@ -117,8 +202,15 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
         cloths[k]->feature_counts = {};
     }
     FeatureCounts& counts = cloths.front()->feature_counts;
-    counts = space.settle(worker.parallel, touches_colliders(cloths));
-    keep_cut_out_of_colliders(worker, space, cloths, substep.h);
+    if (!space.uses_zones()) {
+        space.project(worker.parallel);
+        keep_in_own_space(worker, space, cloths);
+    }
+    counts = space.cut(worker.parallel, touches_colliders(cloths));
+    if (space.uses_zones())
+        keep_in_own_space(worker, space, cloths);
+    else
+        keep_common_motion_out(worker, space, cloths, substep.h);
     if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         hand_back(worker, space, k, *cloths[k], substep.h);
@@ -140,75 +232,6 @@ void Simulation::hand_back(Worker& worker, const FeatureContact& space, std::siz
 void Simulation::keep_out_of_colliders(Worker& worker, Cloth& cloth, float h) {
     if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
     cloth.collider_contacts = std::max(cloth.collider_contacts, collide(worker, cloth, h, {}));
-}
-
-// Cloth can go another way than it was going when islands were found. Where it came near cloth of another
-// island, both are cut; that may bring them near a third, and in the last round all are taken for one.
-void Simulation::part_strays(const Substep& substep) {
-    constexpr int rounds = 4;
-    for (int round = 0; round < rounds; ++round) {
-        boxes_.clear();
-        for (const Cloth* cloth : present_) boxes_.push_back(swept_box(*cloth));
-        const bool is_last = round + 1 == rounds;
-        bool any = false;
-        finder_.find(boxes_, [&](std::uint32_t i, std::uint32_t j) {
-            const bool meet = may_meet(*present_[i], *present_[j]);
-            any = any || (meet && solved_with_[i] != solved_with_[j]);
-            return meet;
-        });
-        if (!any) return;
-        join_solved(is_last);
-        islands_.plan(present_, solved_with_, 1);
-        Worker all{parallel, motions_[0], contact_reports_.of_thread(0)};
-        for (const Schedule::Group& group : islands_.groups()) {
-            all.scratch = scratch_.data() + group.scratch;
-            cut_strays(all, group.cloths, substep);
-        }
-    }
-}
-
-/// Joins what was solved together with what has come near each other since; or all that has features.
-void Simulation::join_solved(bool all) {
-    const std::span<const std::uint32_t> near = finder_.first_of();
-    const auto first_feature = static_cast<std::uint32_t>(
-        std::ranges::find_if(present_, [](const Cloth* cloth) { return cloth->has_features(); }) -
-        present_.begin());
-    for (bool changed = true; changed;) {
-        changed = false;
-        const auto lower = [&](std::uint32_t& label, std::uint32_t to) {
-            if (to >= label) return;
-            label = to;
-            changed = true;
-        };
-        for (std::uint32_t i = 0; i < solved_with_.size(); ++i) {
-            for (const std::uint32_t other : {near[i], solved_with_[i]}) {
-                lower(solved_with_[i], solved_with_[other]);
-                lower(solved_with_[other], solved_with_[i]);
-            }
-            if (all && present_[i]->has_features()) lower(solved_with_[i], first_feature);
-        }
-    }
-}
-
-void Simulation::cut_strays(Worker& worker, std::span<Cloth* const> near, const Substep& substep) {
-    Scratch scratch(worker.scratch);
-    Group group;
-    group.lay_out(scratch, near.size());
-    group.add_featured(near);
-    const std::span<Cloth* const> cloths = group.all_featured();
-    if (cloths.size() < 2) return;
-    FeatureContact& space = group.contact;
-    space.lay_out(scratch, group.all_bodies(), zones_.get());
-    place_features(
-        worker, space, cloths, [](const Cloth& cloth) { return cloth.substep_start.span(); }, substep.h);
-    for (std::size_t k = 0; k < cloths.size(); ++k)
-        space.arrive(worker.parallel, k, std::as_const(cloths[k]->state.positions).span());
-    const FeatureCounts counts = space.cut(worker.parallel, touches_colliders(cloths));
-    FeatureCounts& sum = cloths.front()->feature_counts;
-    sum.truncated += counts.truncated;
-    sum.overflowed |= counts.overflowed;
-    if constexpr (looks_for_new_crossings) sum.crossed |= space.crosses_anew(worker.parallel);
-    for (std::size_t k = 0; k < cloths.size(); ++k) hand_back(worker, space, k, *cloths[k], substep.h);
 }
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// Colliders after the cut: the common motion may not move what is cut into them.
+// After the cut: the common motion may not move what is cut into colliders, or to other groups.
 
 #include <algorithm>
 
@@ -6,21 +6,22 @@
 
 namespace weft {
 
-// A particle that is cut follows the common motion, which knows of no collider. If that moves one into a
-// collider, the cut is made anew without common motion: each particle then ends between its start and the end
-// that the solver wanted, which are both outside.
-void Simulation::keep_cut_out_of_colliders(Worker& worker, FeatureContact& space,
-                                           std::span<Cloth* const> cloths, float h) const {
+// A particle that is cut follows the common motion, which knows neither of colliders nor of other groups. If
+// that moves one to where it must not be, the cut is made anew without common motion: each particle then ends
+// between its start and the end that the solver wanted, which are both outside of colliders and in the
+// cloth's own space.
+void Simulation::keep_common_motion_out(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                                        float h) const {
     FeatureCounts& counts = cloths.front()->feature_counts;
-    if (space.uses_zones() || counts.truncated == 0 || !space.had_common()) return;
+    if (counts.truncated == 0 || !space.had_common()) return;
     bool any = false;
     for (std::size_t k = 0; k < cloths.size() && !any; ++k)
-        any = is_taken_into_colliders(worker, space, k, *cloths[k], h);
+        any = is_taken_out_of_own_space(worker, space, k, *cloths[k]) ||
+              is_taken_into_colliders(worker, space, k, *cloths[k], h);
     if (!any) return;
-    const FeatureCounts anew = space.cut_without_common(worker.parallel, true);
-    counts.truncated = anew.truncated;
-    counts.lost = anew.lost;
-    counts.overflowed |= anew.overflowed;
+    const bool overflowed = counts.overflowed;
+    counts = space.cut_without_common(worker.parallel, true);
+    counts.overflowed |= overflowed;
 }
 
 /// Whether the cut left a particle inside a collider, deeper than both its start and its wanted end.

@@ -20,6 +20,23 @@ std::size_t room_for_crossings(std::size_t particles) {
     return std::max(least_crossings, particles);
 }
 
+bool is_within(const Vector3& point, const Bounds& box) {
+    const Vector3 lower = to_vector(box.lower), upper = to_vector(box.upper);
+    return (point.array() >= lower.array()).all() && (point.array() <= upper.array()).all();
+}
+
+/// The largest part of the way from the start, which is in the box, that ends in it.
+float part_within(const Bounds& box, const Vector3& start, const Vector3& way) {
+    const Vector3 lower = to_vector(box.lower), upper = to_vector(box.upper);
+    float part = 1;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const float end = start[k] + way[k];
+        if (end > upper[k]) part = std::min(part, (upper[k] - start[k]) / way[k]);
+        if (end < lower[k]) part = std::min(part, (lower[k] - start[k]) / way[k]);
+    }
+    return std::max(part, 0.0f);
+}
+
 }  // namespace
 
 void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones) {
@@ -183,19 +200,32 @@ void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<cons
     });
 }
 
-FeatureCounts FeatureContact::settle(Parallel& parallel, bool is_pushed) {
-    if (uses_zones()) return settle_by_zones(parallel);
-    const std::uint32_t near = pairs_.size;
-    const bool overflowed = pairs_.overflowed;
+void FeatureContact::project(Parallel& parallel) {
+    near_ = {.pairs = pairs_.size, .tangles = tangles_.counts(), .overflowed = pairs_.overflowed};
     const std::span<const std::uint8_t> exempt =
         tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
     settler_.project(parallel, island(), pairs_, exempt, {.each = wanted_.span()}, projections,
                      displacements_.span());
-    FeatureCounts counts = cut(parallel, is_pushed);
-    counts.pairs = near;
-    counts.tangles = tangles_.counts();
-    counts.overflowed |= overflowed;
-    return counts;
+}
+
+bool FeatureContact::leaves(Parallel& parallel, std::size_t body, const Bounds& box) {
+    const std::span<const Vec4> start = starts(body), way = displacements(body);
+    const auto find_block = [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            if (!is_within(xyz(start[i]) + xyz(way[i]), box)) return 1.0f;
+        return 0.0f;
+    };
+    return parallel.reduce(ranges_[body].count, partials_.span(), 0.0f, find_block,
+                           [](float a, float b) { return std::max(a, b); }) > 0;
+}
+
+void FeatureContact::keep_within(Parallel& parallel, std::size_t body, const Bounds& box) {
+    const std::span<const Vec4> start = starts(body);
+    const std::span<Vec4> way = displacements_.span().subspan(ranges_[body].first, ranges_[body].count);
+    parallel.ranges(ranges_[body].count, [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(way[i], part_within(box, xyz(start[i]), xyz(way[i])) * xyz(way[i]));
+    });
 }
 
 bool FeatureContact::crosses_anew(Parallel& parallel) {

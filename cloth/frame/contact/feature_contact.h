@@ -96,11 +96,15 @@ class FeatureContact {
     void make_rows(Parallel& parallel, float gamma);
     [[nodiscard]] PairRows& rows() noexcept { return rows_; }
 
-    /// The substep's end: takes over where the bodies have come to; sees that nothing passes through; hands
-    /// the places back, with the velocities that follow. `is_pushed`: colliders touched some of it.
+    /// The end of a part of a substep, in this order: takes over where the bodies have come to; pushes apart
+    /// what is still too near; shortens the way of particles that would leave a box, in which they start;
+    /// cuts the motion so that nothing passes through; hands the places back, with the velocities that
+    /// follow. `is_pushed`: colliders touched some of it.
     void arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
-    FeatureCounts settle(Parallel& parallel, bool is_pushed);
-    /// The same without what was detected before: cuts the motion, and does nothing else.
+    void project(Parallel& parallel);
+    /// Whether some of a body is outside of a box at the end.
+    [[nodiscard]] bool leaves(Parallel& parallel, std::size_t body, const Bounds& box);
+    void keep_within(Parallel& parallel, std::size_t body, const Bounds& box);
     FeatureCounts cut(Parallel& parallel, bool is_pushed);
     /// The same again, from the motion that was cut last: what is cut stands still, and goes with no common
     /// motion.
@@ -123,8 +127,8 @@ class FeatureContact {
     void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
                    std::span<Vec4> velocities) const;
 
-    /// Whether all bodies are resolved by impact zones: then they are placed, arrive and are settled, and
-    /// nothing else.
+    /// Whether all bodies are resolved by impact zones: then they are placed, arrive and are cut, and nothing
+    /// else but kept within boxes.
     [[nodiscard]] bool uses_zones() const noexcept { return uses_zones_; }
 
   private:
@@ -174,6 +178,7 @@ class FeatureContact {
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
+    FeatureCounts near_;           // what of it was detected
     bool has_all_near_ = false;    // pairs_ has all within the radius, over the motions in searched_
     bool can_look_again_ = false;  // at what the finder kept of that search
     PairRows rows_;

@@ -168,13 +168,18 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
 FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& result) {
     is_uncertain_ = result.uncertain > 0;
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
-    return {
-        .truncated = result.truncated, .lost = result.motion_lost, .overflowed = result.list_was_incomplete};
+    return {.pairs = near_.pairs,
+            .truncated = result.truncated,
+            .lost = result.motion_lost,
+            .tangles = near_.tangles,
+            .overflowed = near_.overflowed || result.list_was_incomplete};
 }
 
 // Rounding can take the gap of a pair that is not listed, even where all move alike.
 FeatureCounts FeatureContact::stand_still() {
-    FeatureCounts counts{.lost = 1, .overflowed = true};
+    FeatureCounts counts = near_;
+    counts.lost = 1;
+    counts.overflowed = true;
     for (const ParticleRange& range : ranges_.span()) {
         std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});
         counts.truncated += range.count;

@@ -69,7 +69,7 @@ std::size_t Cloth::own_bytes() const {
     return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
            (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
            (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
-           scratch_bytes + zone_bytes() + substep_start.bytes() +
+           scratch_bytes + zone_bytes() +
            (has_features() && !shares_contact_mesh ? contact_mesh->bytes() : 0) + surface.bytes() +
            air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +

@@ -73,7 +73,7 @@ void Simulation::plan_carries(float dt) {
     if (!any) return;
     for (Cloth* cloth : present_)
         if (is_moved(*cloth) && cloth->has_features() && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
-    if (featured_cloths() < 2) return;
+    if (featured_cloths_ < 2) return;
     for (Cloth* cloth : present_) {
         if (!is_moved(*cloth) || !cloth->has_features()) continue;
         for (const Cloth* other : present_)

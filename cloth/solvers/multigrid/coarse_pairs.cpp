@@ -1,8 +1,9 @@
 #include "cloth/solvers/multigrid/coarse_pairs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <utility>
+#include <numeric>
 
 namespace weft {
 
@@ -14,6 +15,8 @@ constexpr std::uint32_t looked_at = 4;
 constexpr float least_reach = 0.1f;
 
 constexpr std::uint32_t none = ~0u;
+/// A node has many rows.
+constexpr std::uint32_t nodes_per_block = 16;
 
 }  // namespace
 
@@ -98,37 +101,67 @@ void CoarsePairs::reserve(std::size_t fine_rows, std::uint32_t nodes) {
     active_.reserve(fine_rows);
     rows_.resize(std::min(fine_rows, rows_per_node * nodes + least_rows));
     starts_.resize(std::size_t{nodes} + 1);
+    merged_.resize(std::size_t{nodes} + 1);
 }
 
 // Rows between the same two nodes come to follow one another: counted by the lower node, then sorted by the
-// higher. add_row(k, sum) adds P^T c of fine row k to the sum, unless that is null, and returns its K.
-template <class AddRow>
-void CoarsePairs::merge(const AddRow& add_row) {
+// higher.
+void CoarsePairs::sort_by_nodes(Parallel& parallel) {
     std::ranges::fill(starts_, 0u);
     for (const Key& key : keys_)
-        if (key.low != none) ++starts_[key.low];
-    std::uint32_t count = 0;
-    for (std::uint32_t& start : starts_) count += std::exchange(start, count);
+        if (key.low != none) ++starts_[key.low + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    std::ranges::copy(starts_, merged_.begin());
     for (std::uint32_t k = 0; k < keys_.size(); ++k)
-        if (keys_[k].low != none) order_[starts_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
-    size_ = 0;
-    for (std::uint32_t begin = 0; begin < count;) {
-        const std::uint32_t low = keys_[order_[begin].row].low, end = starts_[low];
-        std::sort(order_.begin() + begin, order_.begin() + end);
-        while (begin < end) {
-            const std::uint32_t high = order_[begin].high;
-            Sum sum;
-            Symmetric3 stiffness;
-            std::uint32_t looked = 0;
-            for (; begin < end && order_[begin].high == high; ++begin) {
-                const bool look = looked < looked_at;
-                stiffness.add(add_row(order_[begin].row, look ? &sum : nullptr));
-                looked += look ? 1 : 0;
+        if (keys_[k].low != none) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
+    const auto nodes = static_cast<std::uint32_t>(starts_.size() - 1);
+    parallel.ranges(
+        nodes,
+        [&](const BlockRange& range) {
+            for (std::uint32_t low = range.begin; low < range.end; ++low) {
+                const std::span<Placed> of_low(order_.data() + starts_[low],
+                                               order_.data() + starts_[low + 1]);
+                std::ranges::sort(of_low);
+                std::uint32_t different = of_low.empty() ? 0 : 1;
+                for (std::size_t k = 1; k < of_low.size(); ++k)
+                    different += of_low[k].high != of_low[k - 1].high;
+                merged_[low] = different;
             }
-            const Row row = sum.row(1 / static_cast<float>(looked), stiffness);
-            if (row.reach > least_reach && size_ < rows_.size()) rows_[size_++] = row;
-        }
-    }
+        },
+        nodes_per_block);
+    merged_[nodes] = 0;
+    std::exclusive_scan(merged_.begin(), merged_.end(), merged_.begin(), 0u);
+}
+
+// add_row(k, sum) adds P^T c of fine row k to the sum, unless that is null, and returns its K.
+template <class AddRow>
+void CoarsePairs::merge(Parallel& parallel, const AddRow& add_row) {
+    sort_by_nodes(parallel);
+    const auto room = static_cast<std::uint32_t>(rows_.size());
+    parallel.ranges(
+        static_cast<std::uint32_t>(starts_.size() - 1),
+        [&](const BlockRange& range) {
+            for (std::uint32_t low = range.begin; low < range.end; ++low) {
+                std::uint32_t next = merged_[low];
+                for (std::uint32_t k = starts_[low], end = starts_[low + 1]; k < end && next < room;) {
+                    const std::uint32_t high = order_[k].high;
+                    Sum sum;
+                    Symmetric3 stiffness;
+                    std::uint32_t looked = 0;
+                    for (; k < end && order_[k].high == high; ++k) {
+                        const bool look = looked < looked_at;
+                        stiffness.add(add_row(order_[k].row, look ? &sum : nullptr));
+                        looked += look ? 1 : 0;
+                    }
+                    rows_[next++] = sum.row(1 / static_cast<float>(looked), stiffness);
+                }
+            }
+        },
+        nodes_per_block);
+    const std::span<Row> merged = std::span(rows_).first(std::min(room, merged_.back()));
+    const auto left_out =
+        std::ranges::remove_if(merged, [](const Row& row) { return !(row.reach > least_reach); });
+    size_ = static_cast<std::uint32_t>(merged.size() - left_out.size());
 }
 
 // A group has room for more than one of its cloths: what is over is left to the finest level.
@@ -139,26 +172,31 @@ void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t parti
     });
 }
 
-void CoarsePairs::gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
-                         std::span<const float> weights) {
-    keys_.clear();
-    has_outer_ = false;
-    for (const PairRows::ActivePair& active : active_) {
-        const auto is_inner = [&](std::uint32_t i) { return i - first < particles; };
-        if (!std::ranges::all_of(active.pair.corners, is_inner)) {
-            has_outer_ = true;
-            keys_.push_back({none, none, 1});
-            continue;
-        }
-        std::uint32_t most = 0, least = 0;
-        for (std::uint32_t c = 1; c < 4; ++c) {
-            if (active.shape.weight(c) > active.shape.weight(most)) most = c;
-            if (active.shape.weight(c) < active.shape.weight(least)) least = c;
-        }
-        keys_.push_back(
-            key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first));
+CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, std::uint32_t first,
+                                     const Interpolation& p, std::span<const float> weights) {
+    std::uint32_t most = 0, least = 0;
+    for (std::uint32_t c = 1; c < 4; ++c) {
+        if (active.shape.weight(c) > active.shape.weight(most)) most = c;
+        if (active.shape.weight(c) < active.shape.weight(least)) least = c;
     }
-    merge([&](std::uint32_t k, Sum* sum) {
+    return key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first);
+}
+
+void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
+                         std::span<const float> weights) {
+    const auto count = static_cast<std::uint32_t>(active_.size());
+    const std::size_t particles = weights.size() / Interpolation::width;
+    std::atomic<bool> any_outer = false;
+    keys_.resize(count);
+    parallel.ranges(count, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const bool inner = is_inner(active_[k], first, particles);
+            keys_[k] = inner ? key_of(active_[k], first, p, weights) : Key{none, none, 1};
+            if (!inner) any_outer.store(true, std::memory_order_relaxed);
+        }
+    });
+    has_outer_ = any_outer;
+    merge(parallel, [&](std::uint32_t k, Sum* sum) {
         const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
@@ -167,21 +205,24 @@ void CoarsePairs::gather(std::uint32_t first, std::uint32_t particles, const Int
     });
 }
 
-void CoarsePairs::gather(const CoarsePairs& finer, const Interpolation& p) {
-    keys_.clear();
+void CoarsePairs::gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p) {
+    const std::span<const Row> fine = finer.rows();
+    const auto count = static_cast<std::uint32_t>(fine.size());
     const auto add_row = [&](const Row& row, float sign, Sum& sum) {
         for (std::uint32_t k = 0; k < row.count; ++k)
             sum.add(p, p.weights.span(), row.nodes[k], sign * row.weights[k]);
     };
-    for (const Row& row : finer.rows()) {
-        Sum sum;
-        add_row(row, 1, sum);
-        keys_.push_back(sum.key());
-    }
-    merge([&](std::uint32_t k, Sum* sum) {
-        const Row& row = finer.rows()[k];
-        if (sum != nullptr) add_row(row, keys_[k].sign, *sum);
-        return row.stiffness;
+    keys_.resize(count);
+    parallel.ranges(count, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            Sum sum;
+            add_row(fine[k], 1, sum);
+            keys_[k] = sum.key();
+        }
+    });
+    merge(parallel, [&](std::uint32_t k, Sum* sum) {
+        if (sum != nullptr) add_row(fine[k], keys_[k].sign, *sum);
+        return fine[k].stiffness;
     });
 }
 
@@ -200,8 +241,8 @@ void CoarsePairs::correct(std::span<const Vec4> b, std::span<const Vec4> x, std:
 
 std::size_t CoarsePairs::bytes() const noexcept {
     return keys_.capacity() * sizeof(Key) + order_.size() * sizeof(Placed) +
-           starts_.size() * sizeof(std::uint32_t) + active_.capacity() * sizeof(PairRows::ActivePair) +
-           rows_.size() * sizeof(Row);
+           (starts_.size() + merged_.size()) * sizeof(std::uint32_t) +
+           active_.capacity() * sizeof(PairRows::ActivePair) + rows_.size() * sizeof(Row);
 }
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 // layers through each other; with contact as a ground that holds each side, they would stop what touches from
 // moving together.
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -45,11 +46,11 @@ class CoarsePairs {
     void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
     /// Makes rows of the listed pairs all of whose corners are the cloth's. P leads from the first coarse
     /// level to its particles; `weights` are its weights, 0 where pinned.
-    void gather(std::uint32_t first, std::uint32_t particles, const Interpolation& p,
+    void gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
                 std::span<const float> weights);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept { return active_; }
     /// Of the rows of a finer coarse level.
-    void gather(const CoarsePairs& finer, const Interpolation& p);
+    void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
 
     /// Whether gather() met listed pairs that are not of this cloth alone.
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
@@ -88,12 +89,22 @@ class CoarsePairs {
 
     [[nodiscard]] static Key key_between(const Interpolation& p, std::span<const float> of_p,
                                          std::uint32_t most, std::uint32_t least);
+    /// Whether all corners are particles of the cloth.
+    [[nodiscard]] static bool is_inner(const PairRows::ActivePair& active, std::uint32_t first,
+                                       std::size_t particles) {
+        return std::ranges::all_of(active.pair.corners,
+                                   [&](std::uint32_t i) { return i - first < particles; });
+    }
+    [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, std::uint32_t first,
+                                    const Interpolation& p, std::span<const float> weights);
+    void sort_by_nodes(Parallel& parallel);
     template <class AddRow>
-    void merge(const AddRow& add_row);
+    void merge(Parallel& parallel, const AddRow& add_row);
 
     HookedVector<Key> keys_;              // of the finer level's rows
     HookedVector<Placed> order_;          // these, by key
-    HookedVector<std::uint32_t> starts_;  // by low node
+    HookedVector<std::uint32_t> starts_;  // by low node, of its first in that order
+    HookedVector<std::uint32_t> merged_;  // by low node, of its first coarse row
     HookedVector<PairRows::ActivePair> active_;
     HookedVector<Row> rows_;
     std::uint32_t size_ = 0;

@@ -296,7 +296,7 @@ void Multigrid::list_pairs(PairRows* pairs, std::uint32_t first) {
 
 void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     if (coarse_.empty()) return;
-    if (has_pairs_) gather_pairs();
+    if (has_pairs_) gather_pairs(parallel);
     system.spring_blocks(parallel, slots_, springs_.span());
     sum_first_ground(parallel, system);
     for (const HeldSpring& held : held_)
@@ -311,13 +311,12 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     }
 }
 
-void Multigrid::gather_pairs() {
+void Multigrid::gather_pairs(Parallel& parallel) {
     CoarsePairs& pairs = coarse_.front().pairs();
     if (pairs.listed().empty()) return;
-    pairs.gather(first_, static_cast<std::uint32_t>(pinned_.size()), coarse_.front().interpolation(),
-                 weights_.span());
+    pairs.gather(parallel, first_, coarse_.front().interpolation(), weights_.span());
     for (std::size_t k = 1; k < coarse_.size(); ++k)
-        coarse_[k].pairs().gather(coarse_[k - 1].pairs(), coarse_[k].interpolation());
+        coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
 
 // What is between this cloth and others holds it where it is.

@@ -89,7 +89,7 @@ class Multigrid {
     void mark(std::uint32_t particle, bool pinned) noexcept;
     /// Whether those of inverse mass 0 are, and no others.
     [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
-    void gather_pairs();
+    void gather_pairs(Parallel& parallel);
     void hold_other_bodies();
     void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
     void solve_level(Parallel& parallel, std::size_t level);

@@ -12,7 +12,8 @@ namespace weft::demo {
 namespace {
 
 constexpr float cape_width = 0.62f, cape_length = 1.05f, shoulders = 1.43f;  // [m]
-constexpr float neck = 0.17f;                   // how far from the figure's axis the cape is held [m]
+constexpr float neck = 0.17f;        // how far from the figure's axis the cape is held [m]
+constexpr double settled_after = 2;  // [s]; from then on the hem is averaged: at one moment gusts decide it
 constexpr double turns_by = 0.7, turns_in = 4;  // [rad], [s]
 constexpr std::array<Vec3, 5> cape_places{
     {{0, 0, 0.5f}, {-0.95f, 0, 0}, {0.95f, 0, 0}, {-1.9f, 0, -0.5f}, {1.9f, 0, -0.5f}}};
@@ -93,6 +94,10 @@ class Capes final : public Scene {
         for (std::size_t who = 0; who < wearers_.size(); ++who) {
             const Stance stance = stance_of(who, time + static_cast<double>(dt));
             Wearer& wearer = wearers_[who];
+            if (const auto view = world.cloth(wearer.cape); view && time > settled_after) {
+                wearer.behind += behind(wearer, *view);
+                ++wearer.steps;
+            }
             for (std::size_t limb = 0; limb < wearer.limbs.size(); ++limb)
                 (void)world.move_collider(wearer.limbs[limb], stance.of(figure()[limb]));
             for (std::uint32_t column = 0; column < columns_; ++column)
@@ -118,13 +123,8 @@ class Capes final : public Scene {
             const Stretch stretch = structural_stretch(wearer.mesh, *view);
             checks.at_most("worst stretch", stretch.worst, 1.4f);
             checks.at_most("mean stretch", stretch.mean, 1.03f);
-            float behind = 0;
-            for (std::uint32_t k = 0; k < columns_; ++k) {
-                const std::uint32_t hem = (wearer.mesh.rows - 1) * columns_ + k;
-                behind += (vertex_position(*view, k).z() - vertex_position(*view, hem).z()) /
-                          static_cast<float>(columns_);
-            }
-            checks.at_least("how far the hem flies behind, in the mean [m]", behind, 0.03f);
+            checks.at_least("how far the hem flies behind, in the mean over the last three seconds [m]",
+                            wearer.behind / static_cast<float>(wearer.steps), 0.03f);
         }
         return checks.result();
     }
@@ -134,7 +134,18 @@ class Capes final : public Scene {
         ClothId cape;
         Mesh mesh;
         std::vector<ColliderId> limbs;
+        float behind = 0;  ///< summed over steps [m]
+        int steps = 0;
     };
+    /// How far the hem is behind where the cape is held [m].
+    [[nodiscard]] float behind(const Wearer& wearer, const ClothView& view) const {
+        float sum = 0;
+        for (std::uint32_t k = 0; k < columns_; ++k) {
+            const std::uint32_t hem = (wearer.mesh.rows - 1) * columns_ + k;
+            sum += vertex_position(view, k).z() - vertex_position(view, hem).z();
+        }
+        return sum / static_cast<float>(columns_);
+    }
     [[nodiscard]] float part_of(std::uint32_t column) const {
         return static_cast<float>(column) / static_cast<float>(columns_ - 1);
     }

@@ -17,6 +17,11 @@ namespace {
 
 constexpr ImpactZones* no_zones = nullptr;
 
+FeatureCounts settle(FeatureContact& space, Parallel& parallel) {
+    space.project(parallel);
+    return space.cut(parallel, false);
+}
+
 /// Two triangles of 1 m, one 0.1 m above the other, through the frame's part that features have.
 struct TwoTriangles {
     static constexpr float apart = 0.1f;
@@ -58,7 +63,7 @@ TEST(NewCrossings, AreNoneWhereItIsCut) {
     TwoTriangles scene;
     scene.space.detect(scene.parallel, scene.is_crowd);
     scene.arrive(1.5f * TwoTriangles::apart);
-    EXPECT_GT(scene.space.settle(scene.parallel, false).truncated, 0u);
+    EXPECT_GT(settle(scene.space, scene.parallel).truncated, 0u);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
 }
 
@@ -75,7 +80,7 @@ TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
     for (const std::size_t body : {0u, 1u}) scene.space.recall(body, nothing);
     scene.space.detect(scene.parallel, scene.is_crowd);
     scene.arrive(0);
-    const FeatureCounts counts = scene.space.settle(scene.parallel, false);
+    const FeatureCounts counts = settle(scene.space, scene.parallel);
     EXPECT_GT(counts.tangles.crossings, 0u);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
 }
@@ -106,7 +111,7 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
     space.detect(parallel, is_crowd);
     space.arrive(parallel, 0, end);
 
-    const FeatureCounts counts = space.settle(parallel, false);
+    const FeatureCounts counts = settle(space, parallel);
 
     EXPECT_TRUE(counts.overflowed);
     EXPECT_EQ(counts.truncated, start.size());
@@ -152,7 +157,7 @@ TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
     place(0);
     EXPECT_FALSE(scene.space.may_cross());
     scene.arrive(1.5f * TwoTriangles::apart);
-    const FeatureCounts counts = scene.space.settle(scene.parallel, false);
+    const FeatureCounts counts = settle(scene.space, scene.parallel);
     EXPECT_GT(counts.truncated, 0u);
     EXPECT_EQ(counts.tangles.contours, 0u);
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
@@ -203,7 +208,7 @@ TEST(FullList, ShortensTheMotionUntilThereIsRoom) {
         space.place(parallel, 0, start, {.velocities = velocities, .h = 0.01f});
         space.detect(parallel, is_crowd);
         space.arrive(parallel, 0, end);
-        const FeatureCounts counts = space.settle(parallel, false);
+        const FeatureCounts counts = settle(space, parallel);
         EXPECT_FALSE(counts.overflowed) << is_pinned;
         EXPECT_FALSE(space.crosses_anew(parallel)) << is_pinned;
         double farther = 0;
