@@ -41,24 +41,51 @@ bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
     return std::memcmp(&a.wind, &b.wind, sizeof a.wind) == 0 && to_vector(a.gravity) == to_vector(b.gravity);
 }
 
+using Motions = std::vector<std::vector<ColliderMotion>>;
+
+Motions make_motions(int threads, std::size_t colliders) {
+    Motions motions(static_cast<std::size_t>(threads));
+    for (std::vector<ColliderMotion>& of_thread : motions) of_thread.reserve(colliders);
+    return motions;
+}
+
+void reserve_collider_ids(Simulation& world) {
+    std::size_t count = 0;
+    world.state.colliders.for_each([&](ColliderId id, const ColliderSlot&) { count = id.index + 1; });
+    world.collider_ids.reserve(count);
+}
+
+void reserve_budget(Simulation& world, std::size_t cloths) {
+    world.allotment.reserve(cloths);
+    world.choices.reserve(cloths);
+}
+
+/// Makes room for one cloth more, so that no step needs to.
+void reserve_cloth(Simulation& world) {
+    while (world.views.size() <= world.cloths.slots()) world.views.push_back(std::make_unique<ClothView>());
+    const std::size_t count = world.cloths.size() + 1;
+    world.present.reserve(count);
+    world.still_for.reserve(count);
+    world.boxes.reserve(count);
+    world.each_cloth.reserve(count);
+    world.groups.reserve(count);
+    world.group_finder.reserve(count);
+    if (world.body_stage) world.body_stage->reserve(count, world.state.colliders.size());
+    if (world.settings.budget > 0) reserve_budget(world, count);
+}
+
 /// What each cloth is to take over, once all of it has been made.
 template <class Made>
 using ForCloths = std::vector<std::pair<Cloth*, Made>>;
 
 }  // namespace
 
-Simulation::Motions Simulation::make_motions(int threads, std::size_t colliders) {
-    Motions motions(static_cast<std::size_t>(threads));
-    for (std::vector<ColliderMotion>& of_thread : motions) of_thread.reserve(colliders);
-    return motions;
-}
-
 Simulation::Simulation(const WorldSettings& initial)
     : settings(initial),
       parallel(make_parallel(initial)),
       profiler(stage_names),
-      motions_(make_motions(parallel.width(), 0)),
-      contact_reports_(make_reports(initial, parallel)) {
+      motions(make_motions(parallel.width(), 0)),
+      contact_reports(make_reports(initial, parallel)) {
     parallel.trace_to(&profiler.trace());
 }
 
@@ -79,7 +106,7 @@ void Simulation::apply(const WorldSettings& changed) {
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
             impulses.emplace_back(cloth.get(), cloth->make_impulses(reported));
         });
-        reserve_collider_ids(reported);
+        if (reported) reserve_collider_ids(*this);
     }
     const bool on = changed.wind.air_density > 0, air_varies = varies(changed.wind);
     ForCloths<AirBuffers> air;
@@ -97,16 +124,16 @@ void Simulation::apply(const WorldSettings& changed) {
         cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
             budgets.emplace_back(cloth.get(), cloth->make_budget(has_budget));
         });
-        if (has_budget) reserve_budget(cloths.size());
+        if (has_budget) reserve_budget(*this, cloths.size());
     }
 
     // From here on nothing can fail.
     if (threads) {
         parallel = *std::move(threads);
         parallel.trace_to(&profiler.trace());
-        motions_ = std::move(motions);
+        motions = std::move(motions);
     }
-    if (reports) contact_reports_ = *std::move(reports);
+    if (reports) contact_reports = *std::move(reports);
     for (auto& [cloth, made] : impulses) cloth->take_impulses(std::move(made));
     for (auto& [cloth, made] : air) cloth->take_air(std::move(made));
     for (auto& [cloth, made] : budgets) cloth->take_budget(std::move(made));
@@ -116,7 +143,7 @@ void Simulation::apply(const WorldSettings& changed) {
 }
 
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
-    reserve_cloth();
+    reserve_cloth(*this);
     Room room = make_room(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
     const ClothId id = cloths.insert(std::move(cloth));
     take(std::move(room));
@@ -150,8 +177,8 @@ Simulation::Room Simulation::make_room(const Cloth* changed, const SelfCollision
             by_zones += FeatureContact::particles_of(*cloth->contact_mesh);
     });
     Room room;
-    if (bytes > scratch_.bytes()) room.scratch = ScratchMemory(bytes + bytes / count * (count / 8));
-    if (by_zones > zone_particles_) {
+    if (bytes > scratch.bytes()) room.scratch = ScratchMemory(bytes + bytes / count * (count / 8));
+    if (by_zones > zone_particles) {
         room.zones = std::make_unique<ImpactZones>();
         room.zones->reserve(by_zones, FeatureContact::room_for_pairs(by_zones));
         room.zone_particles = by_zones;
@@ -160,10 +187,10 @@ Simulation::Room Simulation::make_room(const Cloth* changed, const SelfCollision
 }
 
 void Simulation::take(Room&& room) noexcept {
-    if (room.scratch.bytes() > 0) scratch_ = std::move(room.scratch);
+    if (room.scratch.bytes() > 0) scratch = std::move(room.scratch);
     if (!room.zones) return;
-    zones_ = std::move(room.zones);
-    zone_particles_ = room.zone_particles;
+    zones = std::move(room.zones);
+    zone_particles = room.zone_particles;
 }
 
 std::size_t Simulation::bytes_to_spare() const noexcept {
@@ -172,15 +199,15 @@ std::size_t Simulation::bytes_to_spare() const noexcept {
         used += cloth->scratch_bytes + cloth->zone_bytes();
     });
     // Few cloths by zones share the least number of pairs, which each of them counts.
-    const std::size_t all = scratch_.bytes() + (zones_ ? zones_->bytes() : 0);
+    const std::size_t all = scratch.bytes() + (zones ? zones->bytes() : 0);
     return all - std::min(all, used);
 }
 
 void Simulation::cloth_has_gone() noexcept {
     if (cloths.size() > 0) return;
-    scratch_ = {};
-    zones_.reset();
-    zone_particles_ = 0;
+    scratch = {};
+    zones.reset();
+    zone_particles = 0;
 }
 
 const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
@@ -190,12 +217,12 @@ const HeldShape* Simulation::held_by(const Collider& collider) const noexcept {
 }
 
 void Simulation::expect_colliders(std::size_t count) {
-    for (std::vector<ColliderMotion>& of_thread : motions_) of_thread.reserve(count);
-    if (bodies_) bodies_->reserve(cloths.size(), count);
+    for (std::vector<ColliderMotion>& of_thread : motions) of_thread.reserve(count);
+    if (body_stage) body_stage->reserve(cloths.size(), count);
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (cloth->state.frame) cloth->seen_colliders.reserve(count);
     });
-    reserve_collider_ids(reports_contacts());
+    if (reports_contacts()) reserve_collider_ids(*this);
     ForCloths<std::optional<ContactBuffers>> contacts;
     ForCloths<ColliderBuffers> buffers;
     const bool any = count > 0 || state.bodies.size() > 0;
@@ -216,31 +243,6 @@ void Simulation::expect_colliders(std::size_t count) {
             cloth->take_contacts(std::nullopt, false);
             cloth->take_collider_buffers({});
         });
-}
-
-void Simulation::reserve_collider_ids(bool reported) {
-    if (!reported) return;
-    std::size_t count = 0;
-    state.colliders.for_each([&](ColliderId id, const ColliderSlot&) { count = id.index + 1; });
-    collider_ids_.reserve(count);
-}
-
-void Simulation::reserve_cloth() {
-    while (views.size() <= cloths.slots()) views.push_back(std::make_unique<ClothView>());
-    const std::size_t count = cloths.size() + 1;
-    present_.reserve(count);
-    still_for_.reserve(count);
-    boxes_.reserve(count);
-    each_.reserve(count);
-    islands_.reserve(count);
-    finder_.reserve(count);
-    if (bodies_) bodies_->reserve(count, state.colliders.size());
-    if (settings.budget > 0) reserve_budget(count);
-}
-
-void Simulation::reserve_budget(std::size_t count) {
-    allotment_.reserve(count);
-    choices.reserve(count);
 }
 
 void Simulation::prepare(Cloth& cloth) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a World holds, and the frame: how all of it advances by one step.
+// What a World holds, and what its host can do to it between steps.
 
 #include <chrono>
 #include <cstdint>
@@ -23,33 +23,6 @@
 #include "weft/world.h"
 
 namespace weft {
-
-/// What a thread has to itself while it works on a cloth.
-struct Worker {
-    Parallel& parallel;                    ///< of all threads, or of this one alone
-    std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
-    ContactLog& contacts;                  ///< to be reported
-    std::byte* scratch = nullptr;          ///< of the group that it works on
-};
-
-/// One of the equal parts that a step is cut into.
-struct Substep {
-    int index, count;  ///< of how many in the step
-    float h;           ///< [s]
-
-    /// One of `parts` of this one.
-    [[nodiscard]] Substep part(int k, int parts, float step) const {
-        const int of_all = count * parts;
-        return {index * parts + k, of_all, step / static_cast<float>(of_all)};
-    }
-    /// So many times as long.
-    [[nodiscard]] Substep times(float longer) const { return {index, count, longer * h}; }
-    [[nodiscard]] bool is_first() const { return index == 0; }
-    [[nodiscard]] bool is_last() const { return index + 1 == count; }
-    /// Where it begins and ends, as parts of the step.
-    [[nodiscard]] float begin() const { return static_cast<float>(index) / static_cast<float>(count); }
-    [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
-};
 
 [[nodiscard]] BodyPose pose_of(const BodyState& state);
 
@@ -77,7 +50,8 @@ struct Simulation {
     void prepare(Cloth& cloth);
     /// Takes over what follows from a cloth's state, which was restored: see Cloth::commit_restore.
     void state_has_changed(Cloth& cloth);
-    /// The frame. Precondition: dt is in [least_step, greatest_step].
+
+    /// The frame: see step.cpp. Precondition: dt is in [least_step, greatest_step].
     void step(float dt);
 
     WorldSettings settings;
@@ -96,8 +70,8 @@ struct Simulation {
     /// Of the last step; nothing of a cloth that it did not take.
     [[nodiscard]] ClothReport report_of(const Cloth& cloth) const;
     /// Of the last step.
-    [[nodiscard]] std::span<const Contact> contacts() const noexcept { return contact_reports_.list(); }
-    void clear_contacts() noexcept { contact_reports_.clear(); }
+    [[nodiscard]] std::span<const Contact> contacts() const noexcept { return contact_reports.list(); }
+    void clear_contacts() noexcept { contact_reports.clear(); }
 
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
@@ -120,7 +94,8 @@ struct Simulation {
     /// Colliders that bodies carry are where these are.
     void place_carried_colliders() noexcept;
     [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept {
-        return bodies_ ? std::span<const BodyImpulse>(bodies_->impulses) : std::span<const BodyImpulse>();
+        return body_stage ? std::span<const BodyImpulse>(body_stage->impulses)
+                          : std::span<const BodyImpulse>();
     }
     void clear_body_impulses() noexcept;
 
@@ -147,12 +122,14 @@ struct Simulation {
     /// The air's velocities at points [m/s]; both have room for whole groups of 16.
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
-  private:
-    using Motions = std::vector<std::vector<ColliderMotion>>;
-    [[nodiscard]] static Motions make_motions(int threads, std::size_t colliders);
+    [[nodiscard]] bool reports_contacts() const { return settings.contact_reports > 0; }
+    [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
+    [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
+    static void update_normals(Parallel& loops, Cloth& cloth);
+    /// A body's place in the order of ids.
+    [[nodiscard]] std::size_t number_of(BodyId id) const;
+    void prepare_for_bodies(Cloth& cloth) const;
 
-    /// Makes room for one cloth more, so that no step needs to.
-    void reserve_cloth();
     /// Memory that the steps of all cloths share.
     struct Room {
         ScratchMemory scratch;  ///< none: there is enough
@@ -164,164 +141,26 @@ struct Simulation {
     [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of,
                                  const ContactMesh* mesh) const;
     void take(Room&& room) noexcept;
-    void begin(float dt);
-    void choose_present(float dt);
-    void wake_disturbed(bool is_gusty);
-    void find_disturbed(float dt);
-    void choose_details();
-    void choose_rungs();
-    void choose_rates();
-    void spread_long_steps();
-    void begin_stride(Worker& worker, Cloth& cloth);
-    void glide(Worker& worker, Cloth& cloth);
-    [[nodiscard]] bool can_stride(const Cloth& cloth) const;
-    void learn_costs();
-    void reserve_budget(std::size_t count);
-    void sleep_and_wake(float dt);
-    static void count_still_time(Cloth& cloth, float dt);
-    void step_together(float dt);
-    void step_each(float dt);
-    void expect(Cloth& cloth, float h) const;
-    void meet();
-    bool pass_ways_on();
-    [[nodiscard]] Bounds own_space(const Cloth& cloth) const;
-    template <class Work>
-    void for_each_group(const Schedule& schedule, const Work& work);
-    static void share_out_time(const Schedule::Group& group, std::int64_t nanoseconds);
-    template <class Work>
-    void for_each_cloth(const Work& work);
 
-    void move_pins(Cloth& cloth, float dt) const;
-    void plan_carries(float dt);
-    void see_colliders(Worker& worker, std::span<Cloth* const> set, const Substep& substep) const;
-    void fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask, const Substep& substep,
-                      const Carried* carried) const;
-    /// Then those that bodies carry, which move with them.
-    void add_carried_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
-                             const Substep& substep) const;
-    [[nodiscard]] static std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
-        return cloth.carried ? cloth.seen_colliders : worker.motions;
-    }
-    void hold_worn(Worker& worker, Cloth& cloth);
-    void end_worn(Worker& worker, Cloth& cloth);
-    void predict(Worker& worker, Cloth& cloth, float dt, const Substep& substep);
-    void solve(Worker& worker, std::span<Cloth* const> cloths, float dt, const Substep& substep);
-    [[nodiscard]] int parts_of(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep);
-    void solve_part(Worker& worker, Group& group, Scratch scratch, std::span<Cloth* const> cloths,
-                    const Substep& part);
-    /// The places among a group's cloths where its sets of one and its set of first order end.
-    struct SetEnds {
-        std::size_t alone, first_order;
-    };
-    [[nodiscard]] SetEnds order_by_sets(Group& group, std::span<Cloth* const> cloths, float h) const;
-    void solve_set(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part);
-    void make_equations(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part,
-                        float gamma);
-    void settle(Worker& worker, Cloth& cloth, const Substep& part);
-    void find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths, float h);
-    /// By its pins, its skin or its frame.
-    [[nodiscard]] static bool is_moved_by_host(const Cloth& cloth);
-    void settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                         const Substep& substep);
-    void keep_in_own_space(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) const;
-    [[nodiscard]] bool is_taken_out_of_own_space(Worker& worker, FeatureContact& space, std::size_t body,
-                                                 const Cloth& cloth) const;
-    void guard(Worker& worker, Cloth& cloth);
-    void finish(Worker& worker, Cloth& cloth);
-
-    [[nodiscard]] bool is_near_bodies(const Cloth& cloth, float dt) const;
-    [[nodiscard]] std::size_t number_of(BodyId id) const;
-    void prepare_for_bodies(Cloth& cloth) const;
-    void begin_bodies(const Substep& substep);
-    void limit_bodies();
-    void load_bodies();
-    template <class Visit>
-    void for_each_body_near(const Cloth& cloth, float h, const Visit& visit) const;
-    void find_cloths_of_bodies(float h);
-    void take_bodies(std::span<Cloth* const> cloths, float h);
-    void start_part_of_bodies(std::span<Cloth* const> cloths, float h, float gamma);
-    void carry_bodies(Cloth& cloth, StepEquation& equation);
-    void collect_from_equation(Cloth& cloth, const StepEquation& equation);
-    void collect_change(Cloth& cloth, std::uint32_t body, std::uint32_t particle, const Vector3& change);
-    [[nodiscard]] std::uint32_t collide_with_bodies(Worker& worker, Cloth& cloth, float h,
-                                                    std::span<const Vec4> starts);
-    void place_attached(std::span<Cloth* const> cloths);
-    void join_attached(std::span<Cloth* const> cloths, std::uint32_t number);
-    void finish_part_of_bodies(std::span<Cloth* const> cloths);
-    void end_part_of_bodies(std::span<Cloth* const> cloths);
-    void leave_bodies(std::span<Cloth* const> cloths);
-    void end_bodies(const Substep& substep);
-    void feel_wind(Worker& worker, Cloth& cloth);
-    void air_forces(Worker& worker, Cloth& cloth, bool has_moved);
-    [[nodiscard]] StepEquation equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf);
-    [[nodiscard]] bool is_residual_due(const Cloth& cloth) const;
-    static void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
-                            const SolveResult& result, bool has_residual);
-    void advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first);
-    void bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const;
-    [[nodiscard]] int parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep);
-    static void keep_part_start(Worker& worker, Cloth& cloth);
-    void hold_within_limits(Worker& worker, Cloth& cloth);
-    void avoid_self_collision(Worker& worker, Cloth& cloth, float h);
-    void collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part);
-    /// Over a substep of that length; `starts`: as weft::collide() has them. Returns the particles that
-    /// touch.
-    [[nodiscard]] std::uint32_t collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts);
-    void hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth, float h);
-    void keep_common_motion_out(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                                float h) const;
-    [[nodiscard]] static bool is_taken_into_colliders(Worker& worker, const FeatureContact& space,
-                                                      std::size_t body, Cloth& cloth, float h);
-    void keep_out_of_colliders(Worker& worker, Cloth& cloth, float h);
-    [[nodiscard]] static std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
-                                                                               Cloth& cloth);
-    /// Begins the cloth's contacts in an equation, if it has any.
-    static void begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part);
-    void reserve_collider_ids(bool reported);
-    static void update_normals(Parallel& loops, Cloth& cloth);
-    void add_to_report(const ClothReport& cloth);
-
-    static void log_contact(ContactLog& log, Cloth& cloth, const Contact& contact);
-    static void add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse);
-    static void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation);
-    static void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before);
-    static void find_missing_impulses(const SolverStep& step, Cloth& cloth);
-    static void share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths);
-    static void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths);
-    static void log_avoidance(Worker& worker, Cloth& cloth, float h);
-    void find_touched_colliders(Worker& worker, Cloth& cloth) const;
-    void log_colliders(Cloth& cloth);
-    void log_trigger(Cloth& cloth, ColliderId id, const Collider& trigger);
-    void log_triggers(Cloth& cloth);
-    /// What comes slower does not bounce [m/s].
-    [[nodiscard]] float least_bounce(float h) const;
-    [[nodiscard]] ClothSide side_of_cloth(const Cloth& cloth, float h) const;
-    void report_contacts();
-    void end(float dt);
-
-    [[nodiscard]] bool reports_contacts() const { return settings.contact_reports > 0; }
-    [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
-    [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
-
-    Parallel serial_{1};
-    std::vector<Cloth*> present_;   // the cloths that a step takes, in the order of their ids
-    std::vector<float> still_for_;  // of each of these, of its island
-    Schedule each_, islands_;       // each cloth for itself; those that may touch together
-    std::vector<Bounds> boxes_;
-    Islands finder_;
-    Motions motions_;  // one list for each thread
-    ContactReports contact_reports_;
-    Allotment allotment_;
-    Headroom headroom_;
-    std::int64_t began_ = 0;                // the present step, by the clock
-    float overhead_ = 1;                    // of the step's time over that of its cloths, threads included
-    std::unique_ptr<BodyStage> bodies_;     // null: there are none
-    std::vector<ColliderId> collider_ids_;  // of a step, by index; only where contacts are reported
-
-    std::size_t featured_cloths_ = 0;     // that the step takes
-    ScratchMemory scratch_;               // of all cloths, group by group
-    std::unique_ptr<ImpactZones> zones_;  // null: no cloth needs any
-    std::size_t zone_particles_ = 0;      // that they have memory for
+    // What a step finds; nothing of it is needed by the next, but for what a budget has learnt.
+    std::vector<Cloth*> present;      ///< the cloths that the step takes, in the order of their ids
+    std::size_t featured_cloths = 0;  ///< of these
+    std::vector<float> still_for;     ///< of each of these, of its group [s]
+    std::vector<Bounds> boxes;        ///< likewise, in which groups are looked for
+    Islands group_finder;
+    Schedule each_cloth, groups;  ///< each cloth for itself; those that may touch together
+    std::vector<std::vector<ColliderMotion>> motions;  ///< of colliders, one list for each thread
+    std::vector<ColliderId> collider_ids;              ///< by index; only where contacts are reported
+    ContactReports contact_reports;
+    std::unique_ptr<BodyStage> body_stage;  ///< null: there are no bodies
+    ScratchMemory scratch;                  ///< of all cloths, group by group
+    std::unique_ptr<ImpactZones> zones;     ///< null: no cloth needs any
+    std::size_t zone_particles = 0;         ///< that they have memory for
+    Parallel serial{1};
+    Allotment allotment;
+    Headroom headroom;
+    std::int64_t began = 0;  ///< the step, by the clock
+    float overhead = 1;      ///< of the step's time over that of its cloths, threads included
 };
 
 }  // namespace weft

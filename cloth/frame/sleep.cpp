@@ -9,7 +9,8 @@
 #include <utility>
 #include <variant>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/bodies/step_bodies.h"
+#include "cloth/frame/sleep.h"
 #include "collision/shapes/moving_shapes.h"
 #include "engine/bounds.h"
 
@@ -90,9 +91,7 @@ Box box_before(const PlacedShape& placed, const HeldShape& held) {
     return {to_vec3(centre), placed.rotation, to_vec3(0.5f * box.diagonal())};
 }
 
-}  // namespace
-
-bool Simulation::is_moved_by_host(const Cloth& cloth) {
+bool is_moved_by_host(const Cloth& cloth) {
     const ClothState& state = cloth.state;
     const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
     if (std::ranges::any_of(state.pins, moves)) return true;
@@ -102,45 +101,26 @@ bool Simulation::is_moved_by_host(const Cloth& cloth) {
            !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
 }
 
-void Simulation::choose_present(float dt) {
-    present_.clear();
-    bool any_can_sleep = false;
-    cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
-        cloth->id = id;
-        if (!cloth->settings.enabled) return;
-        present_.push_back(cloth.get());
-        any_can_sleep |= cloth->state.rest.has_value();
-    });
-    const bool is_gusty =
-        air_is_on() && settings.wind.gust > 0 && !to_vector(settings.wind.velocity).isZero(0);
-    if ((any_can_sleep && !is_gusty) || settings.budget > 0) find_disturbed(dt);
-    if (!any_can_sleep) return;
-    wake_disturbed(is_gusty);
-    sleep_and_wake(dt);
-    const auto sleeping = std::erase_if(present_, [](const Cloth* cloth) { return cloth->is_asleep(); });
-    report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
-}
-
 /// Cloths that are disturbed, and all where the air is gusty, are not still.
-void Simulation::wake_disturbed(bool is_gusty) {
-    for (Cloth* cloth : present_)
+void wake_disturbed(Simulation& world, bool is_gusty) {
+    for (Cloth* cloth : world.present)
         if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
 /// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that
 /// are near a body, or near a collider that changes in this step.
-void Simulation::find_disturbed(float dt) {
+void find_disturbed(Simulation& world, float dt) {
     const auto for_all = [&](const auto& disturbed) {
-        for (Cloth* cloth : present_)
+        for (Cloth* cloth : world.present)
             if (cloth->state.rest || cloth->state.detail)
                 cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
     };
-    for (Cloth* cloth : present_) cloth->is_disturbed = false;
+    for (Cloth* cloth : world.present) cloth->is_disturbed = false;
     for_all(is_moved_by_host);
-    if (bodies_) for_all([&](const Cloth& cloth) { return is_near_bodies(cloth, dt); });
-    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        const HeldShape* const held = held_by(slot.target);
-        const bool deforms = held != nullptr && held->deforms_in(state.steps);
+    if (world.body_stage) for_all([&](const Cloth& cloth) { return is_near_bodies(world, cloth, dt); });
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        const HeldShape* const held = world.held_by(slot.target);
+        const bool deforms = held != nullptr && held->deforms_in(world.state.steps);
         if (!deforms && have_same_shape(slot.current, slot.target) &&
             have_same_surface(slot.current, slot.target))
             return;
@@ -151,33 +131,56 @@ void Simulation::find_disturbed(float dt) {
             before.shape = box_before(*std::get_if<PlacedShape>(&slot.current.shape), *held);
             for_all([&](const Cloth& cloth) { return is_near(before, nullptr, cloth); });
         }
-        ColliderMotion motion{slot.current, slot.target, settings.max_speed};
+        ColliderMotion motion{slot.current, slot.target, world.settings.max_speed};
         motion.held = held;
-        for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, settings.max_speed); });
+        for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, world.settings.max_speed); });
     });
 }
 
 // Cloths that may touch sleep together and wake together, so that none lies on what only seems to be still.
-void Simulation::sleep_and_wake(float dt) {
-    boxes_.clear();
-    for (const Cloth* cloth : present_) boxes_.push_back(reach_of(*cloth, to_vector(settings.gravity), dt));
-    finder_.find(boxes_,
-                 [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
-    const std::span<const std::uint32_t> first_of = finder_.first_of();
-    still_for_.assign(present_.size(), std::numeric_limits<float>::max());
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        float& least = still_for_[first_of[i]];
-        least = std::min(least, present_[i]->still_for());
+void sleep_and_wake(Simulation& world, float dt) {
+    world.boxes.clear();
+    for (const Cloth* cloth : world.present)
+        world.boxes.push_back(reach_of(*cloth, to_vector(world.settings.gravity), dt));
+    world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
+        return may_meet(*world.present[i], *world.present[j]);
+    });
+    const std::span<const std::uint32_t> first_of = world.group_finder.first_of();
+    world.still_for.assign(world.present.size(), std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        float& least = world.still_for[first_of[i]];
+        least = std::min(least, world.present[i]->still_for());
     }
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        Cloth& cloth = *present_[i];
-        const bool is_to_sleep = still_for_[first_of[i]] >= time_to_sleep;
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        Cloth& cloth = *world.present[i];
+        const bool is_to_sleep = world.still_for[first_of[i]] >= time_to_sleep;
         if (is_to_sleep && !cloth.is_asleep()) cloth.fall_asleep();
         if (!is_to_sleep && cloth.is_asleep()) cloth.wake();
     }
 }
 
-void Simulation::count_still_time(Cloth& cloth, float dt) {
+}  // namespace
+
+void choose_present(Simulation& world, float dt) {
+    world.present.clear();
+    bool any_can_sleep = false;
+    world.cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
+        cloth->id = id;
+        if (!cloth->settings.enabled) return;
+        world.present.push_back(cloth.get());
+        any_can_sleep |= cloth->state.rest.has_value();
+    });
+    const bool is_gusty = world.air_is_on() && world.settings.wind.gust > 0 &&
+                          !to_vector(world.settings.wind.velocity).isZero(0);
+    if ((any_can_sleep && !is_gusty) || world.settings.budget > 0) find_disturbed(world, dt);
+    if (!any_can_sleep) return;
+    wake_disturbed(world, is_gusty);
+    sleep_and_wake(world, dt);
+    const auto sleeping = std::erase_if(world.present, [](const Cloth* cloth) { return cloth->is_asleep(); });
+    world.report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
+}
+
+void count_still_time(Cloth& cloth, float dt) {
     if (!cloth.state.rest) return;
     const float limit = cloth.settings.sleep_speed;
     float& still_for = cloth.state.rest->still_for;

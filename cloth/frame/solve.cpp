@@ -6,7 +6,12 @@
 #include <utility>
 
 #include "cloth/frame/advance/advance.h"
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/advance/air_step.h"
+#include "cloth/frame/bodies/step_bodies.h"
+#include "cloth/frame/contact/contact_step.h"
+#include "cloth/frame/contact/report_contacts.h"
+#include "cloth/frame/solve.h"
+#include "cloth/frame/worn/worn_step.h"
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "collision/particles/velocity_filter.h"
 
@@ -52,78 +57,41 @@ void count_halved_steps(std::span<Cloth* const> featured, bool cut_much) {
     }
 }
 
-}  // namespace
-
-// All its cloths take as many parts as the one that needs most: what touches is where it is at one time.
-void Simulation::solve(Worker& worker, std::span<Cloth* const> cloths, float dt, const Substep& substep) {
-    Scratch scratch(worker.scratch);
-    Group group;
-    group.lay_out(scratch, cloths.size());
-    group.add_featured(cloths);
-    const bool with_bodies = any_meets_bodies(cloths);
-    if (with_bodies) take_bodies(cloths, substep.h);
-    const int parts = parts_of(worker, cloths, substep);
-    bool cut_much = false;
-    for (int k = 0; k < parts; ++k) {
-        if (k > 0 && air_is_on())
-            for (Cloth* cloth : cloths) air_forces(worker, *cloth, true);
-        solve_part(worker, group, scratch, cloths, substep.part(k, parts, dt));
-        cut_much |= was_cut_much(group.all_featured());
-    }
-    if (with_bodies) leave_bodies(cloths);
-    count_halved_steps(group.all_featured(), cut_much);
-}
-
-int Simulation::parts_of(Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
-    int substeps = 1, parts = 1;
-    for (Cloth* cloth : cloths) {
-        substeps = std::max(substeps, cloth->settings.substeps);
-        parts = std::max({parts, cloth->state.halved > 0 ? 2 : 1, parts_to_meet(worker, *cloth, substep)});
-    }
-    return substeps * parts;
-}
-
 /// The parts that a substep needs so that no thin or fast collider is passed.
-int Simulation::parts_to_meet(Worker& worker, Cloth& cloth, const Substep& substep) {
+int parts_to_meet(Simulation& world, Worker& worker, Cloth& cloth, const Substep& substep) {
     constexpr std::uint32_t most = 8;
-    if (state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
-    const auto timer = timed(Stage::colliders);
+    if (world.state.colliders.size() == 0 || !meets_in_equation(cloth.settings)) return 1;
+    const auto timer = world.timed(Stage::colliders);
     Cloth* const self = &cloth;
-    see_colliders(worker, {&self, 1}, substep);
+    see_colliders(world, worker, {&self, 1}, substep);
     return static_cast<int>(
         weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), side_of(cloth.settings), substep.h,
                             most, std::as_const(cloth.state.positions).span(),
                             std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
 }
 
-// Set after set is solved and moved; whoever has gone is for the others where it then is. What contact does
-// at the end is the last set's to tell bodies.
-void Simulation::solve_part(Worker& worker, Group& group, Scratch scratch, std::span<Cloth* const> cloths,
-                            const Substep& part) {
-    const std::span<Cloth* const> featured = group.all_featured();
-    if (!featured.empty()) {
-        group.contact = {};
-        group.contact.lay_out(scratch, group.all_bodies(), zones_.get());
-        find_features(worker, group.contact, featured, part.h);
+int parts_of(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
+    int substeps = 1, parts = 1;
+    for (Cloth* cloth : cloths) {
+        substeps = std::max(substeps, cloth->settings.substeps);
+        parts =
+            std::max({parts, cloth->state.halved > 0 ? 2 : 1, parts_to_meet(world, worker, *cloth, substep)});
     }
-    const SetEnds ends = order_by_sets(group, cloths, part.h);
-    std::span<Cloth* const> set;
-    for (std::size_t begin = 0, end; begin < cloths.size(); begin = end) {
-        if (any_meets_bodies(set)) finish_part_of_bodies(set);
-        end = begin < ends.alone ? begin + 1 : begin < ends.first_order ? ends.first_order : cloths.size();
-        set = std::as_const(group.cloths).span().subspan(begin, end - begin);
-        solve_set(worker, group, set, part);
-    }
-    if (!featured.empty()) settle_features(worker, group.contact, featured, part);
-    if (any_meets_bodies(set)) finish_part_of_bodies(set);
-    if (any_meets_bodies(cloths)) end_part_of_bodies(cloths);
+    return substeps * parts;
 }
+
+/// The places among a group's cloths where its sets of one and its set of first order end.
+struct SetEnds {
+    std::size_t alone, first_order;
+};
 
 /// Each cloth that cannot be in an equation with others is a set; then those whose step is of first order
 /// are, as far as there are any, and those whose step is of second order.
-Simulation::SetEnds Simulation::order_by_sets(Group& group, std::span<Cloth* const> cloths, float h) const {
+SetEnds order_by_sets(const Simulation& world, Group& group, std::span<Cloth* const> cloths, float h) {
     // There is one list of colliders with which bodies move.
-    const auto is_alone = [&](const Cloth& cloth) { return !can_join(cloth) || (bodies_ && cloth.carried); };
+    const auto is_alone = [&](const Cloth& cloth) {
+        return !can_join(cloth) || (world.body_stage && cloth.carried);
+    };
     std::size_t end = 0;
     const auto add = [&](const auto& is_wanted) {
         for (Cloth* cloth : cloths)
@@ -138,16 +106,176 @@ Simulation::SetEnds Simulation::order_by_sets(Group& group, std::span<Cloth* con
     return ends;
 }
 
+StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float h, const Bdf& bdf) {
+    const ClothState& now = cloth.state;
+    const bool second_order = bdf.is_second_order();
+    if (second_order) {
+        const auto timer = world.timed(Stage::assemble);
+        cloth.history->begin(worker.parallel, now, bdf.divisor);
+    }
+    return {.settings = cloth.settings,
+            .h = h,
+            .gamma = bdf.gamma,
+            .rigidity = held_rigidity(cloth.settings.fabric, bdf.gamma, cloth.bending_per_area),
+            .positions = now.positions.span(),
+            .velocities = now.velocities.span(),
+            .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
+            .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
+            .external = {.gravity = to_vector(world.settings.gravity),
+                         .air_damping = cloth.settings.air_damping,
+                         .air = std::as_const(cloth.air.forces).span()},
+            .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
+            .divisor = bdf.divisor};
+}
+
+// The residual of finite elements takes a quarter of a step, so it is measured in one step of 32.
+bool is_residual_due(const Simulation& world, const Cloth& cloth) {
+    return !cloth.settings.finite_elements.enabled || world.state.steps % 32 == 1;
+}
+
+void make_equations(Simulation& world, Worker& worker, Group& group, std::span<Cloth* const> set,
+                    const Substep& part, float gamma) {
+    const auto first = static_cast<std::size_t>(set.data() - group.cloths.data());
+    const std::span<Cloth* const> featured = group.all_featured();
+    bool any_pairs = false;
+    for (std::size_t m = first; m < first + set.size(); ++m) {
+        Cloth& cloth = *group.cloths[m];
+        StepEquation& equation = *std::construct_at(
+            &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
+        begin_contacts(worker, cloth, part);
+        if (cloth.has_features() && can_join(cloth)) {
+            const auto body =
+                static_cast<std::size_t>(std::ranges::find(featured, &cloth) - featured.begin());
+            group.contact.set_base(worker.parallel, body, equation.base_positions);
+            equation.pairs = &group.contact.rows();
+            equation.first = group.contact.first(body);
+            cloth.contacts->join(*equation.pairs, equation.first);
+            any_pairs = true;
+        }
+        if (cloth.meets_bodies) carry_bodies(world, cloth, equation);
+        std::construct_at(&group.steps[m],
+                          SolverStep{.parallel = worker.parallel,
+                                     .profiler = world.profiler,
+                                     .model = cloth.model,
+                                     .settings = cloth.stepped_settings(),
+                                     .equation = equation,
+                                     .velocities = cloth.next_velocities.span(),
+                                     .wants_residual = part.is_last() && is_residual_due(world, cloth)});
+        if (can_join(cloth))
+            std::construct_at(&group.members[m],
+                              static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m]));
+    }
+    if (!any_pairs) return;
+    for (std::size_t k = 0; k < featured.size(); ++k)
+        if (std::ranges::find(set, featured[k]) == set.end())
+            group.contact.set_fixed_base(worker.parallel, k, featured[k]->state.positions.span());
+    group.contact.make_rows(worker.parallel, gamma);
+}
+
+void hold_within_limits(Simulation& world, Worker& worker, Cloth& cloth) {
+    for (const std::unique_ptr<Limit>& limit : cloth.limits) {
+        const auto timer = world.timed(Stage::limits);
+        limit->update(cloth.model);
+        limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
+                    cloth.state.velocities.span());
+    }
+}
+
+void avoid_self_collision(Simulation& world, Worker& worker, Cloth& cloth, float h) {
+    if (!cloth.self_contacts) return;
+    const float distance = cloth.rest_neighbours->distance();
+    {
+        const auto timer = world.timed(Stage::self_search);
+        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
+                                  cloth.rest_neighbours->filter(), distance,
+                                  cloth.settings.self_collision.search);
+    }
+    const auto timer = world.timed(Stage::self_response);
+    if (world.reports_contacts()) log_avoidance(worker, cloth, h);
+    cloth.self_counts =
+        cloth.self_contacts->respond(worker.parallel, distance, cloth.settings.self_collision.friction, h,
+                                     cloth.state.positions.span(), cloth.state.velocities.span());
+}
+
+void collide_with_colliders(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part) {
+    if (!meets_in_equation(cloth.settings)) return;
+    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
+    cloth.collider_contacts = 0;
+    if (colliders_of(worker, cloth).empty()) return;
+    cloth.collider_contacts = collide(world, worker, cloth, part.h, starts.span());
+    // Resting particles press in the equation alone, and need no push.
+    if (cloth.contacts)
+        cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
+}
+
+// The order says what matters more, the most important last: springs' limits, other cloth, colliders, leashes
+// and backstops.
+void settle(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part) {
+    hold_within_limits(world, worker, cloth);
+    avoid_self_collision(world, worker, cloth, part.h);
+    collide_with_colliders(world, worker, cloth, part);
+    hold_worn(world, worker, cloth);
+}
+
+void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation, const SolveResult& result,
+                 bool has_residual) {
+    if (cloth.contacts)
+        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
+    cloth.solver_failed |= !result.ok;
+    cloth.unsolved |= result.unsolved;
+    if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
+}
+
+float least_bounce(const Simulation& world, float h) {
+    return 2 * h * to_vector(world.settings.gravity).norm();
+}
+
+void bounce(const Simulation& world, Worker& worker, Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
+    cloth.contacts->bounce(worker.parallel, equation, least_bounce(world, equation.h),
+                           cloth.next_velocities.span());
+}
+
+void keep_part_start(Worker& worker, Cloth& cloth) {
+    const std::span<const Vec4> now = std::as_const(cloth.state.positions).span();
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        std::copy(now.begin() + range.begin, now.begin() + range.end, cloth.part_start.data() + range.begin);
+    });
+}
+
+// The step's first substep writes the new positions over the previous ones and swaps the two, so that the
+// start of the step stays behind for the renderer's blend and for guard().
+void advance(Simulation& world, Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first) {
+    const auto timer = world.timed(Stage::advance);
+    ClothState& now = cloth.state;
+    if (world.reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
+    if (!meets_in_equation(cloth.settings))
+        cloth.collider_contacts = filter_velocities(
+            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
+            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
+    bounce(world, worker, cloth, equation);
+    if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
+    weft::advance(worker.parallel, equation,
+                  {.solved = std::as_const(cloth.next_velocities).span(),
+                   .max_speed = world.settings.max_speed,
+                   .velocities = now.velocities.span(),
+                   .positions = (is_first ? now.previous_positions : now.positions).span(),
+                   .record = cloth.history ? &now.record : nullptr});
+    if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
+    if (is_first) std::swap(now.positions, now.previous_positions);
+}
+
 /// Solves cloths as one equation and moves them.
-void Simulation::solve_set(Worker& worker, Group& group, std::span<Cloth* const> set, const Substep& part) {
+void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth* const> set,
+               const Substep& part) {
     const bool with_bodies = any_meets_bodies(set);
     const float gamma = common_gamma(set, part.h);
     if (with_bodies) {
         for (Cloth* cloth : set) cloth->meets_bodies = true;
-        start_part_of_bodies(set, part.h, gamma);
+        start_part_of_bodies(world, set, part.h, gamma);
     }
-    see_colliders(worker, set, part);
-    make_equations(worker, group, set, part, gamma);
+    see_colliders(world, worker, set, part);
+    make_equations(world, worker, group, set, part, gamma);
     const auto first = static_cast<std::size_t>(set.data() - group.cloths.data());
     const auto of_set = [&](auto& array) { return array.span().subspan(first, set.size()); };
     const std::span<StepEquation> equations = of_set(group.equations);
@@ -162,196 +290,85 @@ void Simulation::solve_set(Worker& worker, Group& group, std::span<Cloth* const>
     for (std::size_t m = 0; m < set.size(); ++m) {
         take_result(worker, *set[m], equations[m], {residuals[m], result.ok, result.unsolved},
                     group.steps[first + m].wants_residual);
-        if (with_bodies) collect_from_equation(*set[m], equations[m]);
+        if (with_bodies) collect_from_equation(world, *set[m], equations[m]);
     }
-    for (std::size_t m = 0; m < set.size() && reports_contacts(); ++m) {
+    for (std::size_t m = 0; m < set.size() && world.reports_contacts(); ++m) {
         if (equations[m].pairs == nullptr) continue;
         equations[m].pairs->take(worker.parallel, equations[m].first,
                                  std::as_const(set[m]->next_velocities).span());
         find_missing_impulses(group.steps[first + m], *set[m]);
     }
     for (std::size_t m = 0; m < set.size(); ++m) {
-        advance(worker, *set[m], equations[m], part.is_first());
-        settle(worker, *set[m], part);
+        advance(world, worker, *set[m], equations[m], part.is_first());
+        settle(world, worker, *set[m], part);
     }
-    place_attached(set);
+    place_attached(world, set);
     for (Cloth* cloth : set)
         if (!cloth->limits.empty() || cloth->worn.is_holding() || cloth->self_counts.pairs > 0 ||
             cloth->collider_contacts > 0 || !cloth->attached.empty())
-            limit_speeds(worker.parallel, settings.max_speed, cloth->state.velocities.span());
+            limit_speeds(worker.parallel, world.settings.max_speed, cloth->state.velocities.span());
 }
 
-void Simulation::make_equations(Worker& worker, Group& group, std::span<Cloth* const> set,
-                                const Substep& part, float gamma) {
-    const auto first = static_cast<std::size_t>(set.data() - group.cloths.data());
+// Set after set is solved and moved; whoever has gone is for the others where it then is. What contact does
+// at the end is the last set's to tell bodies.
+void solve_part(Simulation& world, Worker& worker, Group& group, Scratch scratch,
+                std::span<Cloth* const> cloths, const Substep& part) {
     const std::span<Cloth* const> featured = group.all_featured();
-    bool any_pairs = false;
-    for (std::size_t m = first; m < first + set.size(); ++m) {
-        Cloth& cloth = *group.cloths[m];
-        StepEquation& equation = *std::construct_at(
-            &group.equations[m], equation_of(worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
-        begin_contacts(worker, cloth, part);
-        if (cloth.has_features() && can_join(cloth)) {
-            const auto body =
-                static_cast<std::size_t>(std::ranges::find(featured, &cloth) - featured.begin());
-            group.contact.set_base(worker.parallel, body, equation.base_positions);
-            equation.pairs = &group.contact.rows();
-            equation.first = group.contact.first(body);
-            cloth.contacts->join(*equation.pairs, equation.first);
-            any_pairs = true;
-        }
-        if (cloth.meets_bodies) carry_bodies(cloth, equation);
-        std::construct_at(&group.steps[m],
-                          SolverStep{.parallel = worker.parallel,
-                                     .profiler = profiler,
-                                     .model = cloth.model,
-                                     .settings = cloth.stepped_settings(),
-                                     .equation = equation,
-                                     .velocities = cloth.next_velocities.span(),
-                                     .wants_residual = part.is_last() && is_residual_due(cloth)});
-        if (can_join(cloth))
-            std::construct_at(&group.members[m],
-                              static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m]));
+    if (!featured.empty()) {
+        group.contact = {};
+        group.contact.lay_out(scratch, group.all_bodies(), world.zones.get());
+        find_features(world, worker, group.contact, featured, part.h);
     }
-    if (!any_pairs) return;
-    for (std::size_t k = 0; k < featured.size(); ++k)
-        if (std::ranges::find(set, featured[k]) == set.end())
-            group.contact.set_fixed_base(worker.parallel, k, featured[k]->state.positions.span());
-    group.contact.make_rows(worker.parallel, gamma);
-}
-
-// The order says what matters more, the most important last: springs' limits, other cloth, colliders, leashes
-// and backstops.
-void Simulation::settle(Worker& worker, Cloth& cloth, const Substep& part) {
-    hold_within_limits(worker, cloth);
-    avoid_self_collision(worker, cloth, part.h);
-    collide_with_colliders(worker, cloth, part);
-    hold_worn(worker, cloth);
-}
-
-StepEquation Simulation::equation_of(Worker& worker, Cloth& cloth, float h, const Bdf& bdf) {
-    const ClothState& now = cloth.state;
-    const bool second_order = bdf.is_second_order();
-    if (second_order) {
-        const auto timer = timed(Stage::assemble);
-        cloth.history->begin(worker.parallel, now, bdf.divisor);
+    const SetEnds ends = order_by_sets(world, group, cloths, part.h);
+    std::span<Cloth* const> set;
+    for (std::size_t begin = 0, end; begin < cloths.size(); begin = end) {
+        if (any_meets_bodies(set)) finish_part_of_bodies(world, set);
+        end = begin < ends.alone ? begin + 1 : begin < ends.first_order ? ends.first_order : cloths.size();
+        set = std::as_const(group.cloths).span().subspan(begin, end - begin);
+        solve_set(world, worker, group, set, part);
     }
-    return {.settings = cloth.settings,
-            .h = h,
-            .gamma = bdf.gamma,
-            .rigidity = held_rigidity(cloth.settings.fabric, bdf.gamma, cloth.bending_per_area),
-            .positions = now.positions.span(),
-            .velocities = now.velocities.span(),
-            .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
-            .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
-            .external = {.gravity = to_vector(settings.gravity),
-                         .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air.forces).span()},
-            .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
-            .divisor = bdf.divisor};
+    if (!featured.empty()) settle_features(world, worker, group.contact, featured, part);
+    if (any_meets_bodies(set)) finish_part_of_bodies(world, set);
+    if (any_meets_bodies(cloths)) end_part_of_bodies(world, cloths);
 }
 
-// The residual of finite elements takes a quarter of a step, so it is measured in one step of 32.
-bool Simulation::is_residual_due(const Cloth& cloth) const {
-    return !cloth.settings.finite_elements.enabled || state.steps % 32 == 1;
+}  // namespace
+
+// All its cloths take as many parts as the one that needs most: what touches is where it is at one time.
+void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, float dt,
+           const Substep& substep) {
+    Scratch scratch(worker.scratch);
+    Group group;
+    group.lay_out(scratch, cloths.size());
+    group.add_featured(cloths);
+    const bool with_bodies = any_meets_bodies(cloths);
+    if (with_bodies) take_bodies(world, cloths, substep.h);
+    const int parts = parts_of(world, worker, cloths, substep);
+    bool cut_much = false;
+    for (int k = 0; k < parts; ++k) {
+        if (k > 0 && world.air_is_on())
+            for (Cloth* cloth : cloths) air_forces(world, worker, *cloth, true);
+        solve_part(world, worker, group, scratch, cloths, substep.part(k, parts, dt));
+        cut_much |= was_cut_much(group.all_featured());
+    }
+    if (with_bodies) leave_bodies(world, cloths);
+    count_halved_steps(group.all_featured(), cut_much);
 }
 
-void Simulation::take_result(Worker& worker, Cloth& cloth, const StepEquation& equation,
-                             const SolveResult& result, bool has_residual) {
-    if (cloth.contacts)
-        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
-    cloth.solver_failed |= !result.ok;
-    cloth.unsolved |= result.unsolved;
-    if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
-}
-
-// The step's first substep writes the new positions over the previous ones and swaps the two, so that the
-// start of the step stays behind for the renderer's blend and for guard().
-void Simulation::advance(Worker& worker, Cloth& cloth, const StepEquation& equation, bool is_first) {
-    const auto timer = timed(Stage::advance);
-    ClothState& now = cloth.state;
-    if (reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
-    if (!meets_in_equation(cloth.settings))
-        cloth.collider_contacts = filter_velocities(
-            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
-            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
-    bounce(worker, cloth, equation);
-    if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
-    weft::advance(worker.parallel, equation,
-                  {.solved = std::as_const(cloth.next_velocities).span(),
-                   .max_speed = settings.max_speed,
-                   .velocities = now.velocities.span(),
-                   .positions = (is_first ? now.previous_positions : now.positions).span(),
-                   .record = cloth.history ? &now.record : nullptr});
-    if (cloth.history && equation.pairs != nullptr) forget_contact(*equation.pairs, equation.first, now);
-    if (is_first) std::swap(now.positions, now.previous_positions);
-}
-
-float Simulation::least_bounce(float h) const {
-    return 2 * h * to_vector(settings.gravity).norm();
-}
-
-ClothSide Simulation::side_of_cloth(const Cloth& cloth, float h) const {
+ClothSide side_of_cloth(const Simulation& world, const Cloth& cloth, float h) {
     ClothSide side = side_of(cloth.settings);
-    side.least_bounce = least_bounce(h);
+    side.least_bounce = least_bounce(world, h);
     return side;
 }
 
-void Simulation::bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) const {
-    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
-    cloth.contacts->bounce(worker.parallel, equation, least_bounce(equation.h), cloth.next_velocities.span());
-}
-
-void Simulation::keep_part_start(Worker& worker, Cloth& cloth) {
-    const std::span<const Vec4> now = std::as_const(cloth.state.positions).span();
-    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
-        std::copy(now.begin() + range.begin, now.begin() + range.end, cloth.part_start.data() + range.begin);
-    });
-}
-
-void Simulation::hold_within_limits(Worker& worker, Cloth& cloth) {
-    for (const std::unique_ptr<Limit>& limit : cloth.limits) {
-        const auto timer = timed(Stage::limits);
-        limit->update(cloth.model);
-        limit->hold(worker.parallel, cloth.settings, cloth.state.positions.span(),
-                    cloth.state.velocities.span());
-    }
-}
-
-void Simulation::avoid_self_collision(Worker& worker, Cloth& cloth, float h) {
-    if (!cloth.self_contacts) return;
-    const float distance = cloth.rest_neighbours->distance();
-    {
-        const auto timer = timed(Stage::self_search);
-        cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
-                                  cloth.rest_neighbours->filter(), distance,
-                                  cloth.settings.self_collision.search);
-    }
-    const auto timer = timed(Stage::self_response);
-    if (reports_contacts()) log_avoidance(worker, cloth, h);
-    cloth.self_counts =
-        cloth.self_contacts->respond(worker.parallel, distance, cloth.settings.self_collision.friction, h,
-                                     cloth.state.positions.span(), cloth.state.velocities.span());
-}
-
-void Simulation::collide_with_colliders(Worker& worker, Cloth& cloth, const Substep& part) {
-    if (!meets_in_equation(cloth.settings)) return;
-    const AlignedBuffer<Vec4>& starts = part.is_first() ? cloth.state.previous_positions : cloth.part_start;
-    cloth.collider_contacts = 0;
-    if (colliders_of(worker, cloth).empty()) return;
-    cloth.collider_contacts = collide(worker, cloth, part.h, starts.span());
-    // Resting particles press in the equation alone, and need no push.
-    if (cloth.contacts)
-        cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
-}
-
-std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::span<const Vec4> starts) {
-    const auto timer = timed(Stage::colliders);
-    if (cloth.meets_bodies) return collide_with_bodies(worker, cloth, h, starts);
-    if (reports_contacts())
+std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,
+                      std::span<const Vec4> starts) {
+    const auto timer = world.timed(Stage::colliders);
+    if (cloth.meets_bodies) return collide_with_bodies(world, worker, cloth, h, starts);
+    if (world.reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
     const std::uint32_t touching =
-        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(cloth, h), h,
+        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(world, cloth, h), h,
                       {.positions = cloth.state.positions.span(),
                        .velocities = cloth.state.velocities.span(),
                        .starts = starts,
@@ -359,14 +376,9 @@ std::uint32_t Simulation::collide(Worker& worker, Cloth& cloth, float h, std::sp
                        .factors = cloth.worn.factors(),
                        .whole = cloth.whole ? &*cloth.whole : nullptr},
                       cloth.partial_counts.span());
-    if (reports_contacts() && touching > 0)
+    if (world.reports_contacts() && touching > 0)
         add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
     return touching;
-}
-
-std::span<const ColliderMotion> Simulation::colliders_in_equation(const Worker& worker, Cloth& cloth) {
-    return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(colliders_of(worker, cloth))
-                                             : std::span<const ColliderMotion>();
 }
 
 }  // namespace weft

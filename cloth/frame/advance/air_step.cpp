@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/advance/air_step.h"
 #include "cloth/surface/air_sources.h"
 #include "cloth/surface/gusts.h"
 
 namespace weft {
 
-void Simulation::feel_wind(Worker& worker, Cloth& cloth) {
+void feel_wind(Simulation& world, Worker& worker, Cloth& cloth) {
     if (cloth.air.velocities.size() == 0) return;
-    const auto timer = timed(Stage::wind);
-    find_air(worker.parallel, std::as_const(cloth.state.positions).span(), cloth.air.velocities.span());
+    const auto timer = world.timed(Stage::wind);
+    world.find_air(worker.parallel, std::as_const(cloth.state.positions).span(), cloth.air.velocities.span());
 }
 
 void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const {
@@ -19,10 +19,10 @@ void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::
     if (has_sources(settings.wind)) add_air_of_sources(threads, settings.wind, points, velocities);
 }
 
-void Simulation::air_forces(Worker& worker, Cloth& cloth, bool has_moved) {
-    const auto timer = timed(Stage::wind);
+void air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool has_moved) {
+    const auto timer = world.timed(Stage::wind);
     cloth.surface.compute_air_forces(worker.parallel,
-                                     {.wind = settings.wind,
+                                     {.wind = world.settings.wind,
                                       .positions = cloth.state.positions.span(),
                                       .velocities = cloth.state.velocities.span(),
                                       .air_velocities = cloth.air.velocities.span(),

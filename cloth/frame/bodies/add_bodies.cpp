@@ -63,7 +63,7 @@ BodyId Simulation::add_body(const BodySlot& slot) {
         cloth->collected = std::move(made.collected);
         if (count == 1) cloth->body_buffers = std::move(made.buffers);
     }
-    bodies_ = std::move(stage);
+    body_stage = std::move(stage);
     clear_body_impulses();
     return id;
 }
@@ -79,10 +79,10 @@ void Simulation::remove_body(BodyId id) {
         cloth->state.shares.erase(cloth->state.shares.begin() + number);
         cloth->collected.pop_back();
     });
-    bodies_->remove_last();
+    body_stage->remove_last();
     clear_body_impulses();
     if (state.bodies.size() > 0) return;
-    bodies_.reset();
+    body_stage.reset();
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         cloth->state.shares = {};
         cloth->collected = {};
@@ -109,9 +109,9 @@ void Simulation::place_carried_colliders() noexcept {
 }
 
 void Simulation::clear_body_impulses() noexcept {
-    if (!bodies_) return;
+    if (!body_stage) return;
     std::size_t number = 0;
-    state.bodies.for_each([&](BodyId id, const BodySlot&) { bodies_->impulses[number++] = {.body = id}; });
+    state.bodies.for_each([&](BodyId id, const BodySlot&) { body_stage->impulses[number++] = {.body = id}; });
 }
 
 }  // namespace weft

@@ -7,6 +7,7 @@
 // cloths give or, if these are still to come, gave in the last substep, and what its own give. The last to
 // take them brings them where they go on.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,16 @@
 #include "weft/body.h"
 
 namespace weft {
+
+/// Impulses and angular ones, as states have them and as they are reckoned with.
+[[nodiscard]] inline Vector6 to_vector6(const std::array<float, 6>& values) {
+    return Eigen::Map<const Eigen::Matrix<float, 6, 1>>(values.data()).cast<double>();
+}
+[[nodiscard]] inline std::array<float, 6> to_floats(const Vector6& v) {
+    std::array<float, 6> values{};
+    Eigen::Map<Eigen::Matrix<float, 6, 1>>(values.data()) = v.cast<float>();
+    return values;
+}
 
 struct BodyStage {
     /// Room for so many.

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/budget/choose.h"
 
 namespace weft {
 
@@ -16,29 +16,20 @@ constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
 /// It is not looked from nearer [m].
 constexpr float nearest = 0.1f;
 
-}  // namespace
-
-void Simulation::choose_details() {
-    began_ = clock();
-    choices.clear();
-    if (!has_given_choices) choose_rungs();
-    choose_rates();
-    for (Cloth* cloth : present_) {
-        if (cloth->is_gliding()) continue;
-        const DetailState& detail = *cloth->state.detail;
-        cloth->budgeted->settings = cloth->settings;
-        cloth->budgeted->settings.method = reduced(cloth->settings.method, detail.rung, detail.rate);
-    }
+/// A cloth may take long steps where nothing that it meets or wears changes before one ends.
+bool can_stride(const Simulation& world, const Cloth& cloth) {
+    return !world.body_stage && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
+           !cloth.worn.has_limits() && cloth.attached.empty();
 }
 
-void Simulation::choose_rungs() {
-    std::vector<Claim>& claims = allotment_.claims();
+void choose_rungs(Simulation& world) {
+    std::vector<Claim>& claims = world.allotment.claims();
     claims.clear();
-    const auto now = static_cast<std::uint32_t>(state.steps);
-    for (const Cloth* cloth : present_) {
+    const auto now = static_cast<std::uint32_t>(world.state.steps);
+    for (const Cloth* cloth : world.present) {
         const std::uint32_t rung = cloth->state.detail->rung;
         const std::uint32_t unchanged = now - cloth->state.detail->since;
-        const std::uint32_t last = can_stride(*cloth) ? rung_count - 1 : last_of_rate_1;
+        const std::uint32_t last = can_stride(world, *cloth) ? rung_count - 1 : last_of_rate_1;
         claims.push_back(
             {.importance = cloth->settings.priority / std::max(cloth->settings.view_distance, nearest) *
                            static_cast<float>(cloth->model.particle_count),
@@ -47,48 +38,29 @@ void Simulation::choose_rungs() {
              .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
              .rung = rung});
     }
-    allotment_.allot(headroom_.within(1e6f * settings.budget) / overhead_);
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        Cloth& cloth = *present_[i];
+    world.allotment.allot(world.headroom.within(1e6f * world.settings.budget) / world.overhead);
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        Cloth& cloth = *world.present[i];
         const std::uint32_t rung = claims[i].rung;
         if (rung == cloth.state.detail->rung) continue;
         cloth.state.detail->go_to(rung, now);
         cloth.budgeted->costs.change_rung();
-        choices.push_back({cloth.id, rung});
-    }
-}
-
-/// A cloth may take long steps where nothing that it meets or wears changes before one ends.
-bool Simulation::can_stride(const Cloth& cloth) const {
-    return !bodies_ && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
-           !cloth.worn.has_limits() && cloth.attached.empty();
-}
-
-/// Those that may take a long step now do, others stop where they are.
-void Simulation::choose_rates() {
-    spread_long_steps();
-    for (Cloth* cloth : present_) {
-        DetailState& detail = *cloth->state.detail;
-        const bool may_stride = can_stride(*cloth);
-        if (!may_stride) cloth->land();
-        if (detail.left > 0) continue;
-        const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
-        detail.rate = rate > 1 && state.steps % rate == detail.phase % rate ? rate : 1;
+        world.choices.push_back({cloth.id, rung});
     }
 }
 
 /// A cloth that begins to take long steps takes them where the others leave most room.
-void Simulation::spread_long_steps() {
+void spread_long_steps(Simulation& world) {
     std::array<std::uint64_t, greatest_rate> loads{};
     const auto load = [&](const Cloth& cloth) {
         loads[cloth.state.detail->phase % greatest_rate] += cloth.model.particle_count;
     };
-    for (Cloth* cloth : present_) {
+    for (Cloth* cloth : world.present) {
         std::uint32_t& phase = cloth->state.detail->phase;
         if (rate_of(cloth->state.detail->rung) == 1) phase = DetailState::no_phase;
         if (phase != DetailState::no_phase) load(*cloth);
     }
-    for (Cloth* cloth : present_) {
+    for (Cloth* cloth : world.present) {
         DetailState& detail = *cloth->state.detail;
         if (rate_of(detail.rung) == 1 || detail.phase != DetailState::no_phase) continue;
         detail.phase = static_cast<std::uint32_t>(std::ranges::min_element(loads) - loads.begin());
@@ -96,8 +68,36 @@ void Simulation::spread_long_steps() {
     }
 }
 
+/// Those that may take a long step now do, others stop where they are.
+void choose_rates(Simulation& world) {
+    spread_long_steps(world);
+    for (Cloth* cloth : world.present) {
+        DetailState& detail = *cloth->state.detail;
+        const bool may_stride = can_stride(world, *cloth);
+        if (!may_stride) cloth->land();
+        if (detail.left > 0) continue;
+        const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
+        detail.rate = rate > 1 && world.state.steps % rate == detail.phase % rate ? rate : 1;
+    }
+}
+
+}  // namespace
+
+void choose_details(Simulation& world) {
+    world.began = world.clock();
+    world.choices.clear();
+    if (!world.has_given_choices) choose_rungs(world);
+    choose_rates(world);
+    for (Cloth* cloth : world.present) {
+        if (cloth->is_gliding()) continue;
+        const DetailState& detail = *cloth->state.detail;
+        cloth->budgeted->settings = cloth->settings;
+        cloth->budgeted->settings.method = reduced(cloth->settings.method, detail.rung, detail.rate);
+    }
+}
+
 /// From where a long step began to where it has ended it goes evenly.
-void Simulation::begin_stride(Worker& worker, Cloth& cloth) {
+void begin_stride(Simulation& world, Worker& worker, Cloth& cloth) {
     if (!cloth.state.detail || cloth.state.detail->rate == 1) return;
     ClothState& now = cloth.state;
     if (cloth.restored) {
@@ -107,11 +107,11 @@ void Simulation::begin_stride(Worker& worker, Cloth& cloth) {
     std::ranges::copy(std::as_const(now.positions).span(), now.ahead.data());
     std::ranges::copy(std::as_const(now.previous_positions).span(), now.positions.data());
     now.detail->left = now.detail->rate;
-    glide(worker, cloth);
+    glide(world, worker, cloth);
 }
 
-void Simulation::glide(Worker& worker, Cloth& cloth) {
-    const auto timer = timed(Stage::advance);
+void glide(Simulation& world, Worker& worker, Cloth& cloth) {
+    const auto timer = world.timed(Stage::advance);
     ClothState& now = cloth.state;
     const std::uint32_t left = now.detail->left--;
     const float part = 1 / static_cast<float>(left);
@@ -125,7 +125,7 @@ void Simulation::glide(Worker& worker, Cloth& cloth) {
     });
     cloth.extent = survey(worker.parallel, now, cloth.partial_surveys.span());
     cloth.restored = false;
-    update_normals(worker.parallel, cloth);
+    world.update_normals(worker.parallel, cloth);
 }
 
 void Cloth::land() noexcept {
@@ -150,12 +150,13 @@ void Cloth::take_budget(BudgetBuffers&& made) noexcept {
     if (budgeted) state.detail.emplace();
 }
 
-void Simulation::learn_costs() {
+void learn_costs(Simulation& world) {
     float took = 0;
-    for (Cloth* cloth : present_) {
+    for (Cloth* cloth : world.present) {
         Budgeted& of = *cloth->budgeted;
         const DetailState& detail = *cloth->state.detail;
-        const auto cost = static_cast<float>(cost_of != nullptr ? cost_of(*cloth) : cloth->nanoseconds);
+        const auto cost =
+            static_cast<float>(world.cost_of != nullptr ? world.cost_of(*cloth) : cloth->nanoseconds);
         took += cost;
         of.spent += cost;
         ++of.steps;
@@ -167,9 +168,11 @@ void Simulation::learn_costs() {
         of.steps = 0;
     }
     if (!(took > 0)) return;
-    const float ratio = cost_of != nullptr ? 1.0f : static_cast<float>(clock() - began_) / took;
-    if (const float known = allotment_.spent(); known > 0) headroom_.add(ratio * took / (overhead_ * known));
-    overhead_ += (std::clamp(ratio, 0.5f * overhead_, 2 * overhead_) - overhead_) / 32;
+    const float ratio =
+        world.cost_of != nullptr ? 1.0f : static_cast<float>(world.clock() - world.began) / took;
+    if (const float known = world.allotment.spent(); known > 0)
+        world.headroom.add(ratio * took / (world.overhead * known));
+    world.overhead += (std::clamp(ratio, 0.5f * world.overhead, 2 * world.overhead) - world.overhead) / 32;
 }
 
 }  // namespace weft

@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "cloth/frame/advance/advance.h"
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/contact/contact_step.h"
+#include "cloth/frame/contact/report_contacts.h"
+#include "cloth/frame/solve.h"
+#include "cloth/frame/worn/worn_step.h"
 #include "collision/search/patch_kernels.h"
 #include "collision/shapes/moving_shapes.h"
 #include "engine/bounds.h"
@@ -87,53 +90,19 @@ void remember_tangles(FeatureContact& space, std::size_t body, ClothState& state
     state.may_cross = space.may_cross() ? 1 : 0;
 }
 
-}  // namespace
-
-/// Where the cloth will be in a substep of h seconds as far as can be told, with what colliders may push it
-/// in the whole step.
-void Simulation::expect(Cloth& cloth, float h) const {
-    if (!cloth.has_features()) return;
-    cloth.expected = way_of(cloth, to_vector(settings.gravity), h);
-    float push = 0;
-    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        if (slot.target.is_trigger || (slot.target.layers & cloth.settings.collider_mask) == 0) return;
-        ColliderMotion motion{slot.current, slot.target, settings.max_speed};
-        motion.held = held_by(slot.target);
-        push = std::max(
-            push, push_of(motion, {h, settings.max_speed}, cloth.settings.thickness, cloth.expected.box));
-    });
-    cloth.expected.length += push;
-    cloth.expected.box = grown(cloth.expected.box, push);
-}
-
-// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body. Those that
-// meet pass their speed on to one another, and each may go as far as any of them.
-void Simulation::meet() {
-    for (bool any = true; any;) {
-        boxes_.clear();
-        for (const Cloth* cloth : present_)
-            boxes_.push_back(cloth->has_features() ? cloth->expected.box : no_box);
-        finder_.find(boxes_,
-                     [&](std::uint32_t i, std::uint32_t j) { return may_meet(*present_[i], *present_[j]); });
-        if (bodies_) finder_.join(bodies_->sharing.first_of());
-        any = pass_ways_on();
-    }
-    for (std::size_t i = 0; i < present_.size(); ++i) present_[i]->group = finder_.first_of()[i];
-    islands_.plan(present_, finder_.first_of(), parallel.width());
-}
-
 /// Grows the boxes of cloths that meet. Returns whether any has grown.
-bool Simulation::pass_ways_on() {
-    const std::span<const std::uint32_t> first_of = finder_.first_of();
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        ExpectedWay& of_first = present_[first_of[i]]->expected;
+bool pass_ways_on(Simulation& world) {
+    const std::span<const std::uint32_t> first_of = world.group_finder.first_of();
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        ExpectedWay& of_first = world.present[first_of[i]]->expected;
         if (first_of[i] != i)
-            of_first.longest = std::max({of_first.longest, of_first.length, present_[i]->expected.length});
+            of_first.longest =
+                std::max({of_first.longest, of_first.length, world.present[i]->expected.length});
     }
     bool any = false;
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        ExpectedWay& own = present_[i]->expected;
-        const float more = present_[first_of[i]]->expected.longest - own.grown_by;
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        ExpectedWay& own = world.present[i]->expected;
+        const float more = world.present[first_of[i]]->expected.longest - own.grown_by;
         if (!(more > 0)) continue;
         own.box = grown(own.box, more);
         own.grown_by += more;
@@ -144,12 +113,12 @@ bool Simulation::pass_ways_on() {
 
 /// The space on the cloth's side of planes halfway between its box and those of cloths in other groups. As
 /// long as each stays in its own, groups cannot meet.
-Bounds Simulation::own_space(const Cloth& cloth) const {
+Bounds own_space(const Simulation& world, const Cloth& cloth) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Vector3 lower = Vector3::Constant(-infinity), upper = -lower;
     const float floor = cloth.as_body().floor;
     bool is_first = false;
-    for (const Cloth* other : present_) {
+    for (const Cloth* other : world.present) {
         is_first = is_first || other == &cloth;
         if (other->group == cloth.group || !other->has_features() || !may_meet(cloth, *other)) continue;
         const ParallelPlane plane = is_first ? plane_between(cloth.expected.box, other->expected.box)
@@ -162,9 +131,69 @@ Bounds Simulation::own_space(const Cloth& cloth) const {
     return {to_vec3(lower), to_vec3(upper)};
 }
 
-void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                               float h) {
-    const auto timer = timed(Stage::self_search);
+/// Shortens the way of what goes another way than it was expected to, and would leave the cloth's own space.
+void keep_in_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
+                       std::span<Cloth* const> cloths) {
+    if (world.featured_cloths == 1) return;
+    for (std::size_t k = 0; k < cloths.size(); ++k)
+        if (space.leaves(worker.parallel, k, cloths[k]->expected.box))
+            space.keep_within(worker.parallel, k, own_space(world, *cloths[k]));
+}
+
+/// Writes a body's settled motion to its cloth.
+void hand_back(Simulation& world, Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth,
+               float h) {
+    space.hand_back(worker.parallel, body, h, cloth.state.positions.span(), cloth.state.velocities.span());
+    limit_speeds(worker.parallel, world.settings.max_speed, cloth.state.velocities.span());
+}
+
+// Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
+// section 2: cloth against rigid bodies on top of cloth against cloth).
+void keep_out_of_colliders(Simulation& world, Worker& worker, Cloth& cloth, float h) {
+    if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
+    cloth.collider_contacts = std::max(cloth.collider_contacts, collide(world, worker, cloth, h, {}));
+}
+
+}  // namespace
+
+/// Where the cloth will be in a substep of h seconds as far as can be told, with what colliders may push it
+/// in the whole step.
+void expect(const Simulation& world, Cloth& cloth, float h) {
+    if (!cloth.has_features()) return;
+    cloth.expected = way_of(cloth, to_vector(world.settings.gravity), h);
+    float push = 0;
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & cloth.settings.collider_mask) == 0) return;
+        ColliderMotion motion{slot.current, slot.target, world.settings.max_speed};
+        motion.held = world.held_by(slot.target);
+        push = std::max(push, push_of(motion, {h, world.settings.max_speed}, cloth.settings.thickness,
+                                      cloth.expected.box));
+    });
+    cloth.expected.length += push;
+    cloth.expected.box = grown(cloth.expected.box, push);
+}
+
+// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body. Those that
+// meet pass their speed on to one another, and each may go as far as any of them.
+void meet(Simulation& world) {
+    for (bool any = true; any;) {
+        world.boxes.clear();
+        for (const Cloth* cloth : world.present)
+            world.boxes.push_back(cloth->has_features() ? cloth->expected.box : no_box);
+        world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
+            return may_meet(*world.present[i], *world.present[j]);
+        });
+        if (world.body_stage) world.group_finder.join(world.body_stage->sharing.first_of());
+        any = pass_ways_on(world);
+    }
+    for (std::size_t i = 0; i < world.present.size(); ++i)
+        world.present[i]->group = world.group_finder.first_of()[i];
+    world.groups.plan(world.present, world.group_finder.first_of(), world.parallel.width());
+}
+
+void find_features(Simulation& world, Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                   float h) {
+    const auto timer = world.timed(Stage::self_search);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         const ClothState& now = cloths[k]->state;
         space.place(worker.parallel, k, now.positions.span(), {.velocities = now.velocities.span(), .h = h});
@@ -173,26 +202,17 @@ void Simulation::find_features(Worker& worker, FeatureContact& space, std::span<
     if (!space.uses_zones()) space.detect(worker.parallel, cloths.front()->is_in_crowd);
 }
 
-/// Shortens the way of what goes another way than it was expected to, and would leave the cloth's own space.
-void Simulation::keep_in_own_space(Worker& worker, FeatureContact& space,
-                                   std::span<Cloth* const> cloths) const {
-    if (featured_cloths_ == 1) return;
-    for (std::size_t k = 0; k < cloths.size(); ++k)
-        if (space.leaves(worker.parallel, k, cloths[k]->expected.box))
-            space.keep_within(worker.parallel, k, own_space(*cloths[k]));
-}
-
 /// Whether a common motion has taken some of the cloth out of its own space.
-bool Simulation::is_taken_out_of_own_space(Worker& worker, FeatureContact& space, std::size_t body,
-                                           const Cloth& cloth) const {
-    return featured_cloths_ > 1 && space.leaves(worker.parallel, body, cloth.expected.box) &&
-           space.leaves(worker.parallel, body, own_space(cloth));
+bool is_taken_out_of_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
+                               std::size_t body, const Cloth& cloth) {
+    return world.featured_cloths > 1 && space.leaves(worker.parallel, body, cloth.expected.box) &&
+           space.leaves(worker.parallel, body, own_space(world, cloth));
 }
 
 // The last that moves particles in a substep.
-void Simulation::settle_features(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                                 const Substep& substep) {
-    const auto timer = timed(Stage::self_response);
+void settle_features(Simulation& world, Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
+                     const Substep& substep) {
+    const auto timer = world.timed(Stage::self_response);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         if (cloths[k]->impulse_ratio > 0)
             std::ranges::copy(std::as_const(cloths[k]->state.velocities).span(),
@@ -204,34 +224,20 @@ void Simulation::settle_features(Worker& worker, FeatureContact& space, std::spa
     FeatureCounts& counts = cloths.front()->feature_counts;
     if (!space.uses_zones()) {
         space.project(worker.parallel);
-        keep_in_own_space(worker, space, cloths);
+        keep_in_own_space(world, worker, space, cloths);
     }
     counts = space.cut(worker.parallel, touches_colliders(cloths));
     if (space.uses_zones())
-        keep_in_own_space(worker, space, cloths);
+        keep_in_own_space(world, worker, space, cloths);
     else
-        keep_common_motion_out(worker, space, cloths, substep.h);
+        keep_common_motion_out(world, worker, space, cloths, substep.h);
     if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
-        hand_back(worker, space, k, *cloths[k], substep.h);
-        if (space.uses_zones()) keep_out_of_colliders(worker, *cloths[k], substep.h);
+        hand_back(world, worker, space, k, *cloths[k], substep.h);
+        if (space.uses_zones()) keep_out_of_colliders(world, worker, *cloths[k], substep.h);
         remember_tangles(space, k, cloths[k]->state);
     }
-    if (reports_contacts() && !space.uses_zones()) log_pairs(worker, space, cloths);
-}
-
-/// Writes a body's settled motion to its cloth.
-void Simulation::hand_back(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth,
-                           float h) {
-    space.hand_back(worker.parallel, body, h, cloth.state.positions.span(), cloth.state.velocities.span());
-    limit_speeds(worker.parallel, settings.max_speed, cloth.state.velocities.span());
-}
-
-// Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
-// section 2: cloth against rigid bodies on top of cloth against cloth).
-void Simulation::keep_out_of_colliders(Worker& worker, Cloth& cloth, float h) {
-    if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
-    cloth.collider_contacts = std::max(cloth.collider_contacts, collide(worker, cloth, h, {}));
+    if (world.reports_contacts() && !space.uses_zones()) log_pairs(worker, space, cloths);
 }
 
 }  // namespace weft

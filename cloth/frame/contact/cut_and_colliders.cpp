@@ -2,31 +2,16 @@
 
 #include <algorithm>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/contact/contact_step.h"
+#include "cloth/frame/worn/worn_step.h"
 
 namespace weft {
 
-// A particle that is cut follows the common motion, which knows neither of colliders nor of other groups. If
-// that moves one to where it must not be, the cut is made anew without common motion: each particle then ends
-// between its start and the end that the solver wanted, which are both outside of colliders and in the
-// cloth's own space.
-void Simulation::keep_common_motion_out(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
-                                        float h) const {
-    FeatureCounts& counts = cloths.front()->feature_counts;
-    if (counts.truncated == 0 || !space.had_common()) return;
-    bool any = false;
-    for (std::size_t k = 0; k < cloths.size() && !any; ++k)
-        any = is_taken_out_of_own_space(worker, space, k, *cloths[k]) ||
-              is_taken_into_colliders(worker, space, k, *cloths[k], h);
-    if (!any) return;
-    const bool overflowed = counts.overflowed;
-    counts = space.cut_without_common(worker.parallel, true);
-    counts.overflowed |= overflowed;
-}
+namespace {
 
 /// Whether the cut left a particle inside a collider, deeper than both its start and its wanted end.
-bool Simulation::is_taken_into_colliders(Worker& worker, const FeatureContact& space, std::size_t body,
-                                         Cloth& cloth, float h) {
+bool is_taken_into_colliders(Worker& worker, const FeatureContact& space, std::size_t body, Cloth& cloth,
+                             float h) {
     const std::span<const ColliderMotion> colliders = colliders_of(worker, cloth);
     if (colliders.empty() || !meets_in_equation(cloth.settings)) return false;
     const std::span<const Vec4> starts = space.starts(body), wanted = space.uncut(body),
@@ -67,6 +52,26 @@ bool Simulation::is_taken_into_colliders(Worker& worker, const FeatureContact& s
     };
     return worker.parallel.reduce(cloth.state.size(), cloth.partial_counts.span(), 0u, find_block,
                                   [](std::uint32_t a, std::uint32_t b) { return a | b; }) != 0;
+}
+
+}  // namespace
+
+// A particle that is cut follows the common motion, which knows neither of colliders nor of other groups. If
+// that moves one to where it must not be, the cut is made anew without common motion: each particle then ends
+// between its start and the end that the solver wanted, which are both outside of colliders and in the
+// cloth's own space.
+void keep_common_motion_out(const Simulation& world, Worker& worker, FeatureContact& space,
+                            std::span<Cloth* const> cloths, float h) {
+    FeatureCounts& counts = cloths.front()->feature_counts;
+    if (counts.truncated == 0 || !space.had_common()) return;
+    bool any = false;
+    for (std::size_t k = 0; k < cloths.size() && !any; ++k)
+        any = is_taken_out_of_own_space(world, worker, space, k, *cloths[k]) ||
+              is_taken_into_colliders(worker, space, k, *cloths[k], h);
+    if (!any) return;
+    const bool overflowed = counts.overflowed;
+    counts = space.cut_without_common(worker.parallel, true);
+    counts.overflowed |= overflowed;
 }
 
 }  // namespace weft

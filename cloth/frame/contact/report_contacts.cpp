@@ -6,7 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/contact/report_contacts.h"
+#include "cloth/frame/worn/worn_step.h"
 #include "cloth/solvers/multigrid/multilevel.h"
 #include "collision/colliders/nearest_surface.h"
 
@@ -37,65 +38,21 @@ std::uint32_t main_corner(const PairRows::Push& push, std::uint32_t begin, std::
     return push.pair.corners[most];
 }
 
-}  // namespace
-
 // Contacts of a cloth are counted as they come; so are their places among those of the World.
-void Simulation::log_contact(ContactLog& log, Cloth& cloth, const Contact& contact) {
+void log_contact(ContactLog& log, Cloth& cloth, const Contact& contact) {
     const float strength = to_vector(contact.impulse).norm();
     if (!std::isfinite(strength)) return;
     const std::uint64_t order = std::uint64_t{cloth.id.index} << 32 | cloth.contact_count++;
     if (log.wants(strength)) log.add({contact, strength, order});
 }
 
-// In the equation contact acts for gamma, gives J = gamma F, and the step goes on with what the base kept of
-// the last one's change. Over the step h its force gives (h / gamma) J: at rest, and across the normal. Along
-// the normal a base that forgot the last change, as History's does where a collider holds, would have an
-// impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
-// forces over h.
-void Simulation::add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
-    const float ratio = equation.h / equation.gamma;
-    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const float w = equation.positions[i].w;
-            if (!(w > 0) || !cloth.contacts->presses_collider(i)) continue;
-            const Vector3 v = xyz(cloth.next_velocities[i]), n = xyz(cloth.state.held.normals[i]);
-            const Vector3 base = xyz(equation.base_velocities[i]);
-            const Vector3 missing = base - xyz(equation.velocities[i]) - (ratio - 1) * (v - base);
-            Vector3 given = cloth.contacts->of_colliders(i, v);
-            if (equation.pairs != nullptr) given -= n.dot(given) * n;  // which is shared out later
-            add_impulse(cloth, i, ratio * given + n.dot(missing) / w * n);
-        }
-    });
-}
-
-void Simulation::add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse) {
+void add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse) {
     Vec4& sum = cloth.collider_impulses[particle];
     set_xyz(sum, xyz(sum) + impulse);
 }
 
-/// Afterwards: velocities have changed since they were kept in `before`.
-void Simulation::add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before) {
-    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(before[i]);
-            const float w = cloth.state.positions[i].w;
-            if (w > 0 && !change.isZero(0)) add_impulse(cloth, i, change / w);
-        }
-    });
-}
-
-void Simulation::find_missing_impulses(const SolverStep& step, Cloth& cloth) {
-    const std::span<const Vec4> left = static_cast<MultilevelSolver&>(*cloth.solver).left_to_contact(step);
-    step.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            cloth.missing_impulses[i] = to_vec4(-xyz(left[i]), 0);
-    });
-    cloth.impulse_ratio = step.equation.h / step.equation.gamma;
-}
-
 // Pairs and colliders by turns: what one has been found to give the others have not.
-void Simulation::share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths) {
+void share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths) {
     constexpr int sweeps = 16;
     space.rows().begin_sweeps();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -118,8 +75,110 @@ void Simulation::share_out_impulses(FeatureContact& space, std::span<Cloth* cons
     }
 }
 
+void log_colliders(Simulation& world, Cloth& cloth) {
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vec4 impulse = std::exchange(cloth.collider_impulses[i], Vec4{});
+        if (impulse.w == 0) continue;
+        const ColliderId id = world.collider_ids[static_cast<std::uint32_t>(impulse.w) - 1];
+        const Collider& collider = world.state.colliders.find(id)->target;
+        const SurfacePoint surface =
+            nearest_surface(collider, xyz(cloth.state.positions[i]), world.held_by(collider));
+        log_contact(world.contact_reports.of_thread(0), cloth,
+                    {.cloth = cloth.id,
+                     .collider = id,
+                     .particle = i,
+                     .point = to_vec3(surface.point),
+                     .normal = to_vec3(surface.normal),
+                     .impulse = to_vec3(xyz(impulse))});
+    }
+}
+
+/// Where the cloth and the trigger are when the step ends.
+void log_trigger(Simulation& world, Cloth& cloth, ColliderId id, const Collider& trigger) {
+    const ColliderMotion there{.start = trigger, .end = trigger, .held = world.held_by(trigger)};
+    const ClothSide side = side_of(cloth.settings);
+    const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
+    const auto deepest_of_block = [&](const BlockRange& range) {
+        DeepestInTrigger deepest;
+        const std::uint32_t size = range.end - range.begin;
+        const std::span<const Vec4> points = positions.subspan(range.begin, size);
+        NearSurfaces near;
+        if (!find_near_surfaces({&there, 1}, side, 1, 0, {}, points, 0, points, near)) return deepest;
+        for (std::uint32_t k = 0; k < size; ++k)
+            if (near.surfaces.w[k] < std::min(deepest.gap, 0.0f))
+                deepest = {near.surfaces.w[k], range.begin + k};
+        return deepest;
+    };
+    const auto deeper = [](const DeepestInTrigger& a, const DeepestInTrigger& b) {
+        return b.gap < a.gap ? b : a;
+    };
+    const DeepestInTrigger found = world.parallel.reduce(cloth.state.size(), cloth.in_triggers.span(),
+                                                         DeepestInTrigger{}, deepest_of_block, deeper);
+    if (!(found.gap < 0)) return;
+    const SurfacePoint surface =
+        nearest_surface(trigger, xyz(cloth.state.positions[found.particle]), world.held_by(trigger));
+    log_contact(world.contact_reports.of_thread(0), cloth,
+                {.cloth = cloth.id,
+                 .collider = id,
+                 .particle = found.particle,
+                 .point = to_vec3(surface.point),
+                 .normal = to_vec3(surface.normal)});
+}
+
+void log_triggers(Simulation& world, Cloth& cloth) {
+    world.state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
+        const Collider& trigger = slot.target;
+        if (!trigger.is_trigger || (trigger.layers & cloth.settings.collider_mask) == 0) return;
+        log_trigger(world, cloth, id, trigger);
+    });
+}
+
+}  // namespace
+
+// In the equation contact acts for gamma, gives J = gamma F, and the step goes on with what the base kept of
+// the last one's change. Over the step h its force gives (h / gamma) J: at rest, and across the normal. Along
+// the normal a base that forgot the last change, as History's does where a collider holds, would have an
+// impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
+// forces over h.
+void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
+    const float ratio = equation.h / equation.gamma;
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const float w = equation.positions[i].w;
+            if (!(w > 0) || !cloth.contacts->presses_collider(i)) continue;
+            const Vector3 v = xyz(cloth.next_velocities[i]), n = xyz(cloth.state.held.normals[i]);
+            const Vector3 base = xyz(equation.base_velocities[i]);
+            const Vector3 missing = base - xyz(equation.velocities[i]) - (ratio - 1) * (v - base);
+            Vector3 given = cloth.contacts->of_colliders(i, v);
+            if (equation.pairs != nullptr) given -= n.dot(given) * n;  // which is shared out later
+            add_impulse(cloth, i, ratio * given + n.dot(missing) / w * n);
+        }
+    });
+}
+
+/// Afterwards: velocities have changed since they were kept in `before`.
+void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before) {
+    worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(before[i]);
+            const float w = cloth.state.positions[i].w;
+            if (w > 0 && !change.isZero(0)) add_impulse(cloth, i, change / w);
+        }
+    });
+}
+
+void find_missing_impulses(const SolverStep& step, Cloth& cloth) {
+    const std::span<const Vec4> left = static_cast<MultilevelSolver&>(*cloth.solver).left_to_contact(step);
+    step.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            cloth.missing_impulses[i] = to_vec4(-xyz(left[i]), 0);
+    });
+    cloth.impulse_ratio = step.equation.h / step.equation.gamma;
+}
+
 // Settled, so that what was projected and cut is in it; since it was solved the rows have stayed.
-void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) {
+void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) {
     float ratio = 0;
     for (Cloth* cloth : cloths) {
         if (cloth->impulse_ratio == 0) continue;
@@ -164,7 +223,7 @@ void Simulation::log_pairs(Worker& worker, FeatureContact& space, std::span<Clot
 }
 
 // Before the response: what it is going to take from velocities.
-void Simulation::log_avoidance(Worker& worker, Cloth& cloth, float h) {
+void log_avoidance(Worker& worker, Cloth& cloth, float h) {
     const ResponseSettings settings{cloth.rest_neighbours->distance(), cloth.settings.self_collision.friction,
                                     h};
     const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
@@ -187,13 +246,13 @@ void Simulation::log_avoidance(Worker& worker, Cloth& cloth, float h) {
 
 /// Which collider each particle with an impulse is nearest to: w its index and one, or 0 where nothing
 /// pushes.
-void Simulation::find_touched_colliders(Worker& worker, Cloth& cloth) const {
+void find_touched_colliders(const Simulation& world, Worker& worker, Cloth& cloth) {
     const auto touched = [&](const Vector3& position, const Vector3& impulse) {
         float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;
-        state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
+        world.state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
             const Collider& collider = slot.target;
             if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return;
-            const SurfacePoint surface = nearest_surface(collider, position, held_by(collider));
+            const SurfacePoint surface = nearest_surface(collider, position, world.held_by(collider));
             const float gap = surface.distance - collider.thickness;
             if (!(gap < least)) return;
             least = gap;
@@ -212,76 +271,19 @@ void Simulation::find_touched_colliders(Worker& worker, Cloth& cloth) const {
     });
 }
 
-void Simulation::log_colliders(Cloth& cloth) {
-    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        const Vec4 impulse = std::exchange(cloth.collider_impulses[i], Vec4{});
-        if (impulse.w == 0) continue;
-        const ColliderId id = collider_ids_[static_cast<std::uint32_t>(impulse.w) - 1];
-        const Collider& collider = state.colliders.find(id)->target;
-        const SurfacePoint surface =
-            nearest_surface(collider, xyz(cloth.state.positions[i]), held_by(collider));
-        log_contact(contact_reports_.of_thread(0), cloth,
-                    {.cloth = cloth.id,
-                     .collider = id,
-                     .particle = i,
-                     .point = to_vec3(surface.point),
-                     .normal = to_vec3(surface.normal),
-                     .impulse = to_vec3(xyz(impulse))});
-    }
-}
-
-/// Where the cloth and the trigger are when the step ends.
-void Simulation::log_trigger(Cloth& cloth, ColliderId id, const Collider& trigger) {
-    const ColliderMotion there{.start = trigger, .end = trigger, .held = held_by(trigger)};
-    const ClothSide side = side_of(cloth.settings);
-    const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
-    const auto deepest_of_block = [&](const BlockRange& range) {
-        DeepestInTrigger deepest;
-        const std::uint32_t size = range.end - range.begin;
-        const std::span<const Vec4> points = positions.subspan(range.begin, size);
-        NearSurfaces near;
-        if (!find_near_surfaces({&there, 1}, side, 1, 0, {}, points, 0, points, near)) return deepest;
-        for (std::uint32_t k = 0; k < size; ++k)
-            if (near.surfaces.w[k] < std::min(deepest.gap, 0.0f))
-                deepest = {near.surfaces.w[k], range.begin + k};
-        return deepest;
-    };
-    const auto deeper = [](const DeepestInTrigger& a, const DeepestInTrigger& b) {
-        return b.gap < a.gap ? b : a;
-    };
-    const DeepestInTrigger found = parallel.reduce(cloth.state.size(), cloth.in_triggers.span(),
-                                                   DeepestInTrigger{}, deepest_of_block, deeper);
-    if (!(found.gap < 0)) return;
-    const SurfacePoint surface =
-        nearest_surface(trigger, xyz(cloth.state.positions[found.particle]), held_by(trigger));
-    log_contact(contact_reports_.of_thread(0), cloth,
-                {.cloth = cloth.id,
-                 .collider = id,
-                 .particle = found.particle,
-                 .point = to_vec3(surface.point),
-                 .normal = to_vec3(surface.normal)});
-}
-
-void Simulation::log_triggers(Cloth& cloth) {
-    state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
-        const Collider& trigger = slot.target;
-        if (!trigger.is_trigger || (trigger.layers & cloth.settings.collider_mask) == 0) return;
-        log_trigger(cloth, id, trigger);
+void report_contacts(Simulation& world) {
+    world.collider_ids.clear();
+    world.state.colliders.for_each([&](ColliderId id, const ColliderSlot&) {
+        world.collider_ids.resize(id.index + 1);
+        world.collider_ids.back() = id;
     });
-}
-
-void Simulation::report_contacts() {
-    collider_ids_.clear();
-    state.colliders.for_each([&](ColliderId id, const ColliderSlot&) {
-        collider_ids_.resize(id.index + 1);
-        collider_ids_.back() = id;
-    });
-    for (Cloth* cloth : present_) {
-        log_colliders(*cloth);
-        log_triggers(*cloth);
+    for (Cloth* cloth : world.present) {
+        log_colliders(world, *cloth);
+        log_triggers(world, *cloth);
     }
-    contact_reports_.gather([&](const Contact& c) { return !(*cloths.find(c.cloth))->restored; });
-    for (const Cloth* cloth : present_) report.contacts += cloth->restored ? 0 : cloth->contact_count;
+    world.contact_reports.gather([&](const Contact& c) { return !(*world.cloths.find(c.cloth))->restored; });
+    for (const Cloth* cloth : world.present)
+        world.report.contacts += cloth->restored ? 0 : cloth->contact_count;
 }
 
 }  // namespace weft

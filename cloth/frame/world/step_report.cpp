@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/world/step_report.h"
 
 namespace weft {
 
@@ -57,7 +57,7 @@ ClothReport Simulation::report_of(const Cloth& cloth) const {
     return of;
 }
 
-void Simulation::add_to_report(const ClothReport& cloth) {
+void add_to_report(StepReport& report, const ClothReport& cloth) {
     ++report.cloths;
     report.flags = report.flags | cloth.flags;
     if (has(cloth.flags, StepFlags::state_restored)) ++report.restored_cloths;
@@ -74,14 +74,6 @@ void Simulation::add_to_report(const ClothReport& cloth) {
     report.limit_lag = std::max(report.limit_lag, cloth.limit_lag);
     report.peak_speed = std::max(report.peak_speed, cloth.peak_speed);
     report.residual = std::max(report.residual, cloth.residual);
-}
-
-void Simulation::share_out_time(const Schedule::Group& group, std::int64_t nanoseconds) {
-    std::int64_t particles = 0;
-    for (const Cloth* cloth : group.cloths) particles += cloth->model.particle_count;
-    for (Cloth* cloth : group.cloths)
-        cloth->nanoseconds +=
-            nanoseconds * cloth->model.particle_count / std::max<std::int64_t>(particles, 1);
 }
 
 }  // namespace weft

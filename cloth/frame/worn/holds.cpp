@@ -88,7 +88,7 @@ Result<std::optional<RigidMotion>> Simulation::motion_to_holds(Cloth& cloth, con
     const bool is_worn = skin.known != 0 && cloth.worn.has_limits();
     if (is_worn) {
         cloth.worn.begin(skin, 1, 1, cloth.settings.thickness);
-        farthest = std::max(farthest, cloth.worn.lag(serial_, now.positions.span()).most);
+        farthest = std::max(farthest, cloth.worn.lag(serial, now.positions.span()).most);
         cloth.worn.begin(now.skin, 1, 1, cloth.settings.thickness);
     }
     if (!(farthest > near_enough)) return std::optional<RigidMotion>();

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/frame/bodies/step_bodies.h"
+#include "cloth/frame/worn/worn_step.h"
 #include "cloth/mesh/coordinates.h"
 
 namespace weft {
@@ -54,13 +55,31 @@ bool is_moved(const Cloth& cloth) {
     return cloth.carried && cloth.carried->moves;
 }
 
+/// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
+void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                  const Substep& substep, const Carried* carried) {
+    motions.clear();
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
+        if (world.body_stage && world.state.bodies.find(slot.body) != nullptr) return;
+        const Collider from =
+            carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
+        ColliderMotion& motion = motions.emplace_back(
+            ColliderMotion{blend(from, slot.target, substep.begin()), blend(from, slot.target, substep.end()),
+                           world.settings.max_speed});
+        motion.held = world.held_by(slot.target);
+        if (motion.held != nullptr && motion.held->deforms_in(world.state.steps))
+            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+    });
+}
+
 }  // namespace
 
 // Cloth that is carried across another, or so far off that rounding can make features cross, may cross
 // something then.
-void Simulation::plan_carries(float dt) {
+void plan_carries(Simulation& world, float dt) {
     bool any = false;
-    for (Cloth* cloth : present_) {
+    for (Cloth* cloth : world.present) {
         cloth->carried.reset();
         if (!cloth->state.frame) continue;
         cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
@@ -71,52 +90,36 @@ void Simulation::plan_carries(float dt) {
         cloth->solver_failed = true;  // guard() stops it where it is
     }
     if (!any) return;
-    for (Cloth* cloth : present_)
+    for (Cloth* cloth : world.present)
         if (is_moved(*cloth) && cloth->has_features() && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
-    if (featured_cloths_ < 2) return;
-    for (Cloth* cloth : present_) {
+    if (world.featured_cloths < 2) return;
+    for (Cloth* cloth : world.present) {
         if (!is_moved(*cloth) || !cloth->has_features()) continue;
-        for (const Cloth* other : present_)
+        for (const Cloth* other : world.present)
             if (other != cloth && other->has_features() && !are_carried_alike(*cloth, *other) &&
                 may_be_carried_across(*cloth, *other))
                 cloth->state.may_cross = 1;
     }
 }
 
-/// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
-void Simulation::fill_motions(std::vector<ColliderMotion>& motions, std::uint32_t mask,
-                              const Substep& substep, const Carried* carried) const {
-    motions.clear();
-    state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
-        if (bodies_ && state.bodies.find(slot.body) != nullptr) return;
-        const Collider from =
-            carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
-        ColliderMotion& motion =
-            motions.emplace_back(ColliderMotion{blend(from, slot.target, substep.begin()),
-                                                blend(from, slot.target, substep.end()), settings.max_speed});
-        motion.held = held_by(slot.target);
-        if (motion.held != nullptr && motion.held->deforms_in(state.steps))
-            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
-    });
-}
-
 /// Finds how colliders move that a set's cloths may meet; a cloth that is carried sees them its own way.
-void Simulation::see_colliders(Worker& worker, std::span<Cloth* const> set, const Substep& substep) const {
+void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,
+                   const Substep& substep) {
     std::uint32_t mask = 0;
     bool with_bodies = false;
     for (const Cloth* cloth : set) {
         mask |= cloth->settings.collider_mask;
         with_bodies = with_bodies || cloth->meets_bodies;
     }
-    fill_motions(worker.motions, mask, substep, nullptr);
+    fill_motions(world, worker.motions, mask, substep, nullptr);
     for (Cloth* cloth : set)
         if (cloth->carried)
-            fill_motions(cloth->seen_colliders, cloth->settings.collider_mask, substep, &*cloth->carried);
-    if (with_bodies) add_carried_motions(colliders_of(worker, *set.front()), mask, substep);
+            fill_motions(world, cloth->seen_colliders, cloth->settings.collider_mask, substep,
+                         &*cloth->carried);
+    if (with_bodies) add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
 }
 
-void Simulation::begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part) {
+void begin_contacts(const Worker& worker, Cloth& cloth, const Substep& part) {
     const bool has_own = cloth.worn.any();
     if (has_own)
         cloth.worn.begin(cloth.state.skin, part.end(), part.h * static_cast<float>(part.count),
@@ -126,14 +129,14 @@ void Simulation::begin_contacts(const Worker& worker, Cloth& cloth, const Subste
                           has_own ? &cloth.worn : nullptr);
 }
 
-void Simulation::hold_worn(Worker& worker, Cloth& cloth) {
+void hold_worn(Simulation& world, Worker& worker, Cloth& cloth) {
     if (!cloth.worn.is_holding()) return;
-    const auto timer = timed(Stage::limits);
+    const auto timer = world.timed(Stage::limits);
     cloth.worn.hold(worker.parallel, cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
 /// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
-void Simulation::end_worn(Worker& worker, Cloth& cloth) {
+void end_worn(Worker& worker, Cloth& cloth) {
     cloth.limit_lag = {};
     if (cloth.worn.is_holding() && cloth.has_features() && !cloth.restored)
         cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());

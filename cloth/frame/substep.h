@@ -1,0 +1,40 @@
+#pragma once
+// A part of a step, and what a thread has to itself while it works on it.
+
+#include <cstddef>
+#include <vector>
+
+#include "cloth/frame/contact/contact_log.h"
+#include "collision/colliders/collider_contacts.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+/// What a thread has to itself while it works on a cloth.
+struct Worker {
+    Parallel& parallel;                    ///< of all threads, or of this one alone
+    std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
+    ContactLog& contacts;                  ///< to be reported
+    std::byte* scratch = nullptr;          ///< of the group that it works on
+};
+
+/// One of the equal parts that a step is cut into.
+struct Substep {
+    int index, count;  ///< of how many in the step
+    float h;           ///< [s]
+
+    /// One of `parts` of this one.
+    [[nodiscard]] Substep part(int k, int parts, float step) const {
+        const int of_all = count * parts;
+        return {index * parts + k, of_all, step / static_cast<float>(of_all)};
+    }
+    /// So many times as long.
+    [[nodiscard]] Substep times(float longer) const { return {index, count, longer * h}; }
+    [[nodiscard]] bool is_first() const { return index == 0; }
+    [[nodiscard]] bool is_last() const { return index + 1 == count; }
+    /// Where it begins and ends, as parts of the step.
+    [[nodiscard]] float begin() const { return static_cast<float>(index) / static_cast<float>(count); }
+    [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
+};
+
+}  // namespace weft
