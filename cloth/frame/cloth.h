@@ -220,9 +220,9 @@ struct Cloth {
     ClothSettings settings;
     ClothState state;
     std::unique_ptr<Solver> solver;  ///< for the present settings and pins
-    /// That the solver found in the last substep [m/s], w 0. Who reports contacts writes over them
-    /// afterwards.
-    AlignedBuffer<Vec4> next_velocities;
+    /// Scratch of a part of a substep [m/s]: what the solver found, w 0; once the cloth has moved, its
+    /// velocities as they were before a stage that tells what it gave.
+    AlignedBuffer<Vec4> scratch_velocities;
     std::optional<History> history;                 ///< only with BDF2
     WornLimits worn;                                ///< leashes, backstops, and maps for contact
     float bending_per_area = 0;                     ///< see find_bending_per_area() [1/m^4]

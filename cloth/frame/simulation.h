@@ -12,7 +12,7 @@
 #include "cloth/frame/budget/allotment.h"
 #include "cloth/frame/cloth.h"
 #include "cloth/frame/contact/contact_log.h"
-#include "cloth/frame/contact/islands.h"
+#include "cloth/frame/contact/group_finder.h"
 #include "cloth/frame/group.h"
 #include "cloth/solvers/stages.h"
 #include "collision/colliders/collider_contacts.h"
@@ -147,7 +147,7 @@ struct Simulation {
     std::size_t featured_cloths = 0;  ///< of these
     std::vector<float> still_for;     ///< of each of these, of its group [s]
     std::vector<Bounds> boxes;        ///< likewise, in which groups are looked for
-    Islands group_finder;
+    GroupFinder group_finder;
     Schedule each_cloth, groups;  ///< each cloth for itself; those that may touch together
     std::vector<std::vector<ColliderMotion>> motions;  ///< of colliders, one list for each thread
     std::vector<ColliderId> collider_ids;              ///< by index; only where contacts are reported

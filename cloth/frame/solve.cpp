@@ -159,7 +159,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
                                      .model = cloth.model,
                                      .settings = cloth.stepped_settings(),
                                      .equation = equation,
-                                     .velocities = cloth.next_velocities.span(),
+                                     .velocities = cloth.scratch_velocities.span(),
                                      .wants_residual = part.is_last() && is_residual_due(world, cloth)});
         if (can_join(cloth))
             std::construct_at(&group.members[m],
@@ -220,7 +220,7 @@ void settle(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part
 void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation, const SolveResult& result,
                  bool has_residual) {
     if (cloth.contacts)
-        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.next_velocities).span());
+        cloth.contacts->finish(worker.parallel, equation, std::as_const(cloth.scratch_velocities).span());
     cloth.solver_failed |= !result.ok;
     cloth.unsolved |= result.unsolved;
     if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
@@ -233,7 +233,7 @@ float least_bounce(const Simulation& world, float h) {
 void bounce(const Simulation& world, Worker& worker, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
     cloth.contacts->bounce(worker.parallel, equation, least_bounce(world, equation.h),
-                           cloth.next_velocities.span());
+                           cloth.scratch_velocities.span());
 }
 
 void keep_part_start(Worker& worker, Cloth& cloth) {
@@ -252,11 +252,11 @@ void advance(Simulation& world, Worker& worker, Cloth& cloth, const StepEquation
     if (!meets_in_equation(cloth.settings))
         cloth.collider_contacts = filter_velocities(
             worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
-            now.positions.span(), cloth.next_velocities.span(), cloth.partial_counts.span());
+            now.positions.span(), cloth.scratch_velocities.span(), cloth.partial_counts.span());
     bounce(world, worker, cloth, equation);
     if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
-                  {.solved = std::as_const(cloth.next_velocities).span(),
+                  {.solved = std::as_const(cloth.scratch_velocities).span(),
                    .max_speed = world.settings.max_speed,
                    .velocities = now.velocities.span(),
                    .positions = (is_first ? now.previous_positions : now.positions).span(),
@@ -295,7 +295,7 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
     for (std::size_t m = 0; m < set.size() && world.reports_contacts(); ++m) {
         if (equations[m].pairs == nullptr) continue;
         equations[m].pairs->take(worker.parallel, equations[m].first,
-                                 std::as_const(set[m]->next_velocities).span());
+                                 std::as_const(set[m]->scratch_velocities).span());
         find_missing_impulses(group.steps[first + m], *set[m]);
     }
     for (std::size_t m = 0; m < set.size(); ++m) {
@@ -366,7 +366,7 @@ std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,
     const auto timer = world.timed(Stage::colliders);
     if (cloth.meets_bodies) return collide_with_bodies(world, worker, cloth, h, starts);
     if (world.reports_contacts())
-        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
+        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.scratch_velocities.data());
     const std::uint32_t touching =
         weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(world, cloth, h), h,
                       {.positions = cloth.state.positions.span(),
@@ -377,7 +377,7 @@ std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,
                        .whole = cloth.whole ? &*cloth.whole : nullptr},
                       cloth.partial_counts.span());
     if (world.reports_contacts() && touching > 0)
-        add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
+        add_impulses_of_change(worker, cloth, std::as_const(cloth.scratch_velocities).span());
     return touching;
 }
 

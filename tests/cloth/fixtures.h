@@ -133,7 +133,7 @@ inline Eigen::VectorXd flat(std::span<const Vec4> values);
 
 /// What the cloth's solver found in its last solve, less the velocities that it started from.
 inline Eigen::VectorXd velocity_change(const Cloth& cloth) {
-    return flat(cloth.next_velocities.span()) - flat(cloth.state.velocities.span());
+    return flat(cloth.scratch_velocities.span()) - flat(cloth.state.velocities.span());
 }
 
 inline Eigen::VectorXd flat(std::span<const Vec4> values) {

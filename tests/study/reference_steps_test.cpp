@@ -24,7 +24,7 @@ class OneStep {
                 .model = cloth_.model,
                 .settings = cloth_.settings,
                 .equation = equation_,
-                .velocities = cloth_.next_velocities.span()};
+                .velocities = cloth_.scratch_velocities.span()};
     }
     [[nodiscard]] const StepEquation& equation() const { return equation_; }
 

@@ -50,7 +50,7 @@ void Schedule::plan(std::span<Cloth* const> cloths, int threads) {
     share_out(threads);
 }
 
-// An island's cloths come to lie next to each other, in their order: counted, then placed.
+// A group's cloths come to lie next to each other, in their order: counted, then placed.
 void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_t> first_of, int threads) {
     next_.assign(cloths.size(), 0);
     for (const std::uint32_t first : first_of) ++next_[first];

@@ -17,7 +17,7 @@ class Schedule {
 
     /// Each cloth for itself.
     void plan(std::span<Cloth* const> cloths, int threads);
-    /// Islands: the first cloth of each cloth's island, as Islands finds them.
+    /// Groups: the first cloth of each cloth's group, as GroupFinder finds them.
     void plan(std::span<Cloth* const> cloths, std::span<const std::uint32_t> first_of, int threads);
 
     /// Cloths that are taken together; mostly one.
@@ -37,7 +37,7 @@ class Schedule {
   private:
     void share_out(int threads);
 
-    std::vector<Cloth*> members_;  // island by island
+    std::vector<Cloth*> members_;  // group by group
     std::vector<std::uint32_t> next_;
     std::vector<Group> groups_;
     std::size_t whole_ = 0;

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/frame/contact/islands.h"
+#include "cloth/frame/contact/group_finder.h"
 #include "cloth/system/bodies/body_coupling.h"
 #include "cloth/system/bodies/moving_body.h"
 #include "weft/body.h"
@@ -67,7 +67,7 @@ struct BodyStage {
     std::vector<BodyImpulse> impulses;  ///< of the last step
     std::vector<CarriedCollider> carried;
     BodyCoupling coupling;
-    Islands sharing;                          ///< cloths that may meet one body, which gives way to them
+    GroupFinder sharing;                      ///< cloths that may meet one body, which gives way to them
     std::vector<std::uint32_t> first_cloths;  ///< the first that may meet each body, while these are found
     float h = 0;                              ///< of what a cloth takes them along for [s]
     bool were_taken = false;                  ///< in this substep

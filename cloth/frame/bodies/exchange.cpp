@@ -76,7 +76,7 @@ void carry_bodies(Simulation& world, Cloth& cloth, StepEquation& equation) {
 /// What the equation that was solved gave bodies.
 void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.meets_bodies || !cloth.contacts) return;
-    const std::span<const Vec4> velocities = std::as_const(cloth.next_velocities).span();
+    const std::span<const Vec4> velocities = std::as_const(cloth.scratch_velocities).span();
     if (!cloth.solver->joins()) cloth.contacts->find_pushes(equation, velocities);
     for (const BodyPush& push : std::as_const(*cloth.contacts).pushes()) {
         const std::uint32_t i = push.particle;
@@ -112,7 +112,7 @@ std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& clot
     for (std::size_t end = motions.size(), begin = end; end > 0; end = begin) {
         const std::int32_t body = motions[end - 1].body;
         while (begin > 0 && motions[begin - 1].body == body) --begin;
-        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.next_velocities.data());
+        std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.scratch_velocities.data());
         const std::uint32_t met = weft::collide(worker.parallel, motions.subspan(begin, end - begin),
                                                 side_of_cloth(world, cloth, h), h,
                                                 {.positions = cloth.state.positions.span(),
@@ -125,10 +125,10 @@ std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& clot
         touching += met;
         if (met == 0) continue;
         if (world.reports_contacts())
-            add_impulses_of_change(worker, cloth, std::as_const(cloth.next_velocities).span());
+            add_impulses_of_change(worker, cloth, std::as_const(cloth.scratch_velocities).span());
         if (body < 0) continue;
         for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(cloth.next_velocities[i]);
+            const Vector3 change = xyz(cloth.state.velocities[i]) - xyz(cloth.scratch_velocities[i]);
             if (!change.isZero(0)) collect_change(world, cloth, static_cast<std::uint32_t>(body), i, change);
         }
     }

@@ -138,7 +138,7 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
 
 void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::span<MovingBody> bodies) {
     if (!is_free_but_for_bodies(cloth, equation, bodies)) return;
-    const std::span<Vec4> velocities = cloth.next_velocities.span();
+    const std::span<Vec4> velocities = cloth.scratch_velocities.span();
     const Vector6 missing =
         owed(cloth, equation, bodies, velocities) - momentum_of(motion_of(equation, velocities));
     const auto for_each_body = [&](const auto& visit) {

@@ -216,7 +216,7 @@ void settle_features(Simulation& world, Worker& worker, FeatureContact& space, s
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         if (cloths[k]->impulse_ratio > 0)
             std::ranges::copy(std::as_const(cloths[k]->state.velocities).span(),
-                              cloths[k]->next_velocities.data());
+                              cloths[k]->scratch_velocities.data());
         if (substep.is_last()) cloths[k]->place_pins();
         space.arrive(worker.parallel, k, cloths[k]->state.positions.span());
         cloths[k]->feature_counts = {};

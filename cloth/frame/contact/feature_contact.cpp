@@ -204,7 +204,7 @@ void FeatureContact::project(Parallel& parallel) {
     near_ = {.pairs = pairs_.size, .tangles = tangles_.counts(), .overflowed = pairs_.overflowed};
     const std::span<const std::uint8_t> exempt =
         tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
-    settler_.project(parallel, island(), pairs_, exempt, {.each = wanted_.span()}, projections,
+    settler_.project(parallel, group(), pairs_, exempt, {.each = wanted_.span()}, projections,
                      displacements_.span());
 }
 

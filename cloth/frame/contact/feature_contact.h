@@ -1,5 +1,5 @@
 #pragma once
-// Contact between features, through one substep of one cloth or of an island: what is near what, its rows in
+// Contact between features, through one substep of one cloth or of a group: what is near what, its rows in
 // the equation, and at the end the motion that lets nothing through.
 
 #include <algorithm>
@@ -158,7 +158,7 @@ class FeatureContact {
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
     struct Change;
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
-    [[nodiscard]] Island island() const { return {ranges_.span(), start_.span()}; }
+    [[nodiscard]] BodyGroup group() const { return {ranges_.span(), start_.span()}; }
 
     /// Share of the radius that features have which are nearest at a border: mostly others beside them are
     /// nearer, and have the force. They are three in four.

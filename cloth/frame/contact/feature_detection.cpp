@@ -24,7 +24,7 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
 // from meeting but not from coming within the radius, would hide them until they are too near. A turn brings
 // nothing nearer, and a garment that turns has ten times as many pairs with it.
 void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
-    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
+    settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);
     find_near(parallel, is_crowd);
     if (part_touching(parallel)) find_near(parallel, is_crowd);
     if (may_cross_) find_tangles(parallel);
@@ -102,7 +102,7 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, floa
 
 // Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
 void FeatureContact::find_for_cut(Parallel& parallel) {
-    settler_.split(parallel, island(), displacements_.span());
+    settler_.split(parallel, group(), displacements_.span());
     if (std::exchange(has_all_near_, false)) {
         float reach = 0;
         for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
@@ -150,7 +150,7 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
     for (const ParticleRange& range : ranges_.span())
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
-    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::none);
+    settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
     find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     return counts_of(parallel, cut_listed(parallel, is_pushed));
 }
@@ -158,7 +158,7 @@ FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pus
 SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
     float least_floor = cloths_.front().floor;
     for (const ContactCloth& cloth : cloths_) least_floor = std::min(least_floor, cloth.floor);
-    Island all = island();
+    BodyGroup all = group();
     all.is_pinned = is_pinned_;
     all.is_free = !is_pinned_ && !is_pushed;
     return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},

@@ -20,7 +20,7 @@ float least_radius(std::span<const ContactCloth> cloths) {
 
 /// All that the motion can bring near. A turn brings nothing nearer, and is left out.
 void FeatureContact::find_for_zones(Parallel& parallel) {
-    settler_.split(parallel, island(), displacements_.span(), CommonMotionKind::rigid);
+    settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);
     find(parallel, settler_.relative(), {&ContactCloth::radius, of_borders}, FullList::has_the_first);
 }
 
@@ -41,7 +41,7 @@ void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uin
     std::fill_n(wanted_.data(), pairs_.size, -std::numeric_limits<float>::infinity());
     for (const std::uint32_t k : colliding)
         wanted_[k] = projected_gap * std::min(pairs_.shapes[k].normal.w, radius);
-    settler_.project(parallel, island(), pairs_, {}, {.each = wanted_.span()}, projections,
+    settler_.project(parallel, group(), pairs_, {}, {.each = wanted_.span()}, projections,
                      displacements_.span());
 }
 

@@ -147,7 +147,7 @@ void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& 
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const float w = equation.positions[i].w;
             if (!(w > 0) || !cloth.contacts->presses_collider(i)) continue;
-            const Vector3 v = xyz(cloth.next_velocities[i]), n = xyz(cloth.state.held.normals[i]);
+            const Vector3 v = xyz(cloth.scratch_velocities[i]), n = xyz(cloth.state.held.normals[i]);
             const Vector3 base = xyz(equation.base_velocities[i]);
             const Vector3 missing = base - xyz(equation.velocities[i]) - (ratio - 1) * (v - base);
             Vector3 given = cloth.contacts->of_colliders(i, v);
@@ -187,7 +187,7 @@ void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cl
             const float w = cloth->state.positions[i].w;
             if (!(w > 0)) continue;
             Vec4& missing = cloth->missing_impulses[i];
-            const Vector3 change = xyz(cloth->state.velocities[i]) - xyz(cloth->next_velocities[i]);
+            const Vector3 change = xyz(cloth->state.velocities[i]) - xyz(cloth->scratch_velocities[i]);
             set_xyz(missing, xyz(missing) + change / (w * ratio));
         }
     }

@@ -23,7 +23,7 @@ Cloth::Cloth(const Cloth& cooked)
       settings(cooked.settings),
       state(cooked.state),
       solver(cooked.solver->clone(model)),
-      next_velocities(model.particle_count),
+      scratch_velocities(model.particle_count),
       bending_per_area(cooked.bending_per_area),
       self_contacts(cooked.self_contacts),
       rest_neighbours(cooked.rest_neighbours),
@@ -66,7 +66,7 @@ std::size_t Cloth::zone_bytes() const noexcept {
 std::size_t Cloth::own_bytes() const {
     std::size_t of_limits = worn.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
-    return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + next_velocities.bytes() +
+    return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + scratch_velocities.bytes() +
            (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
            (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
            scratch_bytes + zone_bytes() +

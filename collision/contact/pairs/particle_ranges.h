@@ -1,5 +1,5 @@
 #pragma once
-// Loops over the particles of an island: some bodies' ranges of all bodies' particles.
+// Loops over the particles of a group: some bodies' ranges of all bodies' particles.
 
 #include <algorithm>
 #include <cstdint>
@@ -21,7 +21,7 @@ inline std::uint32_t block_count(std::span<const ParticleRange> ranges) {
     return blocks;
 }
 
-/// The block of that number. Islands have few bodies, so that looking them through costs nothing.
+/// The block of that number. Groups have few bodies, so that looking them through costs nothing.
 inline BlockRange nth_block(std::span<const ParticleRange> ranges, std::uint32_t number) {
     std::uint32_t block = number;
     for (const ParticleRange& range : ranges) {

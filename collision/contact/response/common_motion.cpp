@@ -24,8 +24,8 @@ bool is_finite(const Vec4& v) {
 }
 
 /// The first finite position, about which sums are taken: far from the origin they would lose the extents.
-Vec4 point_near(std::span<const ParticleRange> island, std::span<const Vec4> positions) {
-    for (const ParticleRange& range : island) {
+Vec4 point_near(std::span<const ParticleRange> group, std::span<const Vec4> positions) {
+    for (const ParticleRange& range : group) {
         for (const Vec4& x : positions.subspan(range.first, range.count)) {
             if (is_finite(x)) return x;
         }
@@ -77,10 +77,10 @@ CommonMotionFit::Moments CommonMotionFit::add(const Moments& a, const Moments& b
     return sum;
 }
 
-CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRange> island,
+CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRange> group,
                                   std::span<const Vec4> positions, std::span<const Vec4> displacements,
                                   CommonMotionKind most) {
-    const Vec4 near = point_near(island, positions);
+    const Vec4 near = point_near(group, positions);
     const auto sum_block = [&](const BlockRange& block) {
         Moments sum;
         for (std::uint32_t p = block.begin; p < block.end; ++p) {
@@ -101,7 +101,7 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
         }
         return sum;
     };
-    const Moments sums = reduce_ranges(parallel, island, partials_.span(), Moments{}, sum_block, add);
+    const Moments sums = reduce_ranges(parallel, group, partials_.span(), Moments{}, sum_block, add);
 
     CommonMotion motion;
     if (sums.count == 0) return motion;
@@ -132,10 +132,10 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
     return motion;
 }
 
-void take_out(Parallel& parallel, const CommonMotion& common, std::span<const ParticleRange> island,
+void take_out(Parallel& parallel, const CommonMotion& common, std::span<const ParticleRange> group,
               std::span<const Vec4> positions, std::span<const Vec4> displacements,
               std::span<Vec4> relative) {
-    for_ranges(parallel, island, [&](const BlockRange& block) {
+    for_ranges(parallel, group, [&](const BlockRange& block) {
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
             const Vector3 left = xyz(displacements[i]) - common.of(xyz(positions[i]));
             set_xyz(relative[i], common.inverse * left);

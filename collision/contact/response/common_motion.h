@@ -1,5 +1,5 @@
 #pragma once
-// The motion that an island's particles have in common. It brings nothing nearer to anything, so only what is
+// The motion that a group's particles have in common. It brings nothing nearer to anything, so only what is
 // left without it need ever be cut.
 //
 // Why that is allowed: an affine map with an inverse maps a state without crossings to one without, since it
@@ -39,7 +39,7 @@ struct CommonMotion {
     [[nodiscard]] Vector3 of(const Vector3& x) const noexcept { return translation + linear * (x - centre); }
 };
 
-/// Least squares over the finite particles of an island, all of one weight; sums in double.
+/// Least squares over the finite particles of a group, all of one weight; sums in double.
 class CommonMotionFit {
   public:
     /// No singular value of A is below the first or above the second: a gap keeps at least that share of its
@@ -51,7 +51,7 @@ class CommonMotionFit {
     /// In directions in which the particles have no extent (a flat sheet's normal) the map is that of the
     /// rigid motion that fits best. Spans are of all bodies' particles. `most`: affine, or no more than
     /// rigid.
-    [[nodiscard]] CommonMotion fit(Parallel& parallel, std::span<const ParticleRange> island,
+    [[nodiscard]] CommonMotion fit(Parallel& parallel, std::span<const ParticleRange> group,
                                    std::span<const Vec4> positions, std::span<const Vec4> displacements,
                                    CommonMotionKind most = CommonMotionKind::affine);
 
@@ -67,9 +67,9 @@ class CommonMotionFit {
     ScratchArray<Moments> partials_;
 };
 
-/// E of every particle of the island: what is left of its displacement, in the frame of the common motion.
+/// E of every particle of the group: what is left of its displacement, in the frame of the common motion.
 /// Replaces x, y, z of relative; spans are of all bodies' particles.
-void take_out(Parallel& parallel, const CommonMotion& common, std::span<const ParticleRange> island,
+void take_out(Parallel& parallel, const CommonMotion& common, std::span<const ParticleRange> group,
               std::span<const Vec4> positions, std::span<const Vec4> displacements, std::span<Vec4> relative);
 
 /// D - (1 - tau) F: the displacement of a particle that goes the part tau of its relative motion. Finite for

@@ -54,34 +54,34 @@ void Settler::lay_out_cut(Scratch& scratch, std::size_t particles, std::size_t b
     scratch.take(failures_, block_count(static_cast<std::uint32_t>(pairs)));
 }
 
-void Settler::split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+void Settler::split(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements,
                     CommonMotionKind most) {
     common_ = most == CommonMotionKind::none
                   ? CommonMotion{}
-                  : fit_.fit(parallel, island.particles, island.positions, displacements, most);
-    take_out(parallel, common_, island.particles, island.positions, displacements, relative_.span());
+                  : fit_.fit(parallel, group.particles, group.positions, displacements, most);
+    take_out(parallel, common_, group.particles, group.positions, displacements, relative_.span());
 }
 
-SettleResult Settler::settle(Parallel& parallel, const Island& island, const PairList& pairs,
+SettleResult Settler::settle(Parallel& parallel, const BodyGroup& group, const PairList& pairs,
                              std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
                              std::span<Vec4> displacements) {
     SettleResult result;
-    truncation_.cut(parallel, island.positions, relative_.span(), pairs, exempt, settings);
+    truncation_.cut(parallel, group.positions, relative_.span(), pairs, exempt, settings);
     result.sweeps = truncation_.sweeps();
     result.list_was_incomplete = truncation_.list_was_incomplete();
-    if (result.list_was_incomplete && island.is_pinned) common_ = CommonMotion{};
-    given_back_ = mean_loss(parallel, island, displacements);
+    if (result.list_was_incomplete && group.is_pinned) common_ = CommonMotion{};
+    given_back_ = mean_loss(parallel, group, displacements);
     for (int round = 0; pairs.size > 0 && !result.list_was_incomplete; ++round) {
-        place_ends(parallel, island, displacements);
+        place_ends(parallel, group, displacements);
         const std::uint32_t to_hold = find_rounded_away(parallel, pairs, result.uncertain);
         if (to_hold == 0 || round == most_rounds_of_rounding) break;
         truncation_.cut_again(parallel, pairs, held_.span(), settings);
-        given_back_ = mean_loss(parallel, island, displacements);
+        given_back_ = mean_loss(parallel, group, displacements);
         result.sweeps = truncation_.sweeps();
     }
-    result.draws_pins = draws_pins(parallel, island, displacements);
+    result.draws_pins = draws_pins(parallel, group, displacements);
     if (result.draws_pins) return result;
-    const Totals totals = apply(parallel, island, displacements);
+    const Totals totals = apply(parallel, group, displacements);
     result.common = common_.kind;
     result.truncated = totals.truncated;
     result.standing_planes = truncation_.standing_planes(parallel, pairs);
@@ -89,17 +89,17 @@ SettleResult Settler::settle(Parallel& parallel, const Island& island, const Pai
     return result;
 }
 
-Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    if (!island.is_free) return Vector3::Zero();
+Vector3 Settler::mean_loss(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements) {
+    if (!group.is_free) return Vector3::Zero();
     const auto find_block = [&](const BlockRange& block) {
         Momentum lost;
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
-            const double mass = 1 / double{island.positions[i].w};
+            const double mass = 1 / double{group.positions[i].w};
             lost.mass += mass;
             const float tau = truncation_.fractions()[i];
             if (tau >= 1) continue;
             const Vector3 wanted = xyz(displacements[i]);
-            const Vector3 way = wanted - give_back(common_, xyz(island.positions[i]), wanted, tau);
+            const Vector3 way = wanted - give_back(common_, xyz(group.positions[i]), wanted, tau);
             for (int axis = 0; axis < 3; ++axis) lost.way[axis] += mass * double{way[axis]};
         }
         return lost;
@@ -110,21 +110,21 @@ Vector3 Settler::mean_loss(Parallel& parallel, const Island& island, std::span<c
         return a;
     };
     const Momentum lost =
-        reduce_ranges(parallel, island.particles, momenta_.span(), Momentum{}, find_block, add);
+        reduce_ranges(parallel, group.particles, momenta_.span(), Momentum{}, find_block, add);
     const Vector3 mean =
         (Eigen::Map<const Eigen::Vector3d>(lost.way) / std::max(lost.mass, 1e-300)).cast<float>();
     return mean.allFinite() ? mean : Vector3::Zero();
 }
 
-bool Settler::draws_pins(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    if (!island.is_pinned || common_.kind == CommonMotionKind::none) return false;
+bool Settler::draws_pins(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements) {
+    if (!group.is_pinned || common_.kind == CommonMotionKind::none) return false;
     const auto find_block = [&](const BlockRange& block) {
         Totals farther;
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
             const float tau = truncation_.fractions()[i];
-            if (island.positions[i].w > 0 || tau >= 1) continue;
+            if (group.positions[i].w > 0 || tau >= 1) continue;
             const Vector3 wanted = xyz(displacements[i]);
-            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau);
+            const Vector3 had = give_back(common_, xyz(group.positions[i]), wanted, tau);
             farther.truncated += (wanted - had).norm() > wanted.norm() ? 1 : 0;
         }
         return farther;
@@ -132,14 +132,14 @@ bool Settler::draws_pins(Parallel& parallel, const Island& island, std::span<con
     const auto add = [](const Totals& a, const Totals& b) {
         return Totals{.truncated = a.truncated + b.truncated};
     };
-    return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, find_block, add).truncated >
+    return reduce_ranges(parallel, group.particles, partials_.span(), Totals{}, find_block, add).truncated >
            0;
 }
 
-void Settler::place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements) {
-    for_ranges(parallel, island.particles, [&](const BlockRange& block) {
+void Settler::place_ends(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements) {
+    for_ranges(parallel, group.particles, [&](const BlockRange& block) {
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
-            const Vector3 x = xyz(island.positions[i]);
+            const Vector3 x = xyz(group.positions[i]);
             const float tau = truncation_.fractions()[i];
             set_xyz(ends_[i], x + (give_back(common_, x, xyz(displacements[i]), tau) + given_back_));
         }
@@ -178,7 +178,7 @@ std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pai
     return found.to_hold;
 }
 
-Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements) {
+Settler::Totals Settler::apply(Parallel& parallel, const BodyGroup& group, std::span<Vec4> displacements) {
     const auto apply_block = [&](const BlockRange& block) {
         Totals totals;
         for (std::uint32_t i = block.begin; i < block.end; ++i) {
@@ -187,7 +187,7 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
             if (std::isfinite(length)) totals.wanted += double{length};
             const float tau = truncation_.fractions()[i];
             if (tau >= 1 && given_back_.isZero(0)) continue;
-            const Vector3 had = give_back(common_, xyz(island.positions[i]), wanted, tau) + given_back_;
+            const Vector3 had = give_back(common_, xyz(group.positions[i]), wanted, tau) + given_back_;
             set_xyz(displacements[i], had);
             if (tau >= 1) continue;
             const float lost = (wanted - had).norm();
@@ -199,7 +199,7 @@ Settler::Totals Settler::apply(Parallel& parallel, const Island& island, std::sp
     const auto add = [](const Totals& a, const Totals& b) {
         return Totals{a.wanted + b.wanted, a.lost + b.lost, a.truncated + b.truncated};
     };
-    return reduce_ranges(parallel, island.particles, partials_.span(), Totals{}, apply_block, add);
+    return reduce_ranges(parallel, group.particles, partials_.span(), Totals{}, apply_block, add);
 }
 
 }  // namespace weft

@@ -1,5 +1,5 @@
 #pragma once
-// Settling: takes the motion that a solver wants of an island, and returns one that crosses nothing.
+// Settling: takes the motion that a solver wants of a group, and returns one that crosses nothing.
 
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@
 namespace weft {
 
 /// Bodies that touch one another, directly or through others. Spans and numbers are of all bodies' particles.
-struct Island {
+struct BodyGroup {
     std::span<const ParticleRange> particles;
     std::span<const Vec4> positions;  ///< at the start, free of crossings [m]; w = inverse mass
     /// Nothing else holds any of its particles. Then what settling takes of its momentum all get back alike,
@@ -40,39 +40,39 @@ struct SettleResult {
     float motion_lost = 0;
 };
 
-/// Four steps, in this order, for one island after another:
+/// Four steps, in this order, for one group after another:
 ///   1. project: pairs found at x, with the displacements wanted.
 ///   2. split: the common motion is taken out, and relative() is what the next detection's motions are.
-///   3. The caller finds pairs, again at x, with motions = relative(), of the island's bodies.
+///   3. The caller finds pairs, again at x, with motions = relative(), of the group's bodies.
 ///   4. settle: cuts displacements, with that list.
 /// The state x + displacement then has no crossing, if x has none, save in pairs that are exempt. That is for
 /// the sum rounded to float.
 class Settler {
   public:
-    /// For islands of that many particles, bodies and pairs in all.
+    /// For groups of that many particles, bodies and pairs in all.
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
     /// The same in two: what split() needs, and what only project() and settle() do.
     void lay_out_split(Scratch& scratch, std::size_t particles, std::size_t bodies);
     void lay_out_cut(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
 
     /// See PairProjection::project.
-    std::uint32_t project(Parallel& parallel, const Island& island, const PairList& pairs,
+    std::uint32_t project(Parallel& parallel, const BodyGroup& group, const PairList& pairs,
                           std::span<const std::uint8_t> exempt, PairLengths wanted, std::uint32_t iterations,
                           std::span<Vec4> displacements) {
-        return projection_.project(parallel, island.positions, pairs, exempt, wanted, iterations,
+        return projection_.project(parallel, group.positions, pairs, exempt, wanted, iterations,
                                    displacements);
     }
 
     /// `most`: the most that the common motion may be; none: there is none.
-    void split(Parallel& parallel, const Island& island, std::span<const Vec4> displacements,
+    void split(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements,
                CommonMotionKind most = CommonMotionKind::affine);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
     [[nodiscard]] std::span<const Vec4> relative() const noexcept { return relative_.span(); }
     [[nodiscard]] const CommonMotion& common() const noexcept { return common_; }
 
-    /// Preconditions: after split() of the same island and displacements; every corner of a pair is in the
-    /// island; the list is what PairFinder lists with a reach of at least settings.floor.
-    SettleResult settle(Parallel& parallel, const Island& island, const PairList& pairs,
+    /// Preconditions: after split() of the same group and displacements; every corner of a pair is in the
+    /// group; the list is what PairFinder lists with a reach of at least settings.floor.
+    SettleResult settle(Parallel& parallel, const BodyGroup& group, const PairList& pairs,
                         std::span<const std::uint8_t> exempt, const TruncationSettings& settings,
                         std::span<Vec4> displacements);
     /// tau of every particle, as last settled.
@@ -91,19 +91,19 @@ class Settler {
         std::uint32_t to_hold = 0, uncertain = 0;
     };
 
-    [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const Island& island,
+    [[nodiscard]] Vector3 mean_loss(Parallel& parallel, const BodyGroup& group,
                                     std::span<const Vec4> displacements);
-    [[nodiscard]] bool draws_pins(Parallel& parallel, const Island& island,
+    [[nodiscard]] bool draws_pins(Parallel& parallel, const BodyGroup& group,
                                   std::span<const Vec4> displacements);
-    void place_ends(Parallel& parallel, const Island& island, std::span<const Vec4> displacements);
+    void place_ends(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements);
     std::uint32_t find_rounded_away(Parallel& parallel, const PairList& pairs, std::uint32_t& uncertain);
-    Totals apply(Parallel& parallel, const Island& island, std::span<Vec4> displacements);
+    Totals apply(Parallel& parallel, const BodyGroup& group, std::span<Vec4> displacements);
 
     PairProjection projection_;
     CommonMotionFit fit_;
     Truncation truncation_;
     CommonMotion common_;
-    Vector3 given_back_ = Vector3::Zero();  // to every particle of a free island [m]
+    Vector3 given_back_ = Vector3::Zero();  // to every particle of a free group [m]
     ScratchArray<Vec4> relative_;
     ScratchArray<Vec4> ends_;          // rounded positions at the end of the step
     ScratchArray<std::uint8_t> held_;  // by pair: rounding took its gap

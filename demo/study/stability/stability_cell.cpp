@@ -58,7 +58,7 @@ double height(const Cloth& cloth) {
 
 /// Whether the last solve left a number that is none, which the state before a restore would hold.
 bool is_broken(const Cloth& cloth) {
-    return std::ranges::any_of(cloth.next_velocities.span(),
+    return std::ranges::any_of(cloth.scratch_velocities.span(),
                                [](const Vec4& v) { return !xyz(v).allFinite(); });
 }
 

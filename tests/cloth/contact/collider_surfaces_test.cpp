@@ -156,7 +156,7 @@ TEST(ColliderSurfaces, ClothMeetsColliderOfItsMaskAndNoOther) {
 }
 
 // Two that hang together in one equation, of which each has ground of its own.
-TEST(ColliderSurfaces, ClothsOfAnIslandHaveTheirOwnMasks) {
+TEST(ColliderSurfaces, ClothsOfAGroupHaveTheirOwnMasks) {
     World world = World::create(vacuum(pull)).value();
     const ClothId lower = world.add_cloth(level_sheet(0.05f), of_mask(0b01, true)).value();
     const ClothId upper = world.add_cloth(level_sheet(0.2f), of_mask(0b10, true)).value();

@@ -61,7 +61,7 @@ float fastest_of(const World& world, ClothId id) {
     return fastest;
 }
 
-// Cloths that another island's pins throw at each other were cut once more after the limit: 36 m/s for 2.
+// Cloths that another group's pins throw at each other were cut once more after the limit: 36 m/s for 2.
 TEST(MaxSpeed, HoldsByEveryMethodAndEverySelfCollisionWherePinsJump) {
     constexpr float most = 2;
     for (const Method& method : methods)

@@ -124,7 +124,7 @@ TEST(NewCrossings, AreNoneWhereRoundingWouldMakeThemInACrowd) {
 }
 
 // Groups are laid out in the same memory, one after another.
-TEST(NewCrossings, OfOneIslandAreNothingToTheNext) {
+TEST(NewCrossings, OfOneGroupAreNothingToTheNext) {
     TwoTriangles scene;
     const std::vector<Vec4> above = scene.high;
     for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;

@@ -81,21 +81,21 @@ TEST(Schedule, GivesClothsOfFewBlocksToOneThreadEach) {
     EXPECT_EQ(few_blocks.on(16).in_turn().size(), 8u) << "eight threads would wait";
 }
 
-TEST(Schedule, TakesTheClothsOfAnIslandTogetherInTheirOrder) {
+TEST(Schedule, TakesTheClothsOfAGroupTogetherInTheirOrder) {
     Planned cloths(std::array{8u, 8u, 8u, 8u, 64u, 8u, 8u});
     const std::array first_of{0u, 1u, 0u, 3u, 1u, 0u, 6u};
     const Schedule& schedule = cloths.on(4, first_of);
-    std::map<std::vector<const Cloth*>, int> islands;
-    for (const auto groups : {schedule.side_by_side(), schedule.in_turn()})
-        for (const Schedule::Group& group : groups) ++islands[{group.cloths.begin(), group.cloths.end()}];
+    std::map<std::vector<const Cloth*>, int> groups;
+    for (const auto part : {schedule.side_by_side(), schedule.in_turn()})
+        for (const Schedule::Group& group : part) ++groups[{group.cloths.begin(), group.cloths.end()}];
     const std::map<std::vector<const Cloth*>, int> expected{
         {{cloths.cloth(0), cloths.cloth(2), cloths.cloth(5)}, 1},
         {{cloths.cloth(1), cloths.cloth(4)}, 1},
         {{cloths.cloth(3)}, 1},
         {{cloths.cloth(6)}, 1}};
-    EXPECT_EQ(islands, expected);
+    EXPECT_EQ(groups, expected);
     ASSERT_EQ(schedule.in_turn().size(), 1u) << "the large one";
-    EXPECT_EQ(schedule.in_turn()[0].work, 64u * 64 + 64) << "an island is as large as its cloths in sum";
+    EXPECT_EQ(schedule.in_turn()[0].work, 64u * 64 + 64) << "a group is as large as its cloths in sum";
 }
 
 // A cloth is part of two kinds of World: large and small, with contacts, gusts and a moving collider.

@@ -286,7 +286,7 @@ TEST(SymplecticEuler, TakesSpringsForcesWhereParticlesAre) {
                          .model = cloth.model,
                          .settings = cloth.settings,
                          .equation = equation_of(cloth, h),
-                         .velocities = cloth.next_velocities.span()});
+                         .velocities = cloth.scratch_velocities.span()});
     const Eigen::VectorXd change = velocity_change(cloth);
     const ClothModel& model = cloth.model;
     std::vector<float> stiffness(model.neighbours.size());

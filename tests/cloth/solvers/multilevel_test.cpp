@@ -25,7 +25,7 @@ Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1)
                   .model = cloth.model,
                   .settings = cloth.settings,
                   .equation = equation,
-                  .velocities = cloth.next_velocities.span()});
+                  .velocities = cloth.scratch_velocities.span()});
     return velocity_change(cloth);
 }
 
@@ -175,9 +175,9 @@ TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
                                  .model = cloth.model,
                                  .settings = cloth.settings,
                                  .equation = equation,
-                                 .velocities = cloth.next_velocities.span()});
+                                 .velocities = cloth.scratch_velocities.span()});
         }
-        return flat(cloth.next_velocities.span());
+        return flat(cloth.scratch_velocities.span());
     };
     const ClothSettings last = settings_of(50, 2e-5f);
     const Eigen::VectorXd expected = step_after({last});

@@ -63,7 +63,7 @@ float residual_of_a_step(const Method& method, bool elements = false, bool bends
                  .model = cloth.model,
                  .settings = cloth.settings,
                  .equation = equation_of(cloth, h),
-                 .velocities = cloth.next_velocities.span()})
+                 .velocities = cloth.scratch_velocities.span()})
         .residual;
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-CommonMotion fit(const Rows& positions, const Rows& displacements, std::vector<ParticleRange> island = {},
+CommonMotion fit(const Rows& positions, const Rows& displacements, std::vector<ParticleRange> group = {},
                  int threads = 1) {
-    if (island.empty()) island = {{0, static_cast<std::uint32_t>(positions.size())}};
+    if (group.empty()) group = {{0, static_cast<std::uint32_t>(positions.size())}};
     Parallel parallel(threads);
     LaidOut<CommonMotionFit> fitting;
-    fitting.reserve(positions.size(), island.size());
-    return fitting.fit(parallel, island, positions, displacements);
+    fitting.reserve(positions.size(), group.size());
+    return fitting.fit(parallel, group, positions, displacements);
 }
 
 Rows moved_by(const Matrix3& map, const Rows& positions, const Vector3& translation = Vector3::Zero()) {
@@ -128,19 +128,19 @@ TEST(CommonMotion, LeavesOutWhatIsNotFinite) {
 TEST(CommonMotion, IsThatOfItsRangesWhateverTheThreads) {
     const Rows positions = random_vectors(3000, 1, 7);
     Rows wanted = random_vectors(3000, 5, 8);
-    const std::vector<ParticleRange> island{{100, 700}, {1000, 0}, {1500, 900}};
+    const std::vector<ParticleRange> group{{100, 700}, {1000, 0}, {1500, 900}};
     const Rows shared = moved_by(turn(1), positions, {1, 1, 1});
-    for (const ParticleRange& range : island) {
+    for (const ParticleRange& range : group) {
         std::copy_n(shared.begin() + range.first, range.count, wanted.begin() + range.first);
     }
-    const CommonMotion one = fit(positions, wanted, island), four = fit(positions, wanted, island, 4);
+    const CommonMotion one = fit(positions, wanted, group), four = fit(positions, wanted, group, 4);
     EXPECT_LT((one.linear + Matrix3::Identity() - turn(1)).norm(), 1e-5f);
     EXPECT_EQ(one.linear, four.linear);
     EXPECT_EQ(one.translation, four.translation);
 
     Parallel parallel(2);
     Rows relative(3000, Vec4{9, 9, 9, 9});
-    take_out(parallel, one, island, positions, wanted, relative);
+    take_out(parallel, one, group, positions, wanted, relative);
     EXPECT_EQ(relative[99].x, 9);
     EXPECT_EQ(relative[800].x, 9);
     for (const std::uint32_t i : {100u, 799u, 1500u, 2399u}) {

@@ -128,10 +128,10 @@ TEST(Settle, NoPairCollidesOnItsWay) {
             LaidOut<Settler> settler;
             settler.reserve(mesh.positions.size(), 1, pairs.size);
             const ParticleRange all{0, mesh.size()};
-            const Island island{{&all, 1}, mesh.positions};
-            settler.split(parallel, island, wanted);
+            const BodyGroup group{{&all, 1}, mesh.positions};
+            settler.split(parallel, group, wanted);
             EXPECT_GT(colliding_on_the_way(mesh, pairs, settler.relative(), {}), 0);
-            static_cast<void>(settler.settle(parallel, island, pairs, {}, {1e-4f, 30}, wanted));
+            static_cast<void>(settler.settle(parallel, group, pairs, {}, {1e-4f, 30}, wanted));
             EXPECT_EQ(colliding_on_the_way(mesh, pairs, settler.relative(), settler.fractions()), 0)
                 << seed << ' ' << size;
         }

@@ -114,7 +114,7 @@ TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
     expect_equal(pairs_of(scene, 2, 1 << 20), expected);
 }
 
-// A World's islands differ from step to step, and share one finder.
+// A World's groups differ from step to step, and share one finder.
 TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
     constexpr std::uint32_t side = 300;  // so many blocks that they take two groups of groups
     ContactScene small = folded(20, 0.3f), all = sheet(side, 0.3f * edge, flat(side, side));

@@ -26,11 +26,11 @@ Settled settle(const Triangles& mesh, const PairList& pairs, Rows displacements,
     LaidOut<Settler> settler;
     settler.reserve(mesh.positions.size(), 1, pairs.size);
     const ParticleRange all{0, mesh.size()};
-    const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_pinned = is_pinned};
-    settler.split(parallel, island, displacements, most);
+    const BodyGroup group{.particles = {&all, 1}, .positions = mesh.positions, .is_pinned = is_pinned};
+    settler.split(parallel, group, displacements, most);
     Settled settled;
     settled.relative.assign(settler.relative().begin(), settler.relative().end());
-    settled.result = settler.settle(parallel, island, pairs, exempt, how, displacements);
+    settled.result = settler.settle(parallel, group, pairs, exempt, how, displacements);
     settled.fractions.assign(settler.fractions().begin(), settler.fractions().end());
     settled.displacements = std::move(displacements);
     return settled;
@@ -306,10 +306,10 @@ TEST(Settle, CuttingKeepsTheMomentumOfWhatIsFree) {
         LaidOut<Settler> settler;
         settler.reserve(mesh.positions.size(), 1, pairs.size);
         const ParticleRange all{0, mesh.size()};
-        const Island island{.particles = {&all, 1}, .positions = mesh.positions, .is_free = true};
+        const BodyGroup group{.particles = {&all, 1}, .positions = mesh.positions, .is_free = true};
         Rows displacements = wanted;
-        settler.split(serial, island, displacements, CommonMotionKind::affine);
-        const SettleResult result = settler.settle(serial, island, pairs, {}, settings, displacements);
+        settler.split(serial, group, displacements, CommonMotionKind::affine);
+        const SettleResult result = settler.settle(serial, group, pairs, {}, settings, displacements);
         EXPECT_GT(result.truncated, 20u);
         EXPECT_LT((momentum(displacements) - momentum(wanted)).norm(), 1e-4) << seed;
     }

@@ -1,6 +1,6 @@
 // Which cloths may touch, against brute force.
 
-#include "cloth/frame/contact/islands.h"
+#include "cloth/frame/contact/group_finder.h"
 
 #include <gtest/gtest.h>
 
@@ -46,19 +46,19 @@ std::vector<Bounds> random_boxes(std::size_t count, float size, std::uint32_t se
     return boxes;
 }
 
-TEST(Islands, AreThoseOfBruteForce) {
+TEST(Groups, AreThoseOfBruteForce) {
     const auto any = [](std::uint32_t, std::uint32_t) { return true; };
     const auto of_a_layer = [](std::uint32_t i, std::uint32_t j) { return i % 3 == j % 3; };
-    Islands islands;
+    GroupFinder groups;
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         for (const float size : {0.0f, 0.05f, 0.2f, 0.6f}) {
             std::vector<Bounds> boxes = random_boxes(1 + 7 * seed, size, seed);
             boxes.push_back({{1, 1, 1}, {0, 0, 0}});  // empty: touches none
             boxes.push_back(boxes.front());           // coincident
-            islands.find(boxes, any);
-            EXPECT_TRUE(std::ranges::equal(islands.first_of(), by_brute_force(boxes, any)));
-            islands.find(boxes, of_a_layer);
-            EXPECT_TRUE(std::ranges::equal(islands.first_of(), by_brute_force(boxes, of_a_layer)));
+            groups.find(boxes, any);
+            EXPECT_TRUE(std::ranges::equal(groups.first_of(), by_brute_force(boxes, any)));
+            groups.find(boxes, of_a_layer);
+            EXPECT_TRUE(std::ranges::equal(groups.first_of(), by_brute_force(boxes, of_a_layer)));
         }
     }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Islands: the cloths that are solved together in a substep, since they may touch or share a body, directly
+// Groups: the cloths that are solved together in a substep, since they may touch or share a body, directly
 // or by way of others.
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace weft {
 
-class Islands {
+class GroupFinder {
   public:
     /// Up to so many cloths are looked at without allocation.
     void reserve(std::size_t cloths);
 
-    /// Finds the islands of boxes; an empty box touches none. may_touch(i, j), i < j, says whether a pair
+    /// Finds the groups of boxes; an empty box touches none. may_touch(i, j), i < j, says whether a pair
     /// counts, and is asked of pairs whose boxes overlap. Sort and sweep along x (Baraff 1992, "Dynamic
     /// simulation of non-penetrating rigid bodies").
     template <class MayTouch>
@@ -35,14 +35,14 @@ class Islands {
         end();
     }
 
-    /// In place of find(): begin, pairs of cloths that are in one island, end.
+    /// In place of find(): begin, pairs of cloths that are in one group, end.
     void begin(std::size_t cloths);
     void join(std::uint32_t i, std::uint32_t j);
     void end();
-    /// Joins the islands that `first_of` has of the same cloths to those that were found.
+    /// Joins the groups that `first_of` has of the same cloths to those that were found.
     void join(std::span<const std::uint32_t> first_of);
 
-    /// Of each cloth, the first cloth of its island.
+    /// Of each cloth, the first cloth of its group.
     [[nodiscard]] std::span<const std::uint32_t> first_of() const { return parents_; }
 
   private:
