@@ -7,6 +7,7 @@
 
 #include "cloth/frame/advance/advance.h"
 #include "cloth/frame/contact/contact_step.h"
+#include "cloth/frame/contact/own_space.h"
 #include "cloth/frame/contact/report_contacts.h"
 #include "cloth/frame/solve.h"
 #include "cloth/frame/worn/worn_step.h"
@@ -35,21 +36,17 @@ class GrowingBox {
     Vector3 lower_ = Vector3::Constant(infinity), upper_ = -lower_;
 };
 
-/// Where the cloth is and, if it goes on as it does, where it will be when the substep ends; and how far it
-/// goes then.
-ExpectedWay way_of(const Cloth& cloth, const Vector3& gravity, float h) {
+/// Where the cloth is and, if it goes on as it does, where it will be h seconds later; and how far it goes.
+ExpectedWay way_of(const Cloth& cloth, float h) {
     GrowingBox box;
     float squared = 0;
-    const Vector3 fall = h * h * gravity;
     for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
-        const Vector3 here = xyz(cloth.state.positions[i]);
-        const Vector3 velocity = xyz(cloth.state.velocities[i]), there = here + h * velocity;
+        const Vector3 here = xyz(cloth.state.positions[i]), way = h * xyz(cloth.state.velocities[i]);
         box.add(here);
-        box.add(there);
-        box.add(there + fall);
-        squared = std::max(squared, velocity.squaredNorm());
+        box.add(here + way);
+        squared = std::max(squared, way.squaredNorm());
     }
-    return {.box = box.grown_by(cloth.as_body().radius), .length = h * std::sqrt(squared) + fall.norm()};
+    return {.box = box.grown_by(cloth.as_body().radius), .length = std::sqrt(squared)};
 }
 
 /// How far the collider pushes what it meets in the box at most [m].
@@ -59,23 +56,6 @@ float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, c
         if (!may_meet(start, end, pace, reach, BlockPaths{box, 0})) return 0.0f;
         return std::max(0.0f, sweeping(start, end, pace, reach.thickness).way);
     });
-}
-
-/// A plane across an axis, and which of two cloths is below it.
-struct ParallelPlane {
-    Eigen::Index axis;
-    float place;
-    bool has_first_below;
-};
-
-/// Halfway between two boxes, where they are farthest apart.
-ParallelPlane plane_between(const Bounds& first, const Bounds& second) {
-    const Vector3 gaps_above = to_vector(second.lower) - to_vector(first.upper),
-                  gaps_below = to_vector(first.lower) - to_vector(second.upper);
-    Eigen::Index above = 0, below = 0;
-    if (gaps_above.maxCoeff(&above) >= gaps_below.maxCoeff(&below))
-        return {above, 0.5f * (to_vector(second.lower)[above] + to_vector(first.upper)[above]), true};
-    return {below, 0.5f * (to_vector(first.lower)[below] + to_vector(second.upper)[below]), false};
 }
 
 bool touches_colliders(std::span<Cloth* const> cloths) {
@@ -111,24 +91,16 @@ bool pass_ways_on(Simulation& world) {
     return any;
 }
 
-/// The space on the cloth's side of planes halfway between its box and those of cloths in other groups. As
-/// long as each stays in its own, groups cannot meet.
-Bounds own_space(const Simulation& world, const Cloth& cloth) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Vector3 lower = Vector3::Constant(-infinity), upper = -lower;
-    const float floor = cloth.as_body().floor;
+/// What the cloth has to itself: as long as each cloth stays in its own space, groups cannot meet.
+Bounds own_space_of(const Simulation& world, const Cloth& cloth) {
+    OwnSpace space(cloth.expected.box, cloth.as_body().floor);
     bool is_first = false;
     for (const Cloth* other : world.present) {
         is_first = is_first || other == &cloth;
-        if (other->group == cloth.group || !other->has_features() || !may_meet(cloth, *other)) continue;
-        const ParallelPlane plane = is_first ? plane_between(cloth.expected.box, other->expected.box)
-                                             : plane_between(other->expected.box, cloth.expected.box);
-        if (plane.has_first_below == is_first)
-            upper[plane.axis] = std::min(upper[plane.axis], plane.place - floor);
-        else
-            lower[plane.axis] = std::max(lower[plane.axis], plane.place + floor);
+        if (other->group != cloth.group && other->has_features() && may_meet(cloth, *other))
+            space.keep_from(other->expected.box, is_first);
     }
-    return {to_vec3(lower), to_vec3(upper)};
+    return space.bounds();
 }
 
 /// Shortens the way of what goes another way than it was expected to, and would leave the cloth's own space.
@@ -137,7 +109,7 @@ void keep_in_own_space(const Simulation& world, Worker& worker, FeatureContact& 
     if (world.featured_cloths == 1) return;
     for (std::size_t k = 0; k < cloths.size(); ++k)
         if (space.leaves(worker.parallel, k, cloths[k]->expected.box))
-            space.keep_within(worker.parallel, k, own_space(world, *cloths[k]));
+            space.keep_within(worker.parallel, k, own_space_of(world, *cloths[k]));
 }
 
 /// Writes a body's settled motion to its cloth.
@@ -160,7 +132,7 @@ void keep_out_of_colliders(Simulation& world, Worker& worker, Cloth& cloth, floa
 /// in the whole step.
 void expect(const Simulation& world, Cloth& cloth, float h) {
     if (!cloth.has_features()) return;
-    cloth.expected = way_of(cloth, to_vector(world.settings.gravity), h);
+    cloth.expected = way_of(cloth, h);
     float push = 0;
     world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
         if (slot.target.is_trigger || (slot.target.layers & cloth.settings.collider_mask) == 0) return;
@@ -206,7 +178,7 @@ void find_features(Simulation& world, Worker& worker, FeatureContact& space, std
 bool is_taken_out_of_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
                                std::size_t body, const Cloth& cloth) {
     return world.featured_cloths > 1 && space.leaves(worker.parallel, body, cloth.expected.box) &&
-           space.leaves(worker.parallel, body, own_space(world, cloth));
+           space.leaves(worker.parallel, body, own_space_of(world, cloth));
 }
 
 // The last that moves particles in a substep.

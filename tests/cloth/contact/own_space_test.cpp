@@ -4,13 +4,54 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <random>
 
+#include "cloth/frame/contact/own_space.h"
 #include "crossing_count.h"
+#include "engine/bounds.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 
 namespace weft::test {
 namespace {
+
+bool contains(const Bounds& outer, const Bounds& inner) {
+    return (to_vector(outer.lower).array() <= to_vector(inner.lower).array()).all() &&
+           (to_vector(outer.upper).array() >= to_vector(inner.upper).array()).all();
+}
+
+/// The widest gap between two boxes, along any axis.
+float gap_between(const Bounds& a, const Bounds& b) {
+    return std::max((to_vector(a.lower) - to_vector(b.upper)).maxCoeff(),
+                    (to_vector(b.lower) - to_vector(a.upper)).maxCoeff());
+}
+
+// Boxes of a lattice: many have the same gap along two axes, or on both sides.
+TEST(OwnSpace, OfTwoBoxesAreApartAndHaveTheirBoxes) {
+    constexpr float radius = 0.01f, floor = 0.001f;
+    std::mt19937 random(11);
+    std::uniform_int_distribution<int> place(-3, 3), size(0, 2);
+    int pairs = 0;
+    for (int k = 0; k < 2000; ++k) {
+        std::array<Bounds, 2> boxes{};
+        for (Bounds& box : boxes)
+            for (float Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+                box.lower.*axis = 0.1f * static_cast<float>(place(random));
+                box.upper.*axis = box.lower.*axis + 0.1f * static_cast<float>(size(random));
+            }
+        const std::array<Bounds, 2> grown_boxes{grown(boxes[0], radius), grown(boxes[1], radius)};
+        if (overlap(grown_boxes[0], grown_boxes[1])) continue;
+        ++pairs;
+        OwnSpace first(grown_boxes[0], floor), second(grown_boxes[1], floor);
+        first.keep_from(grown_boxes[1], true);
+        second.keep_from(grown_boxes[0], false);
+        EXPECT_GT(gap_between(first.bounds(), second.bounds()), 1.999f * floor);
+        EXPECT_TRUE(contains(first.bounds(), boxes[0]));
+        EXPECT_TRUE(contains(second.bounds(), boxes[1]));
+    }
+    EXPECT_GT(pairs, 500);
+}
 
 constexpr float width = 0.3f;
 
@@ -60,6 +101,66 @@ TEST(OwnSpace, ClothThatIsBlownAtAnotherCrossesNothing) {
                 EXPECT_GT(heavy.lower.x, gap) << "it was to be pushed";
                 EXPECT_EQ(scene.world.report().restored_cloths, 0u);
             }
+}
+
+/// Level squares above each other.
+struct Sheets {
+    World world;
+    std::vector<ClothId> cloths;
+
+    Sheets(const WorldSettings& settings, std::span<const float> heights)
+        : world(must(World::create(settings))) {
+        ClothSettings of;
+        of.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        for (const float y : heights)
+            cloths.push_back(must(world.add_cloth(must(make_sheet({.rows = 12,
+                                                                   .columns = 12,
+                                                                   .origin = {0, y, 0},
+                                                                   .u = {width, 0, 0},
+                                                                   .v = {0, 0, width}})),
+                                                  of)));
+    }
+    [[nodiscard]] Bounds bounds(std::size_t k) { return must(world.cloth(cloths[k])).bounds; }
+};
+
+// The lowest sheet is pushed into the next, and that into the third: all of them go along.
+TEST(OwnSpace, ClothsThatAColliderSweepsUpTogetherAreExpectedToMeet) {
+    WorldSettings settings = vacuum();
+    settings.gravity = {};
+    Sheets sheets(settings, std::array{0.0f, 0.06f, 0.12f});
+    const auto box = [](float y) {
+        return Collider{.shape = Box{.center = {0.15f, y, 0.15f}, .half_extents = {0.3f, 0.05f, 0.3f}}};
+    };
+    const ColliderId below = must(sheets.world.add_collider(box(-0.06f)));
+    sheets.world.step(h);
+    ASSERT_TRUE(sheets.world.move_collider(below, box(0.1f)));
+    sheets.world.step(h);
+    EXPECT_GT(sheets.bounds(0).lower.y, 0.14f) << "the box's top is at 0.15";
+    EXPECT_GT(sheets.bounds(1).lower.y, 0.14f);
+    EXPECT_GT(sheets.bounds(2).lower.y, 0.14f);
+    EXPECT_EQ(crossings(sheets.world, sheets.cloths), 0);
+}
+
+// Two light layers that a gust blows at a third: what is cut between them goes with the motion that they have
+// in common, and may not go on to the third.
+TEST(OwnSpace, LayersThatAreBlownAtAnotherClothCrossNothing) {
+    for (const float speed : {20.0f, 60.0f, 150.0f})
+        for (const float gap : {0.03f, 0.1f}) {
+            World world = must(World::create(Gust::wind_of(speed)));
+            std::vector<ClothId> cloths;
+            for (const float x : {0.0f, 0.004f, 0.008f, 0.008f + gap}) {
+                ClothSettings settings;
+                settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+                settings.fabric.areal_density = x > 0.01f ? 50.0f : 0.03f + 20 * x;
+                cloths.push_back(must(world.add_cloth(upright(x), settings)));
+            }
+            for (int k = 0; k < 8; ++k) {
+                world.step(h);
+                ASSERT_EQ(crossings(world, cloths), 0) << speed << " m/s, " << gap << " m apart, step " << k;
+            }
+            EXPECT_LT(must(world.cloth(cloths[0])).bounds.lower.x,
+                      must(world.cloth(cloths[3])).bounds.upper.x);
+        }
 }
 
 }  // namespace
