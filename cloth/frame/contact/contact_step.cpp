@@ -94,12 +94,9 @@ bool pass_ways_on(Simulation& world) {
 /// What the cloth has to itself: as long as each cloth stays in its own space, groups cannot meet.
 Bounds own_space_of(const Simulation& world, const Cloth& cloth) {
     OwnSpace space(cloth.expected.box, cloth.as_body().floor);
-    bool is_first = false;
-    for (const Cloth* other : world.present) {
-        is_first = is_first || other == &cloth;
+    for (const Cloth* other : world.present)
         if (other->group != cloth.group && other->has_features() && may_meet(cloth, *other))
-            space.keep_from(other->expected.box, is_first);
-    }
+            space.keep_from(other->expected.box);
     return space.bounds();
 }
 

@@ -16,17 +16,16 @@ class OwnSpace {
     OwnSpace(const Bounds& box, float floor)
         : box_lower_(to_vector(box.lower)), box_upper_(to_vector(box.upper)), floor_(floor) {}
 
-    /// Of a box that is clear of this one. `is_first`: of the two cloths this one has the lower number, which
-    /// decides where two axes are as good.
-    void keep_from(const Bounds& other, bool is_first) {
+    /// Of a box that is clear of this one: so along that axis one of the two is above the other.
+    void keep_from(const Bounds& other) {
         const Vector3 other_lower = to_vector(other.lower), other_upper = to_vector(other.upper);
-        Eigen::Index above = 0, below = 0;
-        const float gap_above = (other_lower - box_upper_).maxCoeff(&above);
-        const float gap_below = (box_lower_ - other_upper).maxCoeff(&below);
-        if (gap_above > gap_below || (gap_above == gap_below && is_first))
-            upper_[above] = std::min(upper_[above], 0.5f * (other_lower[above] + box_upper_[above]) - floor_);
+        const Vector3 above = other_lower - box_upper_, below = box_lower_ - other_upper;
+        Eigen::Index axis = 0;  // for both of the two the same
+        above.cwiseMax(below).maxCoeff(&axis);
+        if (above[axis] > below[axis])
+            upper_[axis] = std::min(upper_[axis], 0.5f * (other_lower[axis] + box_upper_[axis]) - floor_);
         else
-            lower_[below] = std::max(lower_[below], 0.5f * (box_lower_[below] + other_upper[below]) + floor_);
+            lower_[axis] = std::max(lower_[axis], 0.5f * (box_lower_[axis] + other_upper[axis]) + floor_);
     }
     [[nodiscard]] Bounds bounds() const { return {to_vec3(lower_), to_vec3(upper_)}; }
 

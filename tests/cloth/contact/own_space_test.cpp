@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
+#include <set>
 
+#include "cloth/frame/contact/contact_step.h"
 #include "cloth/frame/contact/own_space.h"
+#include "cloth/frame/sleep.h"
 #include "crossing_count.h"
 #include "engine/bounds.h"
 #include "tests/cloth/fixtures.h"
@@ -44,8 +49,8 @@ TEST(OwnSpace, OfTwoBoxesAreApartAndHaveTheirBoxes) {
         if (overlap(grown_boxes[0], grown_boxes[1])) continue;
         ++pairs;
         OwnSpace first(grown_boxes[0], floor), second(grown_boxes[1], floor);
-        first.keep_from(grown_boxes[1], true);
-        second.keep_from(grown_boxes[0], false);
+        first.keep_from(grown_boxes[1]);
+        second.keep_from(grown_boxes[0]);
         EXPECT_GT(gap_between(first.bounds(), second.bounds()), 1.999f * floor);
         EXPECT_TRUE(contains(first.bounds(), boxes[0]));
         EXPECT_TRUE(contains(second.bounds(), boxes[1]));
@@ -59,6 +64,50 @@ constexpr float width = 0.3f;
 Mesh upright(float x) {
     return must(
         make_sheet({.rows = 12, .columns = 12, .origin = {x, 0, 0}, .u = {0, width, 0}, .v = {0, 0, width}}));
+}
+
+/// Sheets at random places that fly in random directions.
+struct Flight {
+    Simulation simulation{vacuum()};
+
+    Flight(std::uint32_t seed, float speed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> place(0, 8), direction(-speed, speed);
+        ClothSettings settings;
+        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        for (int k = 0; k < 40; ++k) {
+            Mesh mesh = upright(place(random));
+            const Vec3 at{0, place(random), place(random)};
+            for (Vec3& p : mesh.positions) p = {p.x, p.y + at.y, p.z + at.z};
+            auto cloth = std::make_unique<Cloth>(must(cook(mesh)), settings);
+            const Vector3 velocity(direction(random), direction(random), direction(random));
+            for (Vec4& v : cloth->state.velocities.span()) v = to_vec4(velocity, 0);
+            simulation.add(std::move(cloth));
+        }
+        choose_present(simulation, h);
+        for (Cloth* cloth : simulation.present) expect(simulation, *cloth, h);
+        meet(simulation);
+    }
+};
+
+// What meets may pass its speed on, to what is then to be expected farther away, and so on.
+TEST(OwnSpace, ClothsOfTwoGroupsAreExpectedApartHoweverSpeedIsPassedOn) {
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        const Flight flight(seed, 0.5f + static_cast<float>(seed));
+        const std::vector<Cloth*>& cloths = flight.simulation.present;
+        std::set<std::uint32_t> groups;
+        for (const Cloth* a : cloths) {
+            groups.insert(a->group);
+            float longest = 0;  // of those that it meets
+            for (const Cloth* b : cloths) {
+                if (a != b && a->group == b->group) longest = std::max(longest, b->expected.length);
+                EXPECT_FALSE(a->group != b->group && overlap(a->expected.box, b->expected.box)) << seed;
+            }
+            EXPECT_GE(a->expected.grown_by, 0.999f * longest) << seed;
+        }
+        EXPECT_GT(groups.size(), 1u) << seed;
+        EXPECT_LT(groups.size(), 40u) << seed;
+    }
 }
 
 /// A light sheet at rest beside a heavy one, and a wind from now on that blows one at the
@@ -139,6 +188,24 @@ TEST(OwnSpace, ClothsThatAColliderSweepsUpTogetherAreExpectedToMeet) {
     EXPECT_GT(sheets.bounds(1).lower.y, 0.14f);
     EXPECT_GT(sheets.bounds(2).lower.y, 0.14f);
     EXPECT_EQ(crossings(sheets.world, sheets.cloths), 0);
+}
+
+// What is pushed is expected to pass that on, too.
+TEST(OwnSpace, WhatAColliderPushesIsExpectedToPushAsFar) {
+    Simulation simulation(vacuum());
+    ClothSettings settings;
+    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    simulation.add(std::make_unique<Cloth>(must(cook(upright(0))), settings));
+    const auto ball = [](float x) {
+        return Collider{.shape = Sphere{.center = {x, 0.15f, 0.15f}, .radius = 0.05f}};
+    };
+    simulation.expect_colliders(1);
+    simulation.state.colliders.insert({.current = ball(-0.1f), .target = ball(0.3f)});
+    choose_present(simulation, h);
+    Cloth& cloth = *simulation.present.front();
+    expect(simulation, cloth, h);
+    EXPECT_NEAR(cloth.expected.length, 0.4f, 0.01f);
+    EXPECT_GT(cloth.expected.box.upper.x, 0.4f);
 }
 
 // Two light layers that a gust blows at a third: what is cut between them goes with the motion that they have
