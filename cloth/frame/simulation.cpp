@@ -91,10 +91,10 @@ Simulation::Simulation(const WorldSettings& initial)
 
 void Simulation::apply(const WorldSettings& changed) {
     std::optional<Parallel> threads;
-    Motions motions;
+    Motions motions_of_threads;
     if (!have_same_threads(changed, settings)) {
         threads.emplace(make_parallel(changed));
-        motions = make_motions(threads->width(), state.colliders.size());
+        motions_of_threads = make_motions(threads->width(), state.colliders.size());
     }
     std::optional<ContactReports> reports;
     if (threads || changed.contact_reports != settings.contact_reports)
@@ -131,7 +131,7 @@ void Simulation::apply(const WorldSettings& changed) {
     if (threads) {
         parallel = *std::move(threads);
         parallel.trace_to(&profiler.trace());
-        motions = std::move(motions);
+        motions = std::move(motions_of_threads);
     }
     if (reports) contact_reports = *std::move(reports);
     for (auto& [cloth, made] : impulses) cloth->take_impulses(std::move(made));
