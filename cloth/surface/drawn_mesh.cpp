@@ -76,8 +76,8 @@ struct VertexAxes {
 
 VertexAxes axes_of(const DrawnSurface& surface) {
     const std::size_t count = surface.vertices.size();
-    const std::vector<Vector3> none(count, Vector3::Zero());
-    VertexAxes axes{none, none, none};
+    const std::vector<Vector3> zeros(count, Vector3::Zero());
+    VertexAxes axes{zeros, zeros, zeros};
     for (const Triangle& t : surface.triangles) {
         const auto side = [&](std::size_t c) -> Vector3 {
             return to_vector(surface.vertices[t[c]]) - to_vector(surface.vertices[t[0]]);

@@ -31,8 +31,8 @@ struct BodyLanes {
     Own own;
     Lanes thickness;
 
-    BodyLanes(const MovingSpace& space, const Own& own, float thickness)
-        : space(space), own(own), thickness(set(thickness)) {}
+    BodyLanes(const MovingSpace& of, const Own& in_it, float distance)
+        : space(of), own(in_it), thickness(set(distance)) {}
 
     [[nodiscard]] bool convex() const { return own.convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 seen(const Lanes3& p) const {

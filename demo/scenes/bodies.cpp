@@ -8,8 +8,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr float side = 1.2f;     // of the cloth [m]
-constexpr float hung_at = 0.9f;  // of what it hangs from [m]
+constexpr float cloth_side = 1.2f;  // of the cloth [m]
+constexpr float hung_at = 0.9f;     // of what it hangs from [m]
 
 struct Props {
     Fabric fabric;
@@ -31,12 +31,13 @@ class BodyScene : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 1600 : options.particles, side, side);
+        const GridSize grid =
+            grid_size(options.particles == 0 ? 1600 : options.particles, cloth_side, cloth_side);
         auto mesh = make_sheet({.rows = grid.rows,
                                 .columns = grid.columns,
-                                .origin = {-0.5f * side, hung_at, -0.5f * side},
-                                .u = {side, 0, 0},
-                                .v = {0, 0, side}});
+                                .origin = {-0.5f * cloth_side, hung_at, -0.5f * cloth_side},
+                                .u = {cloth_side, 0, 0},
+                                .v = {0, 0, cloth_side}});
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
         const auto cloth = world.add_cloth(mesh_, {.fabric = props_.fabric, .air_damping = 1});
@@ -69,7 +70,7 @@ class BodyScene : public Scene {
         Checks checks;
         checks.finite(*view);
         const Vector3 where = to_vector(state->position);
-        checks.at_least("the body's height [m]", where.y(), hung_at - 0.75f * side);
+        checks.at_least("the body's height [m]", where.y(), hung_at - 0.75f * cloth_side);
         checks.at_most("its height [m]", where.y(), hung_at + 0.2f);
         // The body still swings then, and a tilted box has walked. By smaller steps, which damp less, a ball
         // presses with .8 to 2 times its weight.

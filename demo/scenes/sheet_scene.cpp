@@ -6,8 +6,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr float side = 2.0f;   // [m]
-constexpr float fall = 0.35f;  // from the start to the top of the sphere [m]
+constexpr float square_side = 2.0f;  // [m]
+constexpr float fall = 0.35f;        // from the start to the top of the sphere [m]
 constexpr Sphere sphere{{0, 0.4f, 0}, 0.4f};
 constexpr float thickness = 0.008f;  // [m]
 
@@ -20,13 +20,14 @@ class Sheet final : public Scene {
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid = grid_size(options.particles == 0 ? 3000 : options.particles, side, side);
-        auto mesh =
-            make_sheet({.rows = grid.rows,
-                        .columns = grid.columns,
-                        .origin = {-0.5f * side, sphere.center.y + sphere.radius + fall, -0.5f * side},
-                        .u = {side, 0, 0},
-                        .v = {0, 0, side}});
+        const GridSize grid =
+            grid_size(options.particles == 0 ? 3000 : options.particles, square_side, square_side);
+        auto mesh = make_sheet(
+            {.rows = grid.rows,
+             .columns = grid.columns,
+             .origin = {-0.5f * square_side, sphere.center.y + sphere.radius + fall, -0.5f * square_side},
+             .u = {square_side, 0, 0},
+             .v = {0, 0, square_side}});
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
 
@@ -58,7 +59,7 @@ class Sheet final : public Scene {
         checks.finite(*view);
         checks.at_least("the lowest point's height [m]", view->bounds.lower.y, 0.5f * thickness);
 
-        float nearest = side, fastest = 0;
+        float nearest = square_side, fastest = 0;
         for (std::size_t i = 0; i < view->positions.size(); ++i) {
             nearest = std::min(nearest, (xyz(view->positions[i]) - to_vector(sphere.center)).norm());
             fastest = std::max(fastest, xyz(view->velocities[i]).norm());

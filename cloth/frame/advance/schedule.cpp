@@ -1,6 +1,7 @@
 #include "cloth/frame/advance/schedule.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -31,23 +32,15 @@ std::uint64_t work_of(const Cloth& cloth) {
 
 void Schedule::reserve(std::size_t cloths) {
     members_.reserve(cloths);
+    own_places_.reserve(cloths);
     next_.reserve(cloths);
     groups_.reserve(cloths);
 }
 
 void Schedule::plan(std::span<Cloth* const> cloths, int threads) {
-    members_.assign(cloths.begin(), cloths.end());
-    groups_.clear();
-    std::size_t scratch = 0;
-    for (std::size_t i = 0; i < cloths.size(); ++i) {
-        groups_.push_back({.cloths = std::span(members_).subspan(i, 1),
-                           .work = work_of(*cloths[i]),
-                           .blocks = block_count(cloths[i]->model.particle_count),
-                           .scratch = scratch,
-                           .is_whole = false});
-        scratch += cloths[i]->scratch_bytes;
-    }
-    share_out(threads);
+    own_places_.resize(cloths.size());
+    std::iota(own_places_.begin(), own_places_.end(), 0u);
+    plan(cloths, own_places_, threads);
 }
 
 // A group's cloths come to lie next to each other, in their order: counted, then placed.

@@ -37,7 +37,8 @@ class Schedule {
   private:
     void share_out(int threads);
 
-    std::vector<Cloth*> members_;  // group by group
+    std::vector<Cloth*> members_;            // group by group
+    std::vector<std::uint32_t> own_places_;  // each cloth's, which is the first of its own group
     std::vector<std::uint32_t> next_;
     std::vector<Group> groups_;
     std::size_t whole_ = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double table = 0.09, disc = 0.15;  // radii [m]
+constexpr double table_radius = 0.09, disc_radius = 0.15;  // radii [m]
 
 struct Drape {
     double coefficient;  ///< of the ring beyond the table, the part that still shades the floor
@@ -79,11 +79,11 @@ int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& ri
 Drape hang(const Mesh& mesh, const ClothSettings& settings, double flat_area,
            const std::function<bool(Vec2)>& is_rim) {
     Experiment cloth(mesh, settings);
-    cloth.pin([](Vec2 p) { return std::hypot(p.x, p.y) < static_cast<float>(table) * 1.0001f; });
+    cloth.pin([](Vec2 p) { return std::hypot(p.x, p.y) < static_cast<float>(table_radius) * 1.0001f; });
     cloth.change([](ClothSettings& each) { each.air_damping = 1; });
     cloth.run(2);
     cloth.come_to_rest(3, 18, 1e-3f);
-    const double table_area = pi * table * table;
+    const double table_area = pi * table_radius * table_radius;
     return {(shadow_area(cloth) - table_area) / (flat_area - table_area),
             strongest_wave(cloth, cloth.vertices(is_rim)), static_cast<std::uint32_t>(mesh.pattern.size())};
 }
@@ -102,12 +102,13 @@ Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
     const ClothSettings settings = made_of(model, fabric);
     if (model != ForceModel::sheet) {
         // Of the regular polygon that the rim is.
-        const double corners = 6 * rings, flat = 0.5 * corners * disc * disc * std::sin(2 * pi / corners);
-        return hang(disc_mesh(disc, rings, almost_flat), settings, flat,
-                    [](Vec2 p) { return std::hypot(p.x, p.y) > static_cast<float>(disc) * 0.9999f; });
+        const double corners = 6 * rings,
+                     flat = 0.5 * corners * disc_radius * disc_radius * std::sin(2 * pi / corners);
+        return hang(disc_mesh(disc_radius, rings, almost_flat), settings, flat,
+                    [](Vec2 p) { return std::hypot(p.x, p.y) > static_cast<float>(disc_radius) * 0.9999f; });
     }
     // A square of the disc's area, since sheets are rectangles.
-    const double side = disc * std::sqrt(pi);
+    const double side = disc_radius * std::sqrt(pi);
     const std::uint32_t cells = static_cast<std::uint32_t>(std::lround(std::sqrt(3.0) * rings));
     Mesh mesh = strip_mesh(model, {side, side, cells}, [](Vec2) { return Vec3{}; });
     const auto half = static_cast<float>(side / 2);
