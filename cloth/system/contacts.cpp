@@ -292,17 +292,18 @@ void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> 
 void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> velocities) {
     std::vector<BodyPush>& pushes = body_buffers_->pushes;
     pushes.clear();
-    const auto add = [&](std::uint32_t i, std::uint32_t body) {
-        const Vector3 v = xyz(velocities[i]);
-        const Vector3 there = xyz(equation.base_positions[i]) + equation.gamma * v;
-        pushes.push_back({i, body, there - bodies_[body].end.position, v});
-    };
     for_each_touching(*held_, 0, velocities.size(), [&](std::uint32_t i) {
-        if (body_buffers_->pressed[i] >= 0 && presses_collider(i))
-            add(i, static_cast<std::uint32_t>(body_buffers_->pressed[i]));
+        if (body_buffers_->pressed[i] < 0 || !presses_collider(i)) return;
+        const auto body = static_cast<std::uint32_t>(body_buffers_->pressed[i]);
+        const Vector3 v = xyz(velocities[i]), there = xyz(equation.base_positions[i]) + equation.gamma * v;
+        pushes.push_back({i, body, there - bodies_[body].end.position, v, false});
     });
+    // Other cloth may keep a particle from where it is attached, but the spring pulls there.
     for (const Attachment& attached : attached_)
-        if (equation.positions[attached.particle].w > 0) add(attached.particle, attached.body);
+        if (equation.positions[attached.particle].w > 0)
+            pushes.push_back({attached.particle, attached.body,
+                              bodies_[attached.body].end.rotation * attached.own,
+                              xyz(velocities[attached.particle]), true});
 }
 
 // Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.

@@ -223,6 +223,53 @@ TEST(Bodies, WhatIsAttachedGoesAlong) {
     }
 }
 
+// A spring pulls at the place where it is attached: at the centre of mass it has no lever, wherever other
+// cloth keeps the particle.
+TEST(Bodies, WhatIsAttachedAtItsCentreTurnsNoBody) {
+    constexpr std::uint32_t side = 9, corner = side * side - 1;
+    for (const bool onto_cloth : {false, true})
+        for (const float ratio : {0.01f, 1.0f, 100.0f}) {
+            World world = World::create({.threads = 1}).value();
+            const ClothSettings settings{
+                .self_collision = {.enabled = onto_cloth, .method = SelfCollisionMethod::contact}};
+            const ClothId cloth = world
+                                      .add_cloth(*make_sheet({.rows = side,
+                                                              .columns = side,
+                                                              .origin = {0, 1, 0},
+                                                              .u = {0.4f, 0, 0},
+                                                              .v = {0, -0.4f, 0}}),
+                                                 settings)
+                                      .value();
+            ASSERT_TRUE(world.pin(cloth, std::array{0u, side - 1}));
+            if (onto_cloth) {
+                const ClothId below = world
+                                          .add_cloth(*make_sheet({.rows = side,
+                                                                  .columns = side,
+                                                                  .origin = {-0.1f, 0.55f, -0.35f},
+                                                                  .u = {0.7f, 0, 0},
+                                                                  .v = {0, 0, 0.7f}}),
+                                                     settings)
+                                          .value();
+                for (std::uint32_t i = 0; i <= corner; ++i) ASSERT_TRUE(world.pin(below, i));
+            }
+            const float mass = ratio * world.cloth_info(cloth)->mass, inertia = 1e-4f * mass;
+            const BodyId body = world
+                                    .add_body({.mass = mass, .inertia = {inertia, inertia, inertia}},
+                                              {.position = {0.4f, 0.6f, 0}})
+                                    .value();
+            ASSERT_TRUE(world.attach(body, cloth, std::array{corner}));
+            float fastest = 0, turn = 0;
+            for (int k = 0; k < 240; ++k) {
+                fastest = std::max(fastest, world.step(body_step).peak_speed);
+                turn = std::max(turn, to_vector(world.body_state(body)->angular_velocity).norm());
+            }
+            EXPECT_LT(turn, 1e-3f) << ratio << ' ' << onto_cloth;
+            if (!onto_cloth) {
+                EXPECT_LT(fastest, 2.5f) << ratio;
+            }
+        }
+}
+
 TEST(Bodies, ABallBetweenTwoClothsRestsOnTheLowerOne) {
     SheetAndBody scene({.side = 17, .cloth = {.air_damping = 2}}, Held::border);
     const ClothId upper =
