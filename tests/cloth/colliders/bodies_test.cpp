@@ -263,7 +263,7 @@ TEST(Bodies, WhatIsAttachedAtItsCentreTurnsNoBody) {
                 fastest = std::max(fastest, world.step(body_step).peak_speed);
                 turn = std::max(turn, to_vector(world.body_state(body)->angular_velocity).norm());
             }
-            EXPECT_LT(turn, 1e-3f) << ratio << ' ' << onto_cloth;
+            EXPECT_LT(turn, 1e-6f) << ratio << ' ' << onto_cloth;
             if (!onto_cloth) {
                 EXPECT_LT(fastest, 2.5f) << ratio;
             }
