@@ -296,14 +296,14 @@ void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> v
         if (body_buffers_->pressed[i] < 0 || !presses_collider(i)) return;
         const auto body = static_cast<std::uint32_t>(body_buffers_->pressed[i]);
         const Vector3 v = xyz(velocities[i]), there = xyz(equation.base_positions[i]) + equation.gamma * v;
-        pushes.push_back({i, body, there - bodies_[body].end.position, v, false});
+        pushes.push_back({i, body, there - bodies_[body].end.position, v});
     });
     // Other cloth may keep a particle from where it is attached, but the spring pulls there.
     for (const Attachment& attached : attached_)
         if (equation.positions[attached.particle].w > 0)
             pushes.push_back({attached.particle, attached.body,
                               bodies_[attached.body].end.rotation * attached.own,
-                              xyz(velocities[attached.particle]), true});
+                              xyz(velocities[attached.particle])});
 }
 
 // Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.

@@ -12,8 +12,8 @@ namespace {
 
 /// The pairs that a search must tell apart: closer than `distance`, and not meant to be.
 struct PairTest {
-    PairTest(const SortedParticles& particles, const RestFilter& at_rest, float distance)
-        : sorted(particles), filter(at_rest), distance_squared(distance * distance) {}
+    PairTest(const SortedParticles& sorted_particles, const RestFilter& rest_filter, float distance)
+        : sorted(sorted_particles), filter(rest_filter), distance_squared(distance * distance) {}
 
     [[nodiscard]] bool is_close(std::uint32_t slot, std::uint32_t other) const {
         const float dx = sorted.x[slot] - sorted.x[other], dy = sorted.y[slot] - sorted.y[other],

@@ -31,8 +31,8 @@ struct BodyLanes {
     Own own;
     Lanes thickness;
 
-    BodyLanes(const MovingSpace& of, const Own& in_it, float distance)
-        : space(of), own(in_it), thickness(set(distance)) {}
+    BodyLanes(const MovingSpace& moving_space, const Own& own_shape, float total_thickness)
+        : space(moving_space), own(own_shape), thickness(set(total_thickness)) {}
 
     [[nodiscard]] bool convex() const { return own.convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 seen(const Lanes3& p) const {

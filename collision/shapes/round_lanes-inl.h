@@ -56,10 +56,10 @@ struct RoundLanes {
     const Moving& shape;
     Lanes thickness, reach_squared;
 
-    RoundLanes(const Moving& moving, float distance)
+    RoundLanes(const Moving& moving, float total_thickness)
         : shape(moving),
-          thickness(set(distance)),
-          reach_squared(set((moving.radius + distance) * (moving.radius + distance))) {}
+          thickness(set(total_thickness)),
+          reach_squared(set((moving.radius + total_thickness) * (moving.radius + total_thickness))) {}
 
     [[nodiscard]] static constexpr bool convex() { return true; }
     /// Fraction of the way from a to b of the axis point whose ball is nearest to p.
@@ -124,7 +124,8 @@ struct PlaneLanes {
     const MovingPlane& shape;
     Lanes thickness;
 
-    PlaneLanes(const MovingPlane& moving, float distance) : shape(moving), thickness(set(distance)) {}
+    PlaneLanes(const MovingPlane& moving, float total_thickness)
+        : shape(moving), thickness(set(total_thickness)) {}
 
     [[nodiscard]] HWY_INLINE Lanes distance(const Lanes3& p) const {
         return hn::Sub(dot(set3(shape.normal), p), set(shape.offset));

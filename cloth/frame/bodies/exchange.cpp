@@ -82,8 +82,9 @@ void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& 
         const std::uint32_t i = push.particle;
         const Vector3 v = xyz(velocities[i]);
         const Vector3 there = xyz(equation.base_positions[i]) + equation.gamma * v;
-        const Vector3 arm =
-            push.is_attached ? push.arm : there - world.body_stage->moving[push.body].end.position;
+        const Vector3 arm = cloth.contacts->is_attached(i)
+                                ? push.arm
+                                : there - world.body_stage->moving[push.body].end.position;
         const Vector3 given = cloth.contacts->of_colliders(i, v) + forgotten(equation, i);
         cloth.collected[push.body].in_part -= wrench(arm.cast<double>(), given.cast<double>());
     }

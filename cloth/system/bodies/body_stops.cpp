@@ -15,8 +15,8 @@ namespace {
 // step's fall over n.
 constexpr double stop_per_mass = 1;
 
-Vector3 point(const BlockLanes& of, std::uint32_t k) {
-    return {of.x[k], of.y[k], of.z[k]};
+Vector3 point(const BlockLanes& points, std::uint32_t k) {
+    return {points.x[k], points.y[k], points.z[k]};
 }
 
 }  // namespace

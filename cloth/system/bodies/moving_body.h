@@ -82,7 +82,6 @@ struct BodyPush {
     std::uint32_t particle, body;
     Vector3 arm;  ///< from the centre of mass: of the particle, or of the place that it is attached to [m]
     Vector3 velocity;  ///< of the particle, where it was linearised [m/s]
-    bool is_attached;
 };
 
 /// A body's contact with a particle that does not give way, as last linearised: at the velocity u of the
