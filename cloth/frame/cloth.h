@@ -12,6 +12,7 @@
 #include "cloth/frame/advance/history.h"
 #include "cloth/frame/advance/survey.h"
 #include "cloth/frame/budget/budgeted.h"
+#include "cloth/frame/collider_side.h"
 #include "cloth/frame/contact/feature_contact.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/worn/moving_frame.h"
@@ -193,6 +194,15 @@ struct Cloth {
     void fall_asleep() noexcept;
     /// Without velocities, and drawn where it is.
     void stand_still() noexcept;
+    /// As colliders meet it. least_bounce: see ClothSide.
+    [[nodiscard]] ClothSide side(float least_bounce = 0) const noexcept {
+        return {.thickness = at_colliders.thickness.span(),
+                .friction = at_colliders.friction.span(),
+                .most_thickness = settings.thickness,
+                .restitution = settings.restitution,
+                .mask = settings.collider_mask,
+                .least_bounce = least_bounce};
+    }
     /// Takes a checked map over, or none; see worn/maps.cpp.
     void set_map(Map map, AlignedBuffer<float>&& values);
 
@@ -223,8 +233,9 @@ struct Cloth {
     /// Scratch of a part of a substep [m/s]: what the solver found, w 0; once the cloth has moved, its
     /// velocities as they were before a stage that tells what it gave.
     AlignedBuffer<Vec4> scratch_velocities;
-    std::optional<History> history;                 ///< only with BDF2
-    WornLimits worn;                                ///< leashes, backstops, and maps for contact
+    std::optional<History> history;  ///< only with BDF2
+    WornLimits worn;                 ///< leashes and backstops
+    ColliderSide at_colliders;
     float bending_per_area = 0;                     ///< see find_bending_per_area() [1/m^4]
     AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
     Limits limits;                                  ///< attached to the present pins
@@ -330,6 +341,7 @@ struct Cloth {
     void take_rest(const Cloth& before, bool is_split);
     void part_copies(std::span<const std::uint32_t> sources);
     void set_stiffness(AlignedBuffer<float>&& values);
+    [[nodiscard]] AlignedBuffer<float>& values_of(Map map) noexcept;
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;
 };

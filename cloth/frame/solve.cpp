@@ -64,10 +64,10 @@ int parts_to_meet(Simulation& world, Worker& worker, Cloth& cloth, const Substep
     const auto timer = world.timed(Stage::colliders);
     Cloth* const self = &cloth;
     see_colliders(world, worker, {&self, 1}, substep);
-    return static_cast<int>(
-        weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), side_of(cloth.settings), substep.h,
-                            most, std::as_const(cloth.state.positions).span(),
-                            std::as_const(cloth.state.velocities).span(), cloth.partial_counts.span()));
+    return static_cast<int>(weft::parts_to_meet(worker.parallel, colliders_of(worker, cloth), cloth.side(),
+                                                substep.h, most, std::as_const(cloth.state.positions).span(),
+                                                std::as_const(cloth.state.velocities).span(),
+                                                cloth.partial_counts.span()));
 }
 
 int parts_of(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, const Substep& substep) {
@@ -142,7 +142,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
         Cloth& cloth = *group.cloths[m];
         StepEquation& equation = *std::construct_at(
             &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
-        begin_contacts(worker, cloth, part);
+        begin_contacts(world, worker, cloth, part);
         if (cloth.has_features() && can_join(cloth)) {
             const auto body =
                 static_cast<std::size_t>(std::ranges::find(featured, &cloth) - featured.begin());
@@ -226,14 +226,9 @@ void take_result(Worker& worker, Cloth& cloth, const StepEquation& equation, con
     if (has_residual) cloth.residual = std::isfinite(result.residual) ? result.residual : 1.0f;
 }
 
-float least_bounce(const Simulation& world, float h) {
-    return 2 * h * to_vector(world.settings.gravity).norm();
-}
-
-void bounce(const Simulation& world, Worker& worker, Cloth& cloth, const StepEquation& equation) {
+void bounce(Worker& worker, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
-    cloth.contacts->bounce(worker.parallel, equation, least_bounce(world, equation.h),
-                           cloth.scratch_velocities.span());
+    cloth.contacts->bounce(worker.parallel, equation, cloth.scratch_velocities.span());
 }
 
 void keep_part_start(Worker& worker, Cloth& cloth) {
@@ -253,7 +248,7 @@ void advance(Simulation& world, Worker& worker, Cloth& cloth, const StepEquation
         cloth.collider_contacts = filter_velocities(
             worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
             now.positions.span(), cloth.scratch_velocities.span(), cloth.partial_counts.span());
-    bounce(world, worker, cloth, equation);
+    bounce(worker, cloth, equation);
     if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.scratch_velocities).span(),
@@ -355,10 +350,8 @@ void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, fl
     count_halved_steps(group.all_featured(), cut_much);
 }
 
-ClothSide side_of_cloth(const Simulation& world, const Cloth& cloth, float h) {
-    ClothSide side = side_of(cloth.settings);
-    side.least_bounce = least_bounce(world, h);
-    return side;
+ClothSide side_of(const Simulation& world, const Cloth& cloth, float h) {
+    return cloth.side(2 * h * to_vector(world.settings.gravity).norm());
 }
 
 std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,
@@ -368,12 +361,11 @@ std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,
     if (world.reports_contacts())
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.scratch_velocities.data());
     const std::uint32_t touching =
-        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of_cloth(world, cloth, h), h,
+        weft::collide(worker.parallel, colliders_of(worker, cloth), side_of(world, cloth, h), h,
                       {.positions = cloth.state.positions.span(),
                        .velocities = cloth.state.velocities.span(),
                        .starts = starts,
                        .held = cloth.state.held.normals.span(),
-                       .factors = cloth.worn.factors(),
                        .whole = cloth.whole ? &*cloth.whole : nullptr},
                       cloth.partial_counts.span());
     if (world.reports_contacts() && touching > 0)

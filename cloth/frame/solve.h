@@ -15,7 +15,7 @@ void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, fl
            const Substep& substep);
 
 /// How colliders see the cloth in a part of h seconds.
-[[nodiscard]] ClothSide side_of_cloth(const Simulation& world, const Cloth& cloth, float h);
+[[nodiscard]] ClothSide side_of(const Simulation& world, const Cloth& cloth, float h);
 /// Pushes the cloth out of colliders at the end of a part of h seconds; `starts`: as weft::collide() has
 /// them. Returns how many particles touch.
 [[nodiscard]] std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,

@@ -99,23 +99,6 @@ struct WornLimits::Bounds {
     }
 };
 
-AlignedBuffer<float>* WornLimits::values_of(Map map) noexcept {
-    switch (map) {
-        case Map::leash:
-            return &leash;
-        case Map::backstop:
-            return &backstop;
-        case Map::backstop_radius:
-            return &backstop_radius;
-        case Map::friction:
-            return &friction;
-        case Map::thickness:
-            return &thickness;
-        default:
-            return nullptr;
-    }
-}
-
 void WornLimits::reserve(std::uint32_t particles) {
     if (!has_limits()) {
         by_limit_ = {};
@@ -128,7 +111,7 @@ void WornLimits::reserve(std::uint32_t particles) {
     by_limit_ = std::move(by_limit);
 }
 
-void WornLimits::begin(const SkinState& skin, float end, float dt, float cloth_thickness) noexcept {
+void WornLimits::begin(const SkinState& skin, float end, float dt) noexcept {
     is_known_ = skin.known != 0;
     places_ = skin.places.span();
     targets_ = skin.target_places.span();
@@ -136,7 +119,6 @@ void WornLimits::begin(const SkinState& skin, float end, float dt, float cloth_t
     target_normals_ = skin.target_normals.span();
     end_ = end;
     per_second_ = 1 / dt;
-    cloth_thickness_ = cloth_thickness;
 }
 
 WornLimits::Bounds WornLimits::bounds_of(std::uint32_t i) const noexcept {
@@ -159,11 +141,7 @@ WornLimits::Bounds WornLimits::bounds_of(std::uint32_t i) const noexcept {
 
 bool WornLimits::adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept {
     const std::uint32_t size = range.end - range.begin;
-    for (std::uint32_t k = 0; found && k < size; ++k) {
-        if (thickness.size() > 0) near.surfaces.w[k] += cloth_thickness_ * (1 - thickness[range.begin + k]);
-        if (friction.size() > 0) near.motions.w[k] *= friction[range.begin + k];
-    }
-    if (!has_limits() || !is_known_) return found;
+    if (!is_known_) return found;
     if (!found) {
         for (BlockLanes* lanes : {&near.surfaces, &near.motions})
             for (auto* component : {&lanes->x, &lanes->y, &lanes->z, &lanes->w}) component->fill(0);

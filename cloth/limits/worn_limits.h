@@ -15,7 +15,6 @@
 #include "engine/memory/aligned_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
-#include "weft/maps.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -26,35 +25,22 @@ struct LimitLag {
     float most = 0;  ///< [m]
 };
 
-/// The limits of one cloth, with its maps for contact.
+/// The limits of one cloth.
 class WornLimits final : public OwnSurfaces {
   public:
-    // Of each particle; empty: the map is not set.
-    AlignedBuffer<float> leash, backstop, backstop_radius;  ///< [m]
-    AlignedBuffer<float> friction, thickness;               ///< factors
+    // Of each particle [m]; empty: the map is not set.
+    AlignedBuffer<float> leash, backstop, backstop_radius;
 
     [[nodiscard]] bool has_limits() const noexcept { return leash.size() > 0 || backstop.size() > 0; }
-    /// Beside colliders, in the equation.
-    [[nodiscard]] bool any() const noexcept {
-        return has_limits() || friction.size() > 0 || thickness.size() > 0;
-    }
-    /// The map's values; null: it is none of these.
-    [[nodiscard]] AlignedBuffer<float>* values_of(Map map) noexcept;
     /// What else the limits need, or no more of it. May throw.
     void reserve(std::uint32_t particles);
 
     /// A substep begins, or a part of one, of a step of dt seconds: it ends after that part of the step.
-    /// `thickness` is the cloth's [m].
-    void begin(const SkinState& skin, float end, float dt, float cloth_thickness) noexcept;
+    void begin(const SkinState& skin, float end, float dt) noexcept;
     /// Whether there are limits, and the host has said where the skin is.
     [[nodiscard]] bool is_holding() const noexcept { return has_limits() && is_known_; }
-    [[nodiscard]] ParticleFactors factors() const noexcept { return {thickness.span(), friction.span()}; }
 
     bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept override;
-    [[nodiscard]] std::span<const float> thickness_factors(const BlockRange& range) const noexcept override {
-        const std::span<const float> all = thickness.span();
-        return all.empty() ? all : all.subspan(range.begin, range.end - range.begin);
-    }
     [[nodiscard]] bool holds(std::uint32_t particle) const noexcept override {
         return by_limit_.size() > 0 && by_limit_[particle] != 0;
     }
@@ -64,8 +50,8 @@ class WornLimits final : public OwnSurfaces {
     [[nodiscard]] LimitLag lag(Parallel& parallel, std::span<const Vec4> positions) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return leash.bytes() + backstop.bytes() + backstop_radius.bytes() + friction.bytes() +
-               thickness.bytes() + by_limit_.bytes() + partials_.bytes();
+        return leash.bytes() + backstop.bytes() + backstop_radius.bytes() + by_limit_.bytes() +
+               partials_.bytes();
     }
 
   private:
@@ -75,7 +61,7 @@ class WornLimits final : public OwnSurfaces {
     AlignedBuffer<std::uint8_t> by_limit_;  // whether a limit is what the particle is nearest to
     AlignedBuffer<LimitLag> partials_;      // by block
     std::span<const Vec4> places_, targets_, normals_, target_normals_;
-    float end_ = 1, per_second_ = 0, cloth_thickness_ = 0;
+    float end_ = 1, per_second_ = 0;
     bool is_known_ = false;
 };
 

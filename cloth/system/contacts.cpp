@@ -188,13 +188,6 @@ float stiffness_of(const ClothSettings& settings) {
 
 }  // namespace
 
-ClothSide side_of(const ClothSettings& settings) {
-    return {.thickness = settings.thickness,
-            .friction = settings.friction,
-            .restitution = settings.restitution,
-            .mask = settings.collider_mask};
-}
-
 Contacts::Contacts(std::uint32_t particles, bool with_pairs) {
     const std::size_t entries = std::size_t{6} * Stencil::whole_groups(particles);
     rows_.blocks = AlignedBuffer<float>(entries);
@@ -209,7 +202,6 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                          const BlockRange& range) {
     const bool is_first = passes_ == 1;
     if (!is_first) press(range, velocities);
-    const ClothSettings& settings = equation.settings;
     const float gamma = equation.gamma;
     const std::uint32_t size = range.end - range.begin;
     const std::span<const Vec4> v = velocities.subspan(range.begin, size);
@@ -217,13 +209,11 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     const std::span<std::int32_t> pressed = body_buffers_ != nullptr
                                                 ? body_buffers_->pressed.span().subspan(range.begin, size)
                                                 : std::span<std::int32_t>();
-    ClothSide side = side_of(settings);
-    if (own_ != nullptr) side.factors = own_->thickness_factors(range);
     bool near =
-        find_near_surfaces(colliders_, side, equation.h, reach, equation.positions.subspan(range.begin, size),
+        find_near_surfaces(colliders_, side_.part(range.begin, size), equation.h, reach,
+                           equation.positions.subspan(range.begin, size),
                            equation.base_positions.subspan(range.begin, size), gamma, v, surfaces, pressed);
-    if (near && equation.bodies != nullptr)
-        find_squeezed(equation, velocities, range, side, surfaces, pressed);
+    if (near && equation.bodies != nullptr) find_squeezed(equation, velocities, range, surfaces, pressed);
     if (own_ != nullptr) {
         near = own_->adjust(range, reach, near, surfaces);
         for (std::uint32_t i = 0; i < pressed.size(); ++i)
@@ -242,7 +232,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
                              .hold = is_first ? reach : 0.0f,
                              .stick_per_spring = stick_per_spring,
                              .per_mass = spring_per_mass,
-                             .least = spring_per_fabric * gamma * gamma * stiffness_of(settings),
+                             .least = spring_per_fabric * gamma * gamma * stiffness_of(equation.settings),
                              .blocks = rows_.blocks.data() + std::size_t{6} * range.begin,
                              .impulses = of_colliders().data() + range.begin,
                              .normals = held_->normals.data() + range.begin,
@@ -352,23 +342,22 @@ void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::spa
     });
 }
 
-void Contacts::bounce(Parallel& parallel, const StepEquation& equation, float least,
-                      std::span<Vec4> velocities) {
+void Contacts::bounce(Parallel& parallel, const StepEquation& equation, std::span<Vec4> velocities) {
     const auto bounces = [](const ColliderMotion& motion) { return motion.end.restitution > 0; };
-    if (!(equation.settings.restitution > 0) && std::ranges::none_of(colliders_, bounces)) return;
+    if (!(side_.restitution > 0) && std::ranges::none_of(colliders_, bounces)) return;
     parallel.ranges(static_cast<std::uint32_t>(velocities.size()),
-                    [&](const BlockRange& range) { bounce_block(equation, least, range, velocities); });
+                    [&](const BlockRange& range) { bounce_block(equation, range, velocities); });
 }
 
 // Newton's: the normal velocity after the substep is that before it, times the restitution, and turned round.
 // What bounces presses no more: the next step neither draws it back nor goes on with the change.
-void Contacts::bounce_block(const StepEquation& equation, float least, const BlockRange& range,
+void Contacts::bounce_block(const StepEquation& equation, const BlockRange& range,
                             std::span<Vec4> velocities) {
     const std::uint32_t size = range.end - range.begin, group = range.begin / Stencil::lanes;
     const auto groups = held_->touching.span().subspan(group, (size + Stencil::lanes - 1) / Stencil::lanes);
     if (std::ranges::none_of(groups, [](std::uint32_t touching) { return touching != 0; })) return;
     NearSurfaces near;
-    if (!find_bouncing_surfaces(colliders_, side_of(equation.settings), equation.h, reach,
+    if (!find_bouncing_surfaces(colliders_, side_.part(range.begin, size), equation.h, reach,
                                 equation.base_positions.subspan(range.begin, size), equation.gamma,
                                 velocities.subspan(range.begin, size), near))
         return;
@@ -380,7 +369,7 @@ void Contacts::bounce_block(const StepEquation& equation, float least, const Blo
         if (body_buffers_ != nullptr && body_buffers_->pressed[i] >= 0) continue;
         const Vector3 n = xyz(normal), of_surface(near.motions.x[k], near.motions.y[k], near.motions.z[k]);
         const float before = n.dot(of_surface - xyz(equation.velocities[i]));
-        const float wanted = before > least ? near.motions.w[k] * before : 0.0f;
+        const float wanted = before > side_.least_bounce ? near.motions.w[k] * before : 0.0f;
         const float more = wanted - n.dot(xyz(velocities[i]) - of_surface);
         if (!(wanted > 0 && more > 0)) continue;
         set_xyz(velocities[i], xyz(velocities[i]) + more * n);

@@ -18,9 +18,6 @@
 
 namespace weft {
 
-/// What colliders are to know of a cloth with these settings, but for the least bounce.
-[[nodiscard]] ClothSide side_of(const ClothSettings& settings);
-
 /// How hard particles press on colliders, and rub, from one step to the next.
 struct HeldContacts {
     AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
@@ -83,16 +80,13 @@ struct BodyBuffers {
     std::vector<BodyPush> pushes;  ///< as last linearised, ascending, those attached last
 };
 
-/// What a cloth has of its own beside colliders: limits of its particles, and what these differ in.
+/// What a cloth has of its own beside colliders: limits of its particles.
 class OwnSurfaces {
   public:
     virtual ~OwnSurfaces() = default;
-    /// Changes what was found of a block's particles, `found` saying whether anything was (else only the
-    /// points are there), and adds what is nearer. Returns whether any is near. See find_near_surfaces().
+    /// Adds to what was found of a block's particles what is nearer; `found` says whether anything was (else
+    /// only the points are there). Returns whether any is near. See find_near_surfaces().
     virtual bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept = 0;
-    /// Of the cloth's thickness, of a block's particles; empty: none differs.
-    [[nodiscard]] virtual std::span<const float> thickness_factors(
-        const BlockRange& range) const noexcept = 0;
     /// Whether what a particle presses on is none of the colliders, but this.
     [[nodiscard]] virtual bool holds(std::uint32_t particle) const noexcept = 0;
 };
@@ -108,9 +102,12 @@ class Contacts {
     /// with_pairs: of a cloth whose features meet others.
     explicit Contacts(std::uint32_t particles, bool with_pairs = false);
 
-    /// A substep begins, in which colliders move so, with what the last one left. All must outlive it.
-    void begin(std::span<const ColliderMotion> colliders, HeldContacts& held, OwnSurfaces* own = nullptr) {
+    /// A substep begins, in which colliders move so and meet the cloth so, with what the last one left. All
+    /// must outlive it.
+    void begin(std::span<const ColliderMotion> colliders, const ClothSide& side, HeldContacts& held,
+               OwnSurfaces* own = nullptr) {
         colliders_ = colliders;
+        side_ = side;
         own_ = own;
         held_ = &held;
         pairs_ = nullptr;
@@ -142,8 +139,8 @@ class Contacts {
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     /// The substep ends with these velocities: keeps how hard particles press, for the next one.
     void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
-    /// After that: what pressed a collider leaves it as fast as it bounces. `least`: see ClothSide.
-    void bounce(Parallel& parallel, const StepEquation& equation, float least, std::span<Vec4> velocities);
+    /// After that: what pressed a collider leaves it as fast as it bounces.
+    void bounce(Parallel& parallel, const StepEquation& equation, std::span<Vec4> velocities);
     /// The pairs have been linearised again, the colliders not.
     void renew_pairs(Parallel& parallel);
 
@@ -199,14 +196,12 @@ class Contacts {
   private:
     void keep_loads(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
     void press(const BlockRange& range, std::span<const Vec4> velocities);
-    void bounce_block(const StepEquation& equation, float least, const BlockRange& range,
-                      std::span<Vec4> velocities);
+    void bounce_block(const StepEquation& equation, const BlockRange& range, std::span<Vec4> velocities);
     void add_pairs(const BlockRange& range);
     void attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
                       const BlockRange& range);
     void find_squeezed(const StepEquation& equation, std::span<const Vec4> velocities,
-                       const BlockRange& range, const ClothSide& side, NearSurfaces& near,
-                       std::span<std::int32_t> pressed) const;
+                       const BlockRange& range, NearSurfaces& near, std::span<std::int32_t> pressed) const;
     void add_stop(const StepEquation& equation, const NearSurfaces& near, std::uint32_t k,
                   const Vector3& velocity, std::uint32_t body);
     /// Impulses of colliders alone.
@@ -221,6 +216,7 @@ class Contacts {
     std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
+    ClothSide side_;  // of all particles
     OwnSurfaces* own_ = nullptr;
     int passes_ = 0;                       // of this substep
     BodyBuffers* body_buffers_ = nullptr;  // null: no bodies

@@ -14,10 +14,6 @@ namespace weft {
 
 namespace {
 
-float friction_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return cloth.friction * motion.end.friction;
-}
-
 /// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
 FoundDepth found_depth(const ColliderMotion& motion) {
     if (motion.body >= 0 || motion.rate != 0) return {};
@@ -78,11 +74,10 @@ void choose_surfaces(std::uint32_t size, float reach, NearSurfaces& near, std::s
     }
 }
 
-/// Among points that have been placed. told(motion): w of the surfaces' motions.
-template <class Told>
+/// Among points that have been placed.
 bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h, float reach,
-                     std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size,
-                     const Told& told, NearSurfaces& near, std::span<std::int32_t> bodies = {},
+                     std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size, Told told,
+                     NearSurfaces& near, std::span<std::int32_t> bodies = {},
                      const ColliderMotion* skipped = nullptr) {
     std::ranges::fill(bodies, -1);
     std::array<float, block_size> before;
@@ -93,13 +88,13 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
             if (is_clear) clear(near, reach);
             is_clear = false;
             const ContactSettings settings{.thickness = thickness_of(motion, cloth),
-                                           .friction = told(motion),
+                                           .friction = motion.end.friction,
                                            .h = h,
-                                           .of_cloth = cloth.thickness,
+                                           .restitution = restitution_of(motion, cloth),
                                            .found = found_depth(motion),
                                            .meeting = starts.empty() ? Meeting{} : meeting};
             if (!bodies.empty()) before = near.surfaces.w;
-            found |= find_nearest(shape, {settings, reach, starts, size, cloth.factors}, near);
+            found |= find_nearest(shape, {settings, cloth, reach, starts, size, told}, near);
             for (std::size_t i = 0; i < bodies.size(); ++i)
                 if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
         });
@@ -151,11 +146,9 @@ class Emerging {
         NearSurfaces at_now, at_then;
         find_others(number, {now.data(), size_}, at_now);
         find_others(number, {then.data(), size_}, at_then);
-        const std::span<const float> factors = block_.factors.thickness;
         for (std::uint32_t m = 0; m < size_; ++m) {
             const std::uint32_t k = particles_[m];
-            const float missing = factors.empty() ? 0 : cloth_.thickness * (1 - factors[k]);
-            const float before = at_now.surfaces.w[m] + missing, after = at_then.surfaces.w[m] + missing;
+            const float before = at_now.surfaces.w[m], after = at_then.surfaces.w[m];
             const bool is_held = after < std::min(0.0f, before) && before > -FoundDepth::speed * h_;
             if (!is_held) block_.positions[k] = then[m];
         }
@@ -166,9 +159,13 @@ class Emerging {
         return way * vector_of(block_.left->surfaces, k);
     }
     void find_others(std::uint32_t number, std::span<const Vec4> points, NearSurfaces& near) const {
+        alignas(64) std::array<float, block_size> thickness{}, friction{};
+        for (std::uint32_t m = 0; m < size_; ++m) thickness[m] = cloth_.thickness[particles_[m]];
+        ClothSide side = cloth_;
+        side.thickness = std::span(thickness).first(size_);
+        side.friction = std::span(friction).first(size_);
         const BlockPaths paths = place({}, points, 0, points, near.points);
-        const auto no_friction = [](const ColliderMotion&) { return 0.0f; };
-        if (!find_nearest_of(colliders_, cloth_, h_, reach, {}, paths, size_, no_friction, near, {},
+        if (!find_nearest_of(colliders_, side, h_, reach, {}, paths, size_, Told::friction, near, {},
                              &colliders_[number]))
             near.surfaces.w.fill(reach);
     }
@@ -190,7 +187,7 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                          .held = particles.held,
                          .starts = starts,
                          .paths = paths_of(starts, particles.positions),
-                         .factors = particles.factors,
+                         .cloth = cloth,
                          .left = &left};
     for (std::uint32_t number = 0; number < colliders.size(); ++number) {
         const ColliderMotion& motion = colliders[number];
@@ -198,9 +195,8 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
         if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
             collide(shape,
                     {.thickness = thickness_of(motion, cloth),
-                     .friction = friction_of(motion, cloth),
+                     .friction = motion.end.friction,
                      .h = h,
-                     .of_cloth = cloth.thickness,
                      .restitution = restitution_of(motion, cloth),
                      .least_bounce = cloth.least_bounce,
                      .found = found_depth(motion),
@@ -219,8 +215,7 @@ CollidingParticles part_of(const CollidingParticles& all, const BlockRange& rang
     return {.positions = of_block(all.positions),
             .velocities = of_block(all.velocities),
             .starts = of_block(all.starts),
-            .held = of_block(all.held),
-            .factors = {of_block(all.factors.thickness), of_block(all.factors.friction)}};
+            .held = of_block(all.held)};
 }
 
 }  // namespace
@@ -229,7 +224,8 @@ std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> collid
                       float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials) {
     if (colliders.empty()) return 0;
     const auto block = [&](const BlockRange& range) {
-        return collide_block(colliders, cloth, h, part_of(particles, range));
+        return collide_block(colliders, cloth.part(range.begin, range.end - range.begin), h,
+                             part_of(particles, range));
     };
     const std::uint32_t met = parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()),
                                               block_partials, 0u, block, std::plus<>{});
@@ -251,7 +247,7 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
             const std::uint32_t size = range.end - range.begin;
             const std::span<const Vec4> starts = positions.subspan(range.begin, size);
             NearSurfaces near;
-            if (!find_near_surfaces({&motion, 1}, cloth, h, 0, starts, starts, h,
+            if (!find_near_surfaces({&motion, 1}, cloth.part(range.begin, size), h, 0, starts, starts, h,
                                     velocities.subspan(range.begin, size), near))
                 return 1u;
             float longest = 0;
@@ -273,18 +269,16 @@ bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSi
                         float gamma, std::span<const Vec4> velocities, NearSurfaces& near,
                         std::span<std::int32_t> bodies) {
     const BlockPaths paths = place(starts, positions, gamma, velocities, near.points);
-    return find_nearest_of(
-        colliders, cloth, h, reach, starts, paths, static_cast<std::uint32_t>(positions.size()),
-        [&](const ColliderMotion& motion) { return friction_of(motion, cloth); }, near, bodies);
+    return find_nearest_of(colliders, cloth, h, reach, starts, paths,
+                           static_cast<std::uint32_t>(positions.size()), Told::friction, near, bodies);
 }
 
 bool find_bouncing_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
                             float reach, std::span<const Vec4> positions, float gamma,
                             std::span<const Vec4> velocities, NearSurfaces& near) {
     const BlockPaths paths = place({}, positions, gamma, velocities, near.points);
-    return find_nearest_of(
-        colliders, cloth, h, reach, {}, paths, static_cast<std::uint32_t>(positions.size()),
-        [&](const ColliderMotion& motion) { return restitution_of(motion, cloth); }, near);
+    return find_nearest_of(colliders, cloth, h, reach, {}, paths,
+                           static_cast<std::uint32_t>(positions.size()), Told::restitution, near);
 }
 
 }  // namespace weft

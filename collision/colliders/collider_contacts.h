@@ -38,28 +38,28 @@ struct ColliderMotion {
 /// normals blended and normalised; layers are `to`'s. Precondition: the same alternative in both.
 [[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
 
-/// What differs from particle to particle, each empty where nothing does: factors of the thickness, from 0 to
-/// 1, and of friction.
-struct ParticleFactors {
-    std::span<const float> thickness{}, friction{};
-};
-
 /// What a cloth brings to its contacts with colliders. How the two go together, collider.h says.
 struct ClothSide {
-    float thickness = 0;  ///< [m]
-    float friction = 1;
+    /// Of each particle that is met: the distance that it keeps [m], and its friction.
+    std::span<const float> thickness, friction;
+    float most_thickness = 0;  ///< no particle's is more [m]
     float restitution = 0;
     std::uint32_t mask = ~0u;  ///< of the layers that it meets
     float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
-    /// Of the thickness, of the particles that find_near_surfaces() is given; may be empty.
-    std::span<const float> factors = {};
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
+    /// The same of some of its particles.
+    [[nodiscard]] ClothSide part(std::uint32_t begin, std::uint32_t size) const {
+        ClothSide part = *this;
+        part.thickness = thickness.subspan(begin, size);
+        part.friction = friction.subspan(begin, size);
+        return part;
+    }
 };
 
-/// Of cloth and collider together.
+/// Of cloth and collider together; of the thickness the most.
 inline float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return cloth.thickness + motion.end.thickness;
+    return cloth.most_thickness + motion.end.thickness;
 }
 inline float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
     return std::max(cloth.restitution, motion.end.restitution);
@@ -73,7 +73,6 @@ struct CollidingParticles {
     std::span<const Vec4> starts = {};
     /// Not 0 where forces of contact have acted already, and friction with them. May be empty.
     std::span<const Vec4> held = {};
-    ParticleFactors factors = {};
     /// Then, where there are `starts`, these are kept out of what is thin or sharp; null: none are.
     WholeTriangles* whole = nullptr;
 };
@@ -82,8 +81,8 @@ struct CollidingParticles {
 /// inside it, out to the thickness; takes from its velocity relative to the surface what approaches it, gives
 /// it what bounces, and takes by Coulomb's law what slides along it. Friction moves the position too, so that
 /// cloth at rest on a slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the
-/// number of particles that met a collider. Precondition: block_partials.size() >=
-/// block_count(positions.size()).
+/// number of particles that met a collider. Preconditions: block_partials.size() >=
+/// block_count(positions.size()); `cloth` has as many particles.
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
                       float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials);
 
@@ -108,10 +107,11 @@ struct NearSurfaces {
 /// Friction of what goes with the surface whatever pulls.
 inline constexpr float held_fast = 1e30f;
 
-/// For each of at most block_size particles the surface, at the substep's end, that is nearest of those
-/// nearer than the thickness and the reach. Particles go to positions + gamma velocities; arrays go on to the
-/// end of a group of 16. starts, if not empty: as in collide(); a surface that a particle has passed counts
-/// as one in which it is. Returns whether any is near; else only the points are written.
+/// For each of at most block_size particles, which `cloth` is of, the surface, at the substep's end, that is
+/// nearest of those nearer than the thickness and the reach. Particles go to positions + gamma velocities;
+/// arrays go on to the end of a group of 16, also those of `cloth`. starts, if not empty: as in collide(); a
+/// surface that a particle has passed counts as one in which it is. Returns whether any is near; else only
+/// the points are written.
 ///
 /// bodies, if not empty, gets of each particle ColliderMotion::body of the nearest, -1 where none is near.
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,

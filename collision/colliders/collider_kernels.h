@@ -26,11 +26,10 @@ struct FoundDepth {
 };
 
 struct ContactSettings {
-    float thickness;                          ///< of cloth and collider together [m]
-    float friction;                           ///< of cloth and collider together
+    float thickness;                          ///< of collider and cloth together the most [m]
+    float friction;                           ///< of the collider
     float h;                                  ///< [s]
-    float of_cloth = 0;                       ///< of the thickness the cloth's own [m]
-    float restitution = 0, least_bounce = 0;  ///< likewise; what comes slower [m/s] does not bounce
+    float restitution = 0, least_bounce = 0;  ///< of both; what comes slower [m/s] does not bounce
     FoundDepth found{};
     /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
     /// of the block moves as far.
@@ -47,7 +46,7 @@ struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< of all that are finite, also after they were moved
-    ParticleFactors factors = {};
+    const ClothSide& cloth;              ///< of these particles
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
     std::uint32_t collider = 0;                               ///< the number of the one that is met
     bool has_left = false;                                    ///< any; else `left` is not written
@@ -69,13 +68,17 @@ void collide(const MovingHeld& held, const ContactSettings& settings, CollidingB
 [[nodiscard]] BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
                                std::span<const Vec4> velocities, BlockLanes& points);
 
+/// What w of a surface's motion says.
+enum class Told : std::uint8_t { friction, restitution };
+
 /// Of a block of `size` particles with these starts, if they are swept.
 struct NearestSought {
     ContactSettings settings;
-    float reach;  ///< beyond the thickness [m]
+    const ClothSide& cloth;  ///< of these particles
+    float reach;             ///< beyond the thickness [m]
     std::span<const Vec4> starts;
     std::uint32_t size;
-    std::span<const float> factors{};  ///< of the thickness of_cloth; may be empty
+    Told told;
 
     [[nodiscard]] float all() const { return settings.thickness + reach; }
 };

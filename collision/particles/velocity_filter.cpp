@@ -33,8 +33,11 @@ std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMoti
         const std::uint32_t size = range.end - range.begin;
         NearSurfaces near;
         const std::span<Vec4> of_block = velocities.subspan(range.begin, size);
-        const bool any = find_near_surfaces(colliders, {.mask = mask}, h, 0, {},
-                                            positions.subspan(range.begin, size), 0, of_block, near);
+        alignas(64) static constexpr std::array<float, block_size> none{};
+        const std::span<const float> of_block_none = std::span(none).first(size);
+        const ClothSide side{.thickness = of_block_none, .friction = of_block_none, .mask = mask};
+        const bool any = find_near_surfaces(colliders, side, h, 0, {}, positions.subspan(range.begin, size),
+                                            0, of_block, near);
         return any ? filter_block(near, of_block) : 0u;
     };
     return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 0u, block,

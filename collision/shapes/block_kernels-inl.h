@@ -46,13 +46,14 @@ HWY_INLINE PathsLanes no_paths() {
         {infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}, set(0)};
 }
 
-/// See ParticleFactors, from one particle on; null: none.
-struct Factors {
+/// See ClothSide, from one particle on.
+struct OwnValues {
     const float *thickness, *friction;
 };
-HWY_INLINE Factors factors_at(const ParticleFactors& factors, std::uint32_t i) {
-    return {factors.thickness.empty() ? nullptr : &factors.thickness[i],
-            factors.friction.empty() ? nullptr : &factors.friction[i]};
+
+/// What these particles keep less than the most of the cloth [m].
+HWY_INLINE Lanes missing_thickness(const ClothSide& cloth, const float* thickness) {
+    return hn::Sub(set(cloth.most_thickness), load_lanes(thickness));
 }
 
 /// How deep particles that end in a shape were in it when the substep began, where that counts as found.
@@ -104,7 +105,7 @@ struct Starts {
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
                              const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t i,
-                             CollidingBlock& block, PathsLanes& paths, const Factors& factors) {
+                             CollidingBlock& block, PathsLanes& paths, const OwnValues& own) {
     const Tag d;
     const Lanes zero = set(0);
     const Lanes4 position = load_rows(positions);
@@ -117,13 +118,9 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     auto surface = shape.surface(p, may_meet);
     if constexpr (Shape::is_swept)
         if (starts.swept) surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
-    Lanes missing = zero;
-    if (factors.thickness != nullptr) {
-        const Lanes part = hn::Sub(set(1), load_lanes(factors.thickness));
-        missing = hn::Mul(set(settings.of_cloth), part);
-        surface.penetration = hn::NegMulAdd(set(settings.of_cloth), part, surface.penetration);
-        surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
-    }
+    const Lanes missing = missing_thickness(block.cloth, own.thickness);
+    surface.penetration = hn::Sub(surface.penetration, missing);
+    surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
     if (starts.rows != nullptr) {
         const Lanes found = found_depth(shape, is_free, surface, missing, settings.found, starts.rows);
         const auto is_found = hn::Gt(found, zero);
@@ -135,8 +132,7 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
         }
     }
     if (hn::AllFalse(d, surface.is_near)) return;
-    Lanes friction = set(settings.friction);
-    if (factors.friction != nullptr) friction = hn::Mul(friction, load_lanes(factors.friction));
+    const Lanes friction = hn::Mul(load_lanes(own.friction), set(settings.friction));
     const Lanes4 velocity = load_rows(velocities);
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
@@ -166,7 +162,8 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
                      {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
-                     &block.velocities[i], i, block, paths, factors_at(block.factors, i));
+                     &block.velocities[i], i, block, paths,
+                     {&block.cloth.thickness[i], &block.cloth.friction[i]});
     if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
@@ -175,13 +172,11 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
         if (has_starts) std::copy(block.starts.begin() + i, block.starts.end(), starts);
         alignas(64) float thickness[part_lanes] = {}, friction[part_lanes] = {};
-        const ParticleFactors& of = block.factors;
-        std::copy(of.thickness.begin() + (of.thickness.empty() ? 0 : i), of.thickness.end(), thickness);
-        std::copy(of.friction.begin() + (of.friction.empty() ? 0 : i), of.friction.end(), friction);
+        std::copy(block.cloth.thickness.begin() + i, block.cloth.thickness.end(), thickness);
+        std::copy(block.cloth.friction.begin() + i, block.cloth.friction.end(), friction);
         PathsLanes with_added = paths;
         collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
-                     velocities, i, block, with_added,
-                     {of.thickness.empty() ? nullptr : thickness, of.friction.empty() ? nullptr : friction});
+                     velocities, i, block, with_added, {thickness, friction});
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];
@@ -219,14 +214,14 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
                     first_met(shape, {sought.reach, sought.settings.meeting.thin},
                               xyz(load_rows(sought.starts.data() + i)), p, hn::Gt(point.w, set(0)), surface);
         if (hn::AllFalse(d, surface.is_near)) continue;
-        Lanes gap = hn::Sub(set(sought.reach), surface.penetration);
-        const Lanes4 moves = with_w(surface.velocity, set(sought.settings.friction));
+        const Lanes beyond =
+            hn::Add(set(sought.reach), missing_thickness(sought.cloth, &sought.cloth.thickness[i]));
+        Lanes gap = hn::Sub(beyond, surface.penetration);
+        const Lanes friction = hn::Mul(load_lanes(&sought.cloth.friction[i]), set(sought.settings.friction));
+        const Lanes4 moves = with_w(
+            surface.velocity, sought.told == Told::friction ? friction : set(sought.settings.restitution));
         auto nearer = surface.is_near;
         if (!sought.starts.empty()) {
-            Lanes beyond = set(sought.reach);
-            if (!sought.factors.empty())
-                beyond = hn::MulAdd(set(sought.settings.of_cloth),
-                                    hn::Sub(set(1), load_lanes(&sought.factors[i])), beyond);
             const Lanes depth = found_depth(shape, hn::Gt(point.w, set(0)), surface, beyond,
                                             sought.settings.found, sought.starts.data() + i);
             const auto is_inside = hn::Gt(depth, set(0));

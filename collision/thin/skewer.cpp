@@ -17,9 +17,8 @@ bool is_inside_another(const Vector3& point, const ColliderMotion& motion,
     constexpr float reach = 1e-3f;
     std::array<Vec4, group> points, still{};
     points.fill(to_vec4(point, 1));
-    ClothSide side = cloth;
-    side.thickness = 0;
-    side.factors = {};
+    alignas(64) constexpr std::array<float, group> zeros{};
+    const ClothSide side{.thickness = zeros, .friction = zeros, .mask = cloth.mask};
     const auto is_inside = [&](std::span<const ColliderMotion> others) {
         NearSurfaces near;
         return find_near_surfaces(others, side, h, reach, {}, std::span(points).first(1), 0,

@@ -84,10 +84,8 @@ struct WholeTriangles::Meeting {
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
     /// To be kept of these particles.
     [[nodiscard]] float gap(const Triangle& corners) const {
-        float own = cloth.thickness;
-        if (!particles.factors.thickness.empty())
-            for (const std::uint32_t i : corners)
-                own = std::min(own, cloth.thickness * particles.factors.thickness[i]);
+        float own = cloth.most_thickness;
+        for (const std::uint32_t i : corners) own = std::min(own, cloth.thickness[i]);
         return std::max(part_of_thickness * (own + motion.end.thickness), least_gap);
     }
     [[nodiscard]] CornerPaths paths(const Triangle& corners) const {
@@ -112,7 +110,7 @@ void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& appr
         if (weight == 0) continue;
         yields += weight * weight * particles.positions[i].w;
         velocity += weight * xyz(particles.velocities[i]);
-        rubs += weight * (particles.factors.friction.empty() ? 1.0f : particles.factors.friction[i]);
+        rubs += weight * cloth.friction[i];
     }
     if (!(yields > 0)) return;
     const Vector3 normal = cores.in_world(approach.normal);
@@ -120,7 +118,7 @@ void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& appr
     const float taken =
         arrives > cloth.least_bounce ? (1 + restitution_of(motion, cloth)) * arrives : arrives;
     const Vector3 sliding = velocity - along * normal;
-    const float speed = sliding.norm(), limit = rubs * cloth.friction * motion.end.friction * taken;
+    const float speed = sliding.norm(), limit = rubs * motion.end.friction * taken;
     const Vector3 stopped = speed > limit ? Vector3((limit / speed) * sliding) : sliding;
     const Vector3 kick = taken * normal - stopped, way = approach.depth * normal - h * stopped;
     for (std::size_t k = 0; k < 3; ++k) {

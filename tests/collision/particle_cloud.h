@@ -1,6 +1,7 @@
 #pragma once
 // Particles that meet colliders.
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -18,11 +19,28 @@ struct Particles {
     std::vector<Vec4> positions, velocities;
 };
 
+/// Of a cloth whose particles are all alike.
+class EvenSide {
+  public:
+    EvenSide(std::size_t size, float thickness, float friction)
+        : thickness_(size), friction_(size), most_(thickness) {
+        std::ranges::fill(thickness_.span(), thickness);
+        std::ranges::fill(friction_.span(), friction);
+    }
+    operator ClothSide() const {  // NOLINT: tests give it where a ClothSide is asked for
+        return {.thickness = thickness_.span(), .friction = friction_.span(), .most_thickness = most_};
+    }
+
+  private:
+    AlignedBuffer<float> thickness_, friction_;
+    float most_;
+};
+
 inline std::uint32_t meet(Particles& particles, const std::vector<ColliderMotion>& colliders, float thickness,
                           float friction = 1, int threads = 1) {
     Parallel parallel(threads);
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(particles.positions.size())));
-    return collide(parallel, colliders, {thickness, friction}, h,
+    return collide(parallel, colliders, EvenSide(particles.positions.size(), thickness, friction), h,
                    {.positions = particles.positions, .velocities = particles.velocities}, partials);
 }
 

@@ -115,15 +115,14 @@ std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& clot
         const std::int32_t body = motions[end - 1].body;
         while (begin > 0 && motions[begin - 1].body == body) --begin;
         std::ranges::copy(std::as_const(cloth.state.velocities).span(), cloth.scratch_velocities.data());
-        const std::uint32_t met = weft::collide(worker.parallel, motions.subspan(begin, end - begin),
-                                                side_of_cloth(world, cloth, h), h,
-                                                {.positions = cloth.state.positions.span(),
-                                                 .velocities = cloth.state.velocities.span(),
-                                                 .starts = starts,
-                                                 .held = std::as_const(cloth.state.held.normals).span(),
-                                                 .factors = cloth.worn.factors(),
-                                                 .whole = cloth.whole ? &*cloth.whole : nullptr},
-                                                cloth.partial_counts.span());
+        const std::uint32_t met =
+            weft::collide(worker.parallel, motions.subspan(begin, end - begin), side_of(world, cloth, h), h,
+                          {.positions = cloth.state.positions.span(),
+                           .velocities = cloth.state.velocities.span(),
+                           .starts = starts,
+                           .held = std::as_const(cloth.state.held.normals).span(),
+                           .whole = cloth.whole ? &*cloth.whole : nullptr},
+                          cloth.partial_counts.span());
         touching += met;
         if (met == 0) continue;
         if (world.reports_contacts())

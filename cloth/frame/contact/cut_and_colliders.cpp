@@ -25,9 +25,7 @@ bool is_taken_into_colliders(Worker& worker, const FeatureContact& space, std::s
         bool any = false;
         for (std::uint32_t i = range.begin; i < range.end && !any; ++i) any = is_cut(i);
         if (!any) return 0u;
-        ClothSide side = side_of(cloth.settings);
-        const std::span<const float> factors = cloth.worn.factors().thickness;
-        if (!factors.empty()) side.factors = factors.subspan(range.begin, range.end - range.begin);
+        const ClothSide side = cloth.side().part(range.begin, range.end - range.begin);
         const auto find = [&](std::span<const Vec4> displacements, float part, NearSurfaces& near) {
             return find_near_surfaces(colliders, side, h, 0, {},
                                       starts.subspan(range.begin, range.end - range.begin), part,

@@ -96,14 +96,15 @@ void log_colliders(Simulation& world, Cloth& cloth) {
 /// Where the cloth and the trigger are when the step ends.
 void log_trigger(Simulation& world, Cloth& cloth, ColliderId id, const Collider& trigger) {
     const ColliderMotion there{.start = trigger, .end = trigger, .held = world.held_by(trigger)};
-    const ClothSide side = side_of(cloth.settings);
+    const ClothSide side = cloth.side();
     const std::span<const Vec4> positions = std::as_const(cloth.state.positions).span();
     const auto deepest_of_block = [&](const BlockRange& range) {
         DeepestInTrigger deepest;
         const std::uint32_t size = range.end - range.begin;
         const std::span<const Vec4> points = positions.subspan(range.begin, size);
         NearSurfaces near;
-        if (!find_near_surfaces({&there, 1}, side, 1, 0, {}, points, 0, points, near)) return deepest;
+        if (!find_near_surfaces({&there, 1}, side.part(range.begin, size), 1, 0, {}, points, 0, points, near))
+            return deepest;
         for (std::uint32_t k = 0; k < size; ++k)
             if (near.surfaces.w[k] < std::min(deepest.gap, 0.0f))
                 deepest = {near.surfaces.w[k], range.begin + k};

@@ -87,9 +87,9 @@ Result<std::optional<RigidMotion>> Simulation::motion_to_holds(Cloth& cloth, con
     });
     const bool is_worn = skin.known != 0 && cloth.worn.has_limits();
     if (is_worn) {
-        cloth.worn.begin(skin, 1, 1, cloth.settings.thickness);
+        cloth.worn.begin(skin, 1, 1);
         farthest = std::max(farthest, cloth.worn.lag(serial, now.positions.span()).most);
-        cloth.worn.begin(now.skin, 1, 1, cloth.settings.thickness);
+        cloth.worn.begin(now.skin, 1, 1);
     }
     if (!(farthest > near_enough)) return std::optional<RigidMotion>();
     for (std::uint32_t i = 0; is_worn && i < now.size(); ++i)
@@ -116,7 +116,7 @@ void Simulation::go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins
         now.velocities[i] = {};
     });
     if (now.skin.known != 0 && cloth.worn.has_limits()) {
-        cloth.worn.begin(now.skin, 1, 1, cloth.settings.thickness);
+        cloth.worn.begin(now.skin, 1, 1);
         cloth.worn.hold(parallel, now.positions.span(), now.velocities.span());
     }
     std::ranges::copy(std::as_const(now.positions).span(), now.previous_positions.data());

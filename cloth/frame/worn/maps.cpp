@@ -61,8 +61,24 @@ void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
     or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.stiffness, other); });
 }
 
+/// Of maps that neither masses nor springs depend on.
+AlignedBuffer<float>& Cloth::values_of(Map map) noexcept {
+    switch (map) {
+        case Map::leash:
+            return worn.leash;
+        case Map::backstop:
+            return worn.backstop;
+        case Map::backstop_radius:
+            return worn.backstop_radius;
+        case Map::friction:
+            return at_colliders.friction_map;
+        default:
+            return at_colliders.thickness_map;
+    }
+}
+
 void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
-    AlignedBuffer<float>& present = *worn.values_of(map);
+    AlignedBuffer<float>& present = values_of(map);
     std::swap(present, values);
     SkinState skin;
     std::optional<ContactBuffers> made;
@@ -85,6 +101,7 @@ void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
         });
 
     // From here on nothing can fail.
+    at_colliders.write(settings);
     if (skin.places.size() > 0) {
         state.skin.places = std::move(skin.places);
         state.skin.target_places = std::move(skin.target_places);

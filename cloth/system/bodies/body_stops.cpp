@@ -37,12 +37,12 @@ void Contacts::carry(std::span<const MovingBody> bodies, std::span<const Attachm
 
 // A particle has one row. Between a body and a collider that faces it the row is the collider's.
 void Contacts::find_squeezed(const StepEquation& equation, std::span<const Vec4> velocities,
-                             const BlockRange& range, const ClothSide& side, NearSurfaces& near,
+                             const BlockRange& range, NearSurfaces& near,
                              std::span<std::int32_t> pressed) const {
     if (firm_ == 0 || firm_ == colliders_.size()) return;
     const std::uint32_t size = range.end - range.begin;
     const auto find = [&](std::span<const ColliderMotion> colliders, NearSurfaces& found) {
-        return find_near_surfaces(colliders, side, equation.h, reach,
+        return find_near_surfaces(colliders, side_.part(range.begin, size), equation.h, reach,
                                   equation.positions.subspan(range.begin, size),
                                   equation.base_positions.subspan(range.begin, size), equation.gamma,
                                   velocities.subspan(range.begin, size), found);
@@ -75,12 +75,10 @@ void Contacts::find_stops(const StepEquation& equation, std::span<const Vec4> ve
         bool any = false;
         for (std::uint32_t k = 0; k < size && !any; ++k) any = does_not_give_way(begin + k);
         if (!any) continue;
-        ClothSide side = side_of(equation.settings);
-        if (own_ != nullptr)
-            side.factors = own_->thickness_factors({begin, begin + size, begin / block_size});
         NearSurfaces near;
         std::array<std::int32_t, block_size> bodies;
-        if (!find_near_surfaces(giving_way, side, equation.h, 0, equation.positions.subspan(begin, size),
+        if (!find_near_surfaces(giving_way, side_.part(begin, size), equation.h, 0,
+                                equation.positions.subspan(begin, size),
                                 equation.base_positions.subspan(begin, size), equation.gamma,
                                 velocities.subspan(begin, size), near, std::span(bodies).first(size)))
             continue;

@@ -45,7 +45,7 @@ struct LyingCloth {
     StepEquation equation() {
         StepEquation result = equation_of(cloth, h);
         result.contacts = &contacts;
-        contacts.begin(motions, held);
+        contacts.begin(motions, cloth.side(), held);
         return result;
     }
     [[nodiscard]] std::uint32_t touching() const {
@@ -310,7 +310,7 @@ class OneParticle {
         : cloth_(cook(sheet(2, 2)).value(), {}), contacts_(4), held_(4), motions_{{collider, collider}} {
         for (Vec4& x : cloth_.state.positions.span()) x.y = 50;  // the others are far from all
         set_xyz(cloth_.state.positions[0], position);
-        contacts_.begin(motions_, held_);
+        contacts_.begin(motions_, cloth_.side(), held_);
     }
     /// Whether another linearisation, about this velocity, finds it in contact.
     bool touches_at(const Vector3& velocity) {

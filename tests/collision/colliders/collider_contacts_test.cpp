@@ -320,8 +320,8 @@ TEST(Colliders, OfSeveralTheNearestSurfaceIsFoundWhateverTheirOrder) {
     for (int order = 0; order < 6; ++order) {
         std::ranges::rotate(all, all.begin() + 1);
         NearSurfaces near;
-        ASSERT_TRUE(find_near_surfaces(all, {thickness, 0.5f}, h, reach, {}, particles.positions, gamma,
-                                       particles.velocities, near));
+        ASSERT_TRUE(find_near_surfaces(all, EvenSide(block_size, thickness, 0.5f), h, reach, {},
+                                       particles.positions, gamma, particles.velocities, near));
         for (std::size_t i = 0; i < block_size; ++i) {
             const Vector3 p = xyz(particles.positions[i]) + gamma * xyz(particles.velocities[i]);
             ReferenceSurface nearest{reach + thickness, Vector3::Zero(), Vector3::Zero()};

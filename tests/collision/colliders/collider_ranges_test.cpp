@@ -117,8 +117,8 @@ TEST(Colliders, NothingThatIsTakenMakesWhatIsNotFinite) {
                 ASSERT_LT(xyz(particles.velocities[i]).norm(), 4 * fastest);
             }
             NearSurfaces near;
-            if (!find_near_surfaces(motions, {0.005f, 1}, h, 0.004f, {}, start.positions, h, start.velocities,
-                                    near))
+            if (!find_near_surfaces(motions, EvenSide(start.positions.size(), 0.005f, 1), h, 0.004f, {},
+                                    start.positions, h, start.velocities, near))
                 continue;
             for (std::size_t i = 0; i < start.positions.size(); ++i) {
                 const Vector3 normal(near.surfaces.x[i], near.surfaces.y[i], near.surfaces.z[i]),

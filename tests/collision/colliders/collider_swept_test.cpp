@@ -189,7 +189,7 @@ TEST(SweptContacts, AheadOfTheSolverThePassedSurfaceIsOneThatHoldsTheParticle) {
     const float gamma = 0.01f;
     const float reach = 0.004f;
     NearSurfaces near;
-    ASSERT_TRUE(find_near_surfaces(motions, {thickness, 1}, h, reach, particles.positions,
+    ASSERT_TRUE(find_near_surfaces(motions, EvenSide(block_size, thickness, 1), h, reach, particles.positions,
                                    particles.positions, gamma, particles.velocities, near));
     for (std::size_t i = 0; i < block_size; ++i) {
         const Vector3 p(near.points.x[i], near.points.y[i], near.points.z[i]);
@@ -208,7 +208,8 @@ TEST(SweptContacts, ASubstepIsCutInPartsByHowFarWhatIsNearGoesAgainstAThinBar) {
         const std::vector<Vec4> positions(16, particle), velocities(16, Vec4{0, 0, speed, 0});
         Parallel parallel(1);
         std::vector<std::uint32_t> partials(1);
-        return parts_to_meet(parallel, motions, {thickness}, h, 8, positions, velocities, partials);
+        return parts_to_meet(parallel, motions, EvenSide(16, thickness, 1), h, 8, positions, velocities,
+                             partials);
     };
     const Vec4 before{0, 0, 0.02f, 1};
     EXPECT_EQ(parts(0.007f, {0, 0, 0.005f, 1}, 0), 1u);  // slow

@@ -27,7 +27,7 @@ inline std::uint32_t meet_on_the_way(Particles& particles, const std::vector<Vec
                                      const ColliderMotion& motion, int threads = 1) {
     Parallel parallel(threads);
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(starts.size())));
-    return collide(parallel, {&motion, 1}, {thickness, 0}, h,
+    return collide(parallel, {&motion, 1}, EvenSide(starts.size(), thickness, 0), h,
                    {.positions = particles.positions, .velocities = particles.velocities, .starts = starts},
                    partials);
 }

@@ -58,7 +58,7 @@ struct Crash {
         Parallel parallel(threads);
         WholeTriangles whole(triangles, side * side, 0.03f);
         std::vector<std::uint32_t> partials(1);
-        return collide(parallel, std::span(&motion, 1), {.thickness = 0.005f}, part,
+        return collide(parallel, std::span(&motion, 1), EvenSide(positions.size(), 0.005f, 1), part,
                        {.positions = positions,
                         .velocities = velocities,
                         .starts = starts,
