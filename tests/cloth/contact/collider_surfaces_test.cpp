@@ -256,6 +256,20 @@ TEST(ColliderSurfaces, TriggerTellsOfTheDeepestParticle) {
     EXPECT_TRUE(was_in);
 }
 
+// 3 mm over a trigger: in it by the cloth's thickness, 5 mm, and not by a fifth of that.
+TEST(ColliderSurfaces, TriggerGoesByTheMapOfThickness) {
+    for (const bool is_thin : {false, true}) {
+        WorldSettings of_world = vacuum();
+        of_world.contact_reports = 16;
+        World world = World::create(of_world).value();
+        const ClothId id = world.add_cloth(level_sheet(0.203f, 5)).value();
+        ASSERT_TRUE(world.set_map(id, Map::thickness, std::vector<float>(25, is_thin ? 0.2f : 1.0f)));
+        ASSERT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, 0.2f}, .is_trigger = true}));
+        world.step(h);
+        EXPECT_EQ(world.contacts().size(), is_thin ? 0u : 1u);
+    }
+}
+
 TEST(ColliderSurfaces, ATriggerThatIsSwitchedHoldsCloth) {
     World world = World::create(vacuum(pull)).value();
     const ClothId id = world.add_cloth(level_sheet(0.3f)).value();
