@@ -84,10 +84,6 @@ class HungGarment final : public Scene {
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;
-        // The triangles of a garment are uneven: layers slip through the larger ones unless particles keep
-        // further apart.
-        settings.self_collision.distance = world.cloth_info(cloth_)->mean_edge;
-        if (auto set = world.set_cloth_settings(cloth_, settings); !set) return set.error();
         pins_ = held_vertices(mesh_, options.hold);
         for (const std::uint32_t vertex : pins_) {
             if (auto pinned = world.pin(cloth_, vertex); !pinned) return pinned.error();

@@ -32,7 +32,7 @@ class Sheet final : public Scene {
         mesh_ = std::move(*mesh);
 
         ClothSettings settings;
-        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        settings.self_collision = {.enabled = true};
         settings.thickness = thickness;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

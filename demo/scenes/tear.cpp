@@ -42,7 +42,7 @@ class Tear final : public Scene {
         make_irregular(*mesh);
 
         ClothSettings settings;
-        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        settings.self_collision = {.enabled = true};
         const auto cloth = world.add_cloth(*mesh, settings);
         if (!cloth) return cloth.error();
         for (std::uint32_t row = 0; row < grid.rows; ++row) {

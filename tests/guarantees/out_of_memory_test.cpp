@@ -301,7 +301,7 @@ std::vector<Call> other_calls() {
         };
     };
     ClothSettings contact;
-    contact.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    contact.self_collision = {.enabled = true};
     const MeshCut cut = [&] {
         std::vector<MeshEdge> across;
         for (std::uint32_t k = 0; k + 1 < side; ++k) across.push_back({2 * side + k, 2 * side + k + 1});

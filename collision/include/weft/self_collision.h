@@ -57,9 +57,9 @@ enum class SelfCollisionMethod : std::uint8_t {
 struct SelfCollision {
     /// Off costs nothing. Switching it on, or changing the distance, takes a search from each particle once.
     bool enabled = false;
-    SelfCollisionMethod method = SelfCollisionMethod::avoidance;
-    /// How far apart cloth is kept [m], 1e-6 to 10: particles, by avoidance; triangles, by contact, of two
-    /// cloths the mean of theirs. 0: 0.75 of the mean rest edge by avoidance, else 0.3 of it. At most
+    SelfCollisionMethod method = SelfCollisionMethod::contact;
+    /// How far apart cloth is kept [m], 1e-6 to 10: triangles, of two cloths the mean of theirs;
+    /// by avoidance, particles. 0: 0.3 of the mean rest edge, by avoidance 0.75 of it. At most
     /// 256 particles, on average, may be within it along the cloth: some seven edges.
     float distance = 0;
     /// Coulomb coefficient between layers, 0 to 1000; of two cloths the geometric mean of theirs.

@@ -61,7 +61,6 @@ class ContactStage final : public Scene {
         SceneContent content;
         for (PlacedCloth& cloth : scene_.cloths) {
             cloth.settings.self_collision.enabled = true;
-            cloth.settings.self_collision.method = SelfCollisionMethod::contact;
             const auto id = world.add_cloth(cloth.mesh, cloth.settings);
             if (!id) return id.error();
             if (auto pinned = world.pin(*id, cloth.pins); !pinned) return pinned.error();

@@ -230,8 +230,7 @@ TEST(Bodies, WhatIsAttachedAtItsCentreTurnsNoBody) {
     for (const bool onto_cloth : {false, true})
         for (const float ratio : {0.01f, 1.0f, 100.0f}) {
             World world = World::create({.threads = 1}).value();
-            const ClothSettings settings{
-                .self_collision = {.enabled = onto_cloth, .method = SelfCollisionMethod::contact}};
+            const ClothSettings settings{.self_collision = {.enabled = onto_cloth}};
             const ClothId cloth = world
                                       .add_cloth(*make_sheet({.rows = side,
                                                               .columns = side,

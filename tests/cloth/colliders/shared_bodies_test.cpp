@@ -76,7 +76,7 @@ struct Chain {
 
 ClothSettings with_contact() {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     return settings;
 }
 

@@ -24,7 +24,7 @@ WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
 
 ClothSettings with_contact() {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     return settings;
 }
 

@@ -20,7 +20,7 @@ constexpr std::array methods{Method(Multilevel{}),        Method(Jacobi{}), Meth
 
 constexpr std::array<SelfCollision, 4> self_collisions{
     SelfCollision{}, SelfCollision{.enabled = true, .method = SelfCollisionMethod::avoidance},
-    SelfCollision{.enabled = true, .method = SelfCollisionMethod::contact},
+    SelfCollision{.enabled = true},
     SelfCollision{.enabled = true, .method = SelfCollisionMethod::impact_zones}};
 
 constexpr std::uint32_t sheet_side = 9;
@@ -124,7 +124,7 @@ TEST(MaxSpeed, HoldsForVerticesThatGoWithALightBody) {
 TEST(CutMotion, TakesNothingIntoTheGround) {
     ClothSettings settings;
     settings.fabric = Fabric::named("denim").value();
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     for (const std::uint32_t rows : {12u, 16u})
         for (const float step : {1.0f / 60, 1.0f / 90}) {
             World world = World::create({.threads = 1}).value();

@@ -31,7 +31,10 @@ Mesh two_layers(float gap) {
 ClothSettings with_distance(float distance, float friction = 0.3f) {
     ClothSettings settings;
     settings.air_damping = 0;
-    settings.self_collision = {.enabled = true, .distance = distance, .friction = friction};
+    settings.self_collision = {.enabled = true,
+                               .method = SelfCollisionMethod::avoidance,
+                               .distance = distance,
+                               .friction = friction};
     return settings;
 }
 

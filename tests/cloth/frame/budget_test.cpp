@@ -316,7 +316,7 @@ TEST(Budget, LongStepsAreEvenAndSpread) {
 
 TEST(Budget, WhatMovesOrHasContactTakesNoLongSteps) {
     ClothSettings meets;
-    meets.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    meets.self_collision = {.enabled = true};
     Hall contact(0.001f, 3, meets);
     contact.run(30);
     for (const Cloth* cloth : contact.cloths) {

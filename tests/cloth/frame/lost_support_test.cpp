@@ -27,7 +27,7 @@ ClothSettings that_sleeps(bool contact = false) {
     ClothSettings settings;
     settings.air_damping = 4;
     settings.sleep_speed = 0.01f;
-    if (contact) settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    if (contact) settings.self_collision = {.enabled = true};
     return settings;
 }
 

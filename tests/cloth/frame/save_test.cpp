@@ -25,7 +25,7 @@ ClothSettings of_method(const Method& method) {
 
 ClothSettings with_contact() {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     settings.tethers.enabled = true;
     return settings;
 }
@@ -331,9 +331,7 @@ TEST(SaveRefuses, SettingsByWhichAClothHasAnotherState) {
     };
     with([](ClothSettings& s) { s.time_scheme = TimeScheme::backward_euler; });
     expect_refused(world, good, "BDF2");
-    with([](ClothSettings& s) {
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-    });
+    with([](ClothSettings& s) { s.self_collision = {.enabled = true}; });
     expect_refused(world, good, "contact");
     with([](ClothSettings& s) {
         s.method = ConjugateGradient{};

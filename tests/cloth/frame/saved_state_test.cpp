@@ -43,9 +43,8 @@ std::vector<SavedCase> saved_cases() {
     add("MultilevelMesh", Multilevel{}, mesh);
     add("MultilevelAll", Multilevel{}, all);
     add("MultilevelElements", Multilevel{}, elements);
-    add("MultilevelContact", Multilevel{}, [](SavedCase& c) {
-        c.settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-    });
+    add("MultilevelContact", Multilevel{},
+        [](SavedCase& c) { c.settings.self_collision = {.enabled = true}; });
     add("Jacobi", Jacobi{}, plain);
     add("Chebyshev", Chebyshev{}, bdf2);
     add("ConjugateGradient", ConjugateGradient{}, bdf2);

@@ -25,7 +25,7 @@ ClothSettings that_sleeps() {
 }
 ClothSettings that_meets() {
     ClothSettings settings = that_sleeps();
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     return settings;
 }
 

@@ -157,7 +157,7 @@ TEST(StepLengths, ClothThatIsAddedBesideAnotherFallsByOneStep) {
     World world = World::create(Swing::still_air()).value();
     ClothSettings meets;
     meets.air_damping = 0;
-    meets.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    meets.self_collision = {.enabled = true};
     const auto add = [&](float height) {
         return world
             .add_cloth(

@@ -60,13 +60,13 @@ std::vector<CookedKind> cooked_kinds() {
     };
     add("Plain", [](ClothSettings&) {});
     add("Tethers", [](ClothSettings& s) { s.tethers.enabled = true; });
-    add("Contact", [](ClothSettings& s) {
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-    });
+    add("Contact", [](ClothSettings& s) { s.self_collision = {.enabled = true}; });
     add("Zones", [](ClothSettings& s) {
         s.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
     });
-    add("Avoidance", [](ClothSettings& s) { s.self_collision.enabled = true; });
+    add("Avoidance", [](ClothSettings& s) {
+        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    });
     add("Sleep", [](ClothSettings& s) { s.sleep_speed = 1e-3f; });
     add("Stiffening", [](ClothSettings& s) { s.fabric.stiffening = 100; });
     add("Elements", [](ClothSettings& s) { s.finite_elements.enabled = true; });

@@ -314,7 +314,7 @@ TEST(Sliver, FallsInContactWithoutBeingDrawnOut) {
             }
         }
         ClothSettings settings;
-        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        settings.self_collision = {.enabled = true};
         World world = World::create({.threads = 1}).value();
         (void)test::must(world.add_cloth(mesh, settings));
         float beyond = 0;

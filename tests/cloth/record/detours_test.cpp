@@ -34,7 +34,7 @@ struct Scene {
     }
     void build() {
         ClothSettings meets;
-        meets.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        meets.self_collision = {.enabled = true};
         ClothSettings worn;
         worn.frame_inertia = {.linear = 0.4f, .angular = 0.7f};
         ClothSettings calm;

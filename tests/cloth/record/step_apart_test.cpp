@@ -25,7 +25,7 @@ World make_world(int threads) {
 struct Game {
     explicit Game(int threads) : world(make_world(threads)) {
         ClothSettings meets;
-        meets.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+        meets.self_collision = {.enabled = true};
         meets.substeps = 2;
         ClothSettings carried;
         carried.frame_inertia = {.linear = 0.5f, .angular = 0.5f};

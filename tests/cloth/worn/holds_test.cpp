@@ -183,7 +183,7 @@ TEST(Holds, ClothThatCannotGetThereStaysOff) {
 TEST(Holds, PinsFasterThanAllowedAreTold) {
     for (const bool contact : {false, true}) {
         ClothSettings settings;
-        settings.self_collision = {.enabled = contact, .method = SelfCollisionMethod::contact};
+        settings.self_collision = {.enabled = contact};
         Hung hung(settings);
         WorldSettings slow = hung.world.settings();
         slow.max_speed = 5;

@@ -59,9 +59,7 @@ std::vector<MapCase> map_cases() {
         solved(s);
         s.finite_elements.enabled = true;
     });
-    add("Contact", true, [](ClothSettings& s) {
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
-    });
+    add("Contact", true, [](ClothSettings& s) { s.self_collision = {.enabled = true}; });
     return result;
 }
 class MapOf : public testing::TestWithParam<MapCase> {};

@@ -219,7 +219,7 @@ TEST(WornLimits, LeaveNoVelocityOutOfThem) {
 TEST(WornLimits, YieldToClothAndSaySo) {
     World world = World::create(vacuum()).value();
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::contact};
+    settings.self_collision = {.enabled = true};
     const ClothId below = world.add_cloth(sheet(12, 12), settings).value();
     std::vector<std::uint32_t> all(144);
     for (std::uint32_t v = 0; v < 144; ++v) all[v] = v;
