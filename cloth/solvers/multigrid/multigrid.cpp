@@ -302,7 +302,6 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
     coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
-    if (has_pairs_ && coarse_.front().pairs().has_outer()) hold_other_bodies();
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
     for (CoarseLevel& level : coarse_) {
@@ -319,27 +318,20 @@ void Multigrid::gather_pairs(Parallel& parallel) {
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
 
-// What is between this cloth and others holds it where it is.
+// What is between this cloth and others holds it where it is. Added to the particles' rows of ground.
 void Multigrid::hold_other_bodies() {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
-    const Interpolation& p = coarse_.front().interpolation();
-    SymmetricRows& ground = coarse_.front().matrix().ground_rows;
     for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
-        const auto& corners = active.pair.corners;
-        const bool is_within =
-            std::ranges::all_of(corners, [&](std::uint32_t i) { return i - first_ < particles; });
-        if (is_within) continue;
+        const auto is_own = [&](std::uint32_t i) { return i - first_ < particles; };
+        if (std::ranges::all_of(active.pair.corners, is_own)) continue;
         const Symmetric3 stiffness = active.stiffness();
         for (std::uint32_t c = 0; c < 4; ++c) {
-            if (corners[c] - first_ >= particles) continue;
+            const std::uint32_t i = active.pair.corners[c] - first_;
+            if (i >= particles || pinned_[i] != 0) continue;
             const float bound = 2 * std::abs(active.shape.weight(c));
-            const std::uint32_t row = Interpolation::width * (corners[c] - first_);
-            for (std::uint32_t e = row; e < row + Interpolation::width; ++e) {
-                if (weights_[e] == 0) continue;
-                Symmetric3 sum = ground[p.nodes[e]];
-                sum.add(weights_[e] * bound * stiffness);
-                ground.set(p.nodes[e], sum);
-            }
+            set_xyz(smooth_[i], xyz(smooth_[i]) + bound * Vector3(stiffness.xx, stiffness.yy, stiffness.zz));
+            set_xyz(remainder_[i],
+                    xyz(remainder_[i]) + bound * Vector3(stiffness.xy, stiffness.xz, stiffness.yz));
         }
     }
 }
@@ -351,6 +343,7 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
                           remainder_.data());
     });
     CoarseLevel& first = coarse_.front();
+    if (has_pairs_ && first.pairs().has_outer()) hold_other_bodies();
     first.sum_ground(parallel, smooth_.span(),
                      system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
     // What holds a free particle holds the coarse nodes that it interpolates from.

@@ -390,11 +390,12 @@ bool Passes::touches_what_is_held() const {
 void Passes::keep_momentum() {
     const Vector3 origin = xyz(first_.equation.base_positions[0]);
     PieceSums touching;
-    bool is_held = pairs_ != nullptr && touches_what_is_held();
+    bool is_held = false;
     for (const PassMember& member : members_) {
         member.pieces.weigh(member.step.equation, member.step.velocities, origin);
         is_held |= member.pieces.add_touching(touching);
     }
+    is_held = is_held || (pairs_ != nullptr && touches_what_is_held());
     const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching);
     for (const PassMember& member : members_)
         member.pieces.move(member.step.equation, of_touching, origin, member.step.velocities);
