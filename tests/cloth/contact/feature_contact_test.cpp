@@ -334,16 +334,23 @@ TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
     }
 }
 
+// How far one sheet gets, any rounding changes by some 4 %, as it catches on what is uneven: hence the mean
+// of many slopes that differ by next to nothing. A friction of 0.31 changes it by a tenth.
 TEST(ClothOnCloth, RubsByTheGeometricMeanOfBothFrictions) {
-    const auto way = [](float below, float above) {
-        Slope slope(0.611f, below, above);
-        const float before = slope.mean(slope.down);
-        for (int k = 0; k < 20; ++k) slope.world.step(h);
-        return slope.mean(slope.down) - before;
+    const auto mean_way = [](float below, float above) {
+        constexpr int slopes = 16;
+        float sum = 0;
+        for (int k = 0; k < slopes; ++k) {
+            Slope slope(0.611f + 1e-5f * static_cast<float>(k), below, above);
+            const float before = slope.mean(slope.down);
+            for (int step = 0; step < 20; ++step) slope.world.step(h);
+            sum += slope.mean(slope.down) - before;
+        }
+        return sum / slopes;
     };
-    const float expected = way(0.3f, 0.3f);
-    EXPECT_NEAR(way(0.1f, 0.9f), expected, 0.01f * expected);
-    EXPECT_NEAR(way(0.9f, 0.1f), expected, 0.01f * expected);
+    const float expected = mean_way(0.3f, 0.3f);
+    EXPECT_NEAR(mean_way(0.1f, 0.9f), expected, 0.03f * expected);
+    EXPECT_NEAR(mean_way(0.9f, 0.1f), expected, 0.03f * expected);
 }
 
 // Particles within the distance along the cloth are no layers.
