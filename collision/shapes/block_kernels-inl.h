@@ -119,10 +119,12 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     if constexpr (Shape::is_swept)
         if (starts.swept) surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
     const Lanes missing = missing_thickness(block.cloth, own.thickness);
+    const Lanes found = starts.rows != nullptr
+                            ? found_depth(shape, is_free, surface, missing, settings.found, starts.rows)
+                            : zero;
     surface.penetration = hn::Sub(surface.penetration, missing);
     surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
     if (starts.rows != nullptr) {
-        const Lanes found = found_depth(shape, is_free, surface, missing, settings.found, starts.rows);
         const auto is_found = hn::Gt(found, zero);
         if (!hn::AllFalse(d, is_found)) {
             mark(is_found, &block.met[i]);

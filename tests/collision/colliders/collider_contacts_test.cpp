@@ -350,5 +350,25 @@ TEST(Colliders, OfSeveralTheNearestSurfaceIsFoundWhateverTheirOrder) {
     EXPECT_GT(contested, 100u);
 }
 
+// Found 2 mm below the ground, 4.5 mm under a ceiling: that is nearer than the cloth's thickness, and farther
+// than the particle's own.
+TEST(ColliderContacts, WhatComesOutOfOneKeepsItsOwnThicknessToAnother) {
+    const std::vector<ColliderMotion> motions{at_rest({Plane{{0, 1, 0}, 0}}),
+                                              at_rest({Plane{{0, -1, 0}, -0.0025f}})};
+    const EvenSide thin(1, 0.001f, 1);
+    for (const float most : {0.001f, 0.005f}) {
+        ClothSide side = thin;
+        side.most_thickness = most;
+        Particles particles{{{0, -0.002f, 0, 1}}, {{}}};
+        const std::vector<Vec4> starts = particles.positions;
+        Parallel serial(1);
+        std::vector<std::uint32_t> partials(1);
+        collide(serial, motions, side, h,
+                {.positions = particles.positions, .velocities = particles.velocities, .starts = starts},
+                partials);
+        EXPECT_NEAR(particles.positions[0].y, -0.002f + 0.1f * h, 1e-6f) << most;
+    }
+}
+
 }  // namespace
 }  // namespace weft::test
