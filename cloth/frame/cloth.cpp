@@ -98,7 +98,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& pr
       settings(initial),
       state(model.particle_count),
       scratch_velocities(model.particle_count),
-      at_colliders(model.particle_count),
+      side_buffers(model.particle_count),
       surface(model),
       partial_counts(block_count(model.particle_count)),
       partial_sums(block_count(model.particle_count)),
@@ -116,7 +116,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
       settings(initial),
       state(model.particle_count, unmade),
       scratch_velocities(model.particle_count, unmade),
-      at_colliders(model.particle_count),
+      side_buffers(model.particle_count),
       surface(std::move(saved.surface)),
       partial_counts(block_count(model.particle_count), unmade),
       partial_sums(block_count(model.particle_count), unmade),
@@ -190,7 +190,7 @@ void Cloth::apply(const ClothSettings& changed) {
     const bool was_enabled = settings.enabled;
     settings = changed;
     settings.enabled = was_enabled;
-    at_colliders.write(settings);
+    side_buffers.write(settings);
     set_enabled(changed.enabled);
     if (changed.sleep_speed > 0)
         state.rest.emplace();

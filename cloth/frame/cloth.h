@@ -12,7 +12,7 @@
 #include "cloth/frame/advance/history.h"
 #include "cloth/frame/advance/survey.h"
 #include "cloth/frame/budget/budgeted.h"
-#include "cloth/frame/collider_side.h"
+#include "cloth/frame/cloth_side_buffers.h"
 #include "cloth/frame/contact/feature_contact.h"
 #include "cloth/frame/state.h"
 #include "cloth/frame/worn/moving_frame.h"
@@ -194,10 +194,10 @@ struct Cloth {
     void fall_asleep() noexcept;
     /// Without velocities, and drawn where it is.
     void stand_still() noexcept;
-    /// As colliders meet it. least_bounce: see ClothSide.
+    /// Colliders meet the cloth so. The buffers that this points to are written when settings or maps change.
     [[nodiscard]] ClothSide side(float least_bounce = 0) const noexcept {
-        return {.thickness = at_colliders.thickness.span(),
-                .friction = at_colliders.friction.span(),
+        return {.thickness = side_buffers.thickness.span(),
+                .friction = side_buffers.friction.span(),
                 .most_thickness = settings.thickness,
                 .restitution = settings.restitution,
                 .mask = settings.collider_mask,
@@ -235,7 +235,7 @@ struct Cloth {
     AlignedBuffer<Vec4> scratch_velocities;
     std::optional<History> history;  ///< only with BDF2
     WornLimits worn;                 ///< leashes and backstops
-    ColliderSide at_colliders;
+    ClothSideBuffers side_buffers;
     float bending_per_area = 0;                     ///< see find_bending_per_area() [1/m^4]
     AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
     Limits limits;                                  ///< attached to the present pins

@@ -142,7 +142,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
         Cloth& cloth = *group.cloths[m];
         StepEquation& equation = *std::construct_at(
             &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
-        begin_contacts(world, worker, cloth, part);
+        begin_contacts(worker, cloth, side_of(world, cloth, part.h), part);
         if (cloth.has_features() && can_join(cloth)) {
             const auto body =
                 static_cast<std::size_t>(std::ranges::find(featured, &cloth) - featured.begin());

@@ -28,7 +28,7 @@ struct LimitLag {
 /// The limits of one cloth.
 class WornLimits final : public OwnSurfaces {
   public:
-    // Of each particle [m]; empty: the map is not set.
+    // Values of the maps, one a particle [m]; an empty buffer: the map is not set.
     AlignedBuffer<float> leash, backstop, backstop_radius;
 
     [[nodiscard]] bool has_limits() const noexcept { return leash.size() > 0 || backstop.size() > 0; }

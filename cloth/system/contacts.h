@@ -80,7 +80,7 @@ struct BodyBuffers {
     std::vector<BodyPush> pushes;  ///< as last linearised, ascending, those attached last
 };
 
-/// What a cloth has of its own beside colliders: limits of its particles.
+/// Limits of a cloth's particles, which hold these as colliders do.
 class OwnSurfaces {
   public:
     virtual ~OwnSurfaces() = default;

@@ -40,7 +40,7 @@ struct ColliderMotion {
 
 /// What a cloth brings to its contacts with colliders. How the two go together, collider.h says.
 struct ClothSide {
-    /// Of each particle that is met: the distance that it keeps [m], and its friction.
+    /// Each particle keeps such a distance [m], and has such a friction.
     std::span<const float> thickness, friction;
     float most_thickness = 0;  ///< no particle's is more [m]
     float restitution = 0;
@@ -57,7 +57,7 @@ struct ClothSide {
     }
 };
 
-/// Of cloth and collider together; of the thickness the most.
+/// The distance at which the collider can first touch a particle of the cloth [m].
 inline float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
     return cloth.most_thickness + motion.end.thickness;
 }

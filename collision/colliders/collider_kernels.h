@@ -68,7 +68,7 @@ void collide(const MovingHeld& held, const ContactSettings& settings, CollidingB
 [[nodiscard]] BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
                                std::span<const Vec4> velocities, BlockLanes& points);
 
-/// What w of a surface's motion says.
+/// Which property of cloth and collider together a search writes to w of a surface's motion.
 enum class Told : std::uint8_t { friction, restitution };
 
 /// Of a block of `size` particles with these starts, if they are swept.

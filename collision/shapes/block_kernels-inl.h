@@ -51,7 +51,7 @@ struct OwnValues {
     const float *thickness, *friction;
 };
 
-/// What these particles keep less than the most of the cloth [m].
+/// Shapes are made with the greatest thickness of the cloth: by so much these particles have less [m].
 HWY_INLINE Lanes missing_thickness(const ClothSide& cloth, const float* thickness) {
     return hn::Sub(set(cloth.most_thickness), load_lanes(thickness));
 }
@@ -124,14 +124,12 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
                             : zero;
     surface.penetration = hn::Sub(surface.penetration, missing);
     surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
-    if (starts.rows != nullptr) {
-        const auto is_found = hn::Gt(found, zero);
-        if (!hn::AllFalse(d, is_found)) {
-            mark(is_found, &block.met[i]);
-            keep_left(hn::Min(found, surface.penetration), surface, i, block);
-            surface.penetration = hn::Sub(surface.penetration, found);
-            surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
-        }
+    const auto is_found = hn::Gt(found, zero);
+    if (!hn::AllFalse(d, is_found)) {
+        mark(is_found, &block.met[i]);
+        keep_left(hn::Min(found, surface.penetration), surface, i, block);
+        surface.penetration = hn::Sub(surface.penetration, found);
+        surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
     }
     if (hn::AllFalse(d, surface.is_near)) return;
     const Lanes friction = hn::Mul(load_lanes(own.friction), set(settings.friction));

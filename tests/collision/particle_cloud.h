@@ -19,7 +19,7 @@ struct Particles {
     std::vector<Vec4> positions, velocities;
 };
 
-/// Of a cloth whose particles are all alike.
+/// The side of a cloth whose particles are all alike.
 class EvenSide {
   public:
     EvenSide(std::size_t size, float thickness, float friction)

@@ -24,7 +24,7 @@ Cloth::Cloth(const Cloth& cooked)
       state(cooked.state),
       solver(cooked.solver->clone(model)),
       scratch_velocities(model.particle_count),
-      at_colliders(cooked.model.particle_count),
+      side_buffers(cooked.model.particle_count),
       bending_per_area(cooked.bending_per_area),
       self_contacts(cooked.self_contacts),
       rest_neighbours(cooked.rest_neighbours),
@@ -34,7 +34,7 @@ Cloth::Cloth(const Cloth& cooked)
       partial_counts(block_count(model.particle_count)),
       partial_sums(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
-    at_colliders.write(settings);
+    side_buffers.write(settings);
     if (!solver) solver = make_solver(model, settings, state.positions.span());
     if (cooked.history) history.emplace(model.particle_count);
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
@@ -66,7 +66,7 @@ std::size_t Cloth::zone_bytes() const noexcept {
 }
 
 std::size_t Cloth::own_bytes() const {
-    std::size_t of_limits = worn.bytes() + at_colliders.bytes() + areas_without_map.bytes();
+    std::size_t of_limits = worn.bytes() + side_buffers.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + scratch_velocities.bytes() +
            (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +

@@ -66,8 +66,8 @@ void Cloth::take_maps(const Cloth& before, Sources sources) {
         {Map::leash, &before.worn.leash},
         {Map::backstop, &before.worn.backstop},
         {Map::backstop_radius, &before.worn.backstop_radius},
-        {Map::friction, &before.at_colliders.friction_map},
-        {Map::thickness, &before.at_colliders.thickness_map}};
+        {Map::friction, &before.side_buffers.friction_map},
+        {Map::thickness, &before.side_buffers.thickness_map}};
     for (const auto& [map, values] : maps)
         if (values->size() > 0) set_worn_map(map, gathered(values->span(), sources));
 }

@@ -61,7 +61,7 @@ void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
     or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.stiffness, other); });
 }
 
-/// Of maps that neither masses nor springs depend on.
+/// The values of a map that changes neither masses nor springs.
 AlignedBuffer<float>& Cloth::values_of(Map map) noexcept {
     switch (map) {
         case Map::leash:
@@ -71,9 +71,9 @@ AlignedBuffer<float>& Cloth::values_of(Map map) noexcept {
         case Map::backstop_radius:
             return worn.backstop_radius;
         case Map::friction:
-            return at_colliders.friction_map;
+            return side_buffers.friction_map;
         default:
-            return at_colliders.thickness_map;
+            return side_buffers.thickness_map;
     }
 }
 
@@ -101,7 +101,7 @@ void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
         });
 
     // From here on nothing can fail.
-    at_colliders.write(settings);
+    side_buffers.write(settings);
     if (skin.places.size() > 0) {
         state.skin.places = std::move(skin.places);
         state.skin.target_places = std::move(skin.target_places);

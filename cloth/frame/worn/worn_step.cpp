@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cloth/frame/bodies/step_bodies.h"
-#include "cloth/frame/solve.h"
 #include "cloth/frame/worn/worn_step.h"
 #include "cloth/mesh/coordinates.h"
 
@@ -120,12 +119,12 @@ void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* con
     if (with_bodies) add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
 }
 
-void begin_contacts(const Simulation& world, const Worker& worker, Cloth& cloth, const Substep& part) {
+void begin_contacts(const Worker& worker, Cloth& cloth, const ClothSide& side, const Substep& part) {
     const bool has_own = cloth.worn.has_limits();
     if (has_own) cloth.worn.begin(cloth.state.skin, part.end(), part.h * static_cast<float>(part.count));
     if (!cloth.contacts) return;
-    cloth.contacts->begin(colliders_in_equation(worker, cloth), side_of(world, cloth, part.h),
-                          cloth.state.held, has_own ? &cloth.worn : nullptr);
+    cloth.contacts->begin(colliders_in_equation(worker, cloth), side, cloth.state.held,
+                          has_own ? &cloth.worn : nullptr);
 }
 
 void hold_worn(Simulation& world, Worker& worker, Cloth& cloth) {

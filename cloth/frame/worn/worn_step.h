@@ -24,7 +24,7 @@ void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* con
                                              : std::span<const ColliderMotion>();
 }
 /// Begins the cloth's contacts in an equation, if it has any.
-void begin_contacts(const Simulation& world, const Worker& worker, Cloth& cloth, const Substep& part);
+void begin_contacts(const Worker& worker, Cloth& cloth, const ClothSide& side, const Substep& part);
 
 /// Puts the cloth back within its leashes and backstops.
 void hold_worn(Simulation& world, Worker& worker, Cloth& cloth);

@@ -52,6 +52,12 @@ class CoarsePairs {
     /// Of the rows of a finer coarse level.
     void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
 
+    /// Whether all corners of a pair are particles of the cloth, which has so many from `first` on.
+    [[nodiscard]] static bool is_inner(const PairRows::ActivePair& active, std::uint32_t first,
+                                       std::size_t particles) {
+        return std::ranges::all_of(active.pair.corners,
+                                   [&](std::uint32_t i) { return i - first < particles; });
+    }
     /// Whether gather() met listed pairs that are not of this cloth alone.
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
 
@@ -89,12 +95,6 @@ class CoarsePairs {
 
     [[nodiscard]] static Key key_between(const Interpolation& p, std::span<const float> of_p,
                                          std::uint32_t most, std::uint32_t least);
-    /// Whether all corners are particles of the cloth.
-    [[nodiscard]] static bool is_inner(const PairRows::ActivePair& active, std::uint32_t first,
-                                       std::size_t particles) {
-        return std::ranges::all_of(active.pair.corners,
-                                   [&](std::uint32_t i) { return i - first < particles; });
-    }
     [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, std::uint32_t first,
                                     const Interpolation& p, std::span<const float> weights);
     void sort_by_nodes(Parallel& parallel);

@@ -318,12 +318,12 @@ void Multigrid::gather_pairs(Parallel& parallel) {
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
 
-// What is between this cloth and others holds it where it is. Added to the particles' rows of ground.
+// Other cloth that touches this one holds it where it is: its pairs are added to the particles' rows of
+// ground, once a corner, which restriction then takes to the coarse nodes.
 void Multigrid::hold_other_bodies() {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
     for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
-        const auto is_own = [&](std::uint32_t i) { return i - first_ < particles; };
-        if (std::ranges::all_of(active.pair.corners, is_own)) continue;
+        if (CoarsePairs::is_inner(active, first_, particles)) continue;
         const Symmetric3 stiffness = active.stiffness();
         for (std::uint32_t c = 0; c < 4; ++c) {
             const std::uint32_t i = active.pair.corners[c] - first_;

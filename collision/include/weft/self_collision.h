@@ -26,7 +26,8 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// fast: then layers pass through each other, and stay so. Folds of cloth that lies tremble, some of
     /// their particles at half a metre a second, since springs pull back what was pushed.
     avoidance,
-    /// Triangles of one cloth, and of all cloths with this method, meet in the step's equation, and a motion
+    /// The default. Triangles of one cloth, and of all cloths with this method, meet in the step's equation,
+    /// and a motion
     /// that would still take one through another is cut short. What has not crossed does not cross; what the
     /// start has crossed comes apart, the way that most of it lies. Cloths that start at exactly one place
     /// part in the order in which they were added, each on the front of those before it; layers of one mesh

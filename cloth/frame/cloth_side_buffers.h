@@ -1,5 +1,5 @@
 #pragma once
-// How a cloth's particles meet colliders.
+// A cloth's thickness and friction, particle by particle.
 
 #include <cstdint>
 
@@ -9,12 +9,13 @@
 
 namespace weft {
 
-/// What ClothSide has of each particle, written when settings or maps change.
-struct ColliderSide {
-    explicit ColliderSide(std::uint32_t particles) : thickness(particles), friction(particles) {}
+/// The arrays of a cloth's ClothSide: the settings times the maps, multiplied once, when either changes,
+/// since each pass of each substep reads them.
+struct ClothSideBuffers {
+    explicit ClothSideBuffers(std::uint32_t particles) : thickness(particles), friction(particles) {}
 
-    AlignedBuffer<float> thickness, friction;          ///< of each particle: see ClothSide
-    AlignedBuffer<float> thickness_map, friction_map;  ///< factors; empty: the map is not set
+    AlignedBuffer<float> thickness, friction;          ///< see ClothSide
+    AlignedBuffer<float> thickness_map, friction_map;  ///< factors of each particle; empty: no map is set
 
     void write(const ClothSettings& settings) noexcept {
         const auto fill = [](AlignedBuffer<float>& values, float of_all, const AlignedBuffer<float>& map) {
