@@ -31,10 +31,6 @@ HWY_INLINE Lanes3 turned(const Matrix3& turn, const Lanes3& v) {
     const auto row = [&](int i) { return dot(set3(Vector3(turn.row(i))), v); };
     return {row(0), row(1), row(2)};
 }
-template <class Mask>
-HWY_INLINE Lanes4 either(Mask mask, const Lanes4& yes, const Lanes4& no) {
-    return with_w(either(mask, xyz(yes), xyz(no)), hn::IfThenElse(mask, yes.w, no.w));
-}
 
 /// Where the surface is nearest, lane by lane.
 template <class Mask>

@@ -65,6 +65,11 @@ HWY_INLINE Lanes3 either(Mask mask, const Lanes3& yes, const Lanes3& no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
             hn::IfThenElse(mask, yes.z, no.z)};
 }
+template <class Mask>
+HWY_INLINE Lanes4 either(Mask mask, const Lanes4& yes, const Lanes4& no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+            hn::IfThenElse(mask, yes.z, no.z), hn::IfThenElse(mask, yes.w, no.w)};
+}
 
 HWY_INLINE Lanes set(float value) {
     return hn::Set(Tag(), value);

@@ -60,6 +60,7 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
     scratch.take(exempt_, pairs);
     scratch.take(laws_, pairs);
     scratch.take(wanted_, pairs);
+    scratch.take(nearest_faces_, particles);
     scratch.take(partials_, block_count(static_cast<std::uint32_t>(particles)) + bodies.size());
     scratch.take(colliding_, uses_zones_ ? pairs : 0);
     rows_.lay_out_rows(scratch, particles, pairs);
@@ -171,6 +172,37 @@ void FeatureContact::make_laws(Parallel& parallel) {
             wanted_[k] = projected_gap * laws_[k].radius;
         }
     });
+    leave_borders_to_faces();
+}
+
+// Where layers are pressed together, a vertex is near the borders around the face that it is over, too. Along
+// these it would be pushed aside, and what lands would stop sliding.
+void FeatureContact::leave_borders_to_faces() {
+    constexpr std::uint32_t none = ~0u;
+    constexpr float leans = 0.95f;  // cosine of the angle between the two normals
+    const auto nearest_of = [&](std::uint32_t k) -> std::uint32_t& {
+        return nearest_faces_[pairs_.pairs[k].corners[0]];
+    };
+    const auto distance = [&](std::uint32_t k) {
+        Vector3 apart = Vector3::Zero();
+        for (std::uint32_t c = 0; c < 4; ++c)
+            apart += pairs_.shapes[k].weight(c) * xyz(start_[pairs_.pairs[k].corners[c]]);
+        return apart.norm();
+    };
+    const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) nearest_of(k) = none;
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
+        if (!(laws_[k].radius > 0) || shapes[k].is_at_border()) continue;
+        std::uint32_t& nearest = nearest_of(k);
+        if (nearest == none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
+    }
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
+        const std::uint32_t face = nearest_of(k);
+        if (face == none || !shapes[k].is_at_border()) continue;
+        const float along = xyz(shapes[face].normal).dot(xyz(shapes[k].normal));
+        if (along > 0 && along < leans && shapes[face].normal.w <= distance(k))
+            laws_[k].radius = wanted_[k] = 0;
+    }
 }
 
 void FeatureContact::set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions) {

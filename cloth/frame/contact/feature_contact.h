@@ -135,6 +135,7 @@ class FeatureContact {
     void remember_nothing();
     void find_near(Parallel& parallel, bool& is_crowd);
     void make_laws(Parallel& parallel);
+    void leave_borders_to_faces();
     void find_tangles(Parallel& parallel);
     bool part_touching(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
@@ -146,6 +147,8 @@ class FeatureContact {
     };
     void set_reach(float ContactCloth::*of_cloth);
     void find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach, FullList full);
+    void find_of_motion(Parallel& parallel);
+    void turn_normals(Parallel& parallel, std::span<const Vec4> motions);
     void find_for_cut(Parallel& parallel);
     /// Shortens the motion until there is room for its pairs, and finds these.
     void find_for_part_of_way(Parallel& parallel);
@@ -193,6 +196,7 @@ class FeatureContact {
     float h_ = 0;
     ScratchArray<PairLaw> laws_;
     ScratchArray<float> wanted_;
+    ScratchArray<std::uint32_t> nearest_faces_;  // of vertices: the pair with the triangle that they are over
     ScratchArray<Vec4> start_, displacements_, base_;
     ScratchArray<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     ScratchArray<float> partials_;  // by block

@@ -7,6 +7,7 @@
 #include "cloth/frame/contact/feature_contact.h"
 #include "collision/contact/crossings/contours.h"
 #include "collision/contact/crossings/touching.h"
+#include "collision/contact/pairs/pair_kernels.h"
 
 namespace weft {
 
@@ -18,6 +19,20 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
                           FullList full) {
     set_reach(reach.of_cloth);
     finder_.find(parallel, bodies_.span(), start_.span(), motions, pairs_, reach.of_borders, full);
+}
+
+/// Turns the normals of the pairs found last for these motions.
+void FeatureContact::turn_normals(Parallel& parallel, std::span<const Vec4> motions) {
+    const auto turn = [&](bool vertex_triangle, std::uint32_t begin, std::uint32_t end) {
+        parallel.ranges(end - begin, [&](const BlockRange& range) {
+            const std::uint32_t first = begin + range.begin;
+            shape_moving_pairs(start_.data(), motions.data(), vertex_triangle,
+                               std::as_const(pairs_.pairs).span().subspan(first, range.end - range.begin),
+                               pairs_.shapes.data() + first);
+        });
+    };
+    turn(true, 0, pairs_.vertex_triangle);
+    turn(false, pairs_.vertex_triangle, pairs_.size);
 }
 
 // No more than the rigid motion is taken out: a common motion that brings layers together, which keeps them
@@ -39,6 +54,7 @@ void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
         set_reach(&ContactCloth::radius);
         const bool is_kept = finder_.find_to_look_again(parallel, bodies_.span(), start_.span(),
                                                         searched_.span(), pairs_, of_borders, full);
+        turn_normals(parallel, searched_.span());
         has_all_near_ = !pairs_.overflowed;
         can_look_again_ = is_kept && has_all_near_;
     };
@@ -112,11 +128,20 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
             return;
         }
     }
-    if (!can_look_again_)
-        return find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
-    set_reach(&ContactCloth::floor);
-    finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(),
-                       pairs_);
+    if (can_look_again_) {
+        set_reach(&ContactCloth::floor);
+        finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(),
+                           pairs_);
+        turn_normals(parallel, settler_.relative());
+    } else {
+        find_of_motion(parallel);
+    }
+}
+
+/// What the whole of the relative motion can bring near.
+void FeatureContact::find_of_motion(Parallel& parallel) {
+    find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
+    turn_normals(parallel, settler_.relative());
 }
 
 // A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it
@@ -151,7 +176,7 @@ FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pus
     for (const ParticleRange& range : ranges_.span())
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
     settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
-    find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
+    find_of_motion(parallel);
     return counts_of(parallel, cut_listed(parallel, is_pushed));
 }
 

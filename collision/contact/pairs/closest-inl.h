@@ -245,6 +245,38 @@ HWY_INLINE ShapeLanes shape_of(const CornerLanes& corners) {
     return shape;
 }
 
+/// PairShape::is_at_border.
+template <std::uint32_t of_a>
+HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
+    const auto in_triangle = hn::Or(hn::Eq(w.y, set(0)), hn::Or(hn::Eq(w.z, set(0)), hn::Eq(w.w, set(0))));
+    return of_a == vertex_and_triangle ? in_triangle : hn::Or(in_triangle, hn::Eq(w.x, set(0)));
+}
+
+/// shape_moving_pairs, lane by lane.
+template <std::uint32_t of_a>
+HWY_INLINE ShapeLanes shape_over_motion(const CornerLanes& corners, const ShapeLanes& at_start) {
+    CornerLanes ends;
+    for (std::uint32_t c = 0; c < 4; ++c)
+        ends.point[c] = corners.point[c] + (corners.motion[c] - corners.motion[0]);
+    Lanes least = hn::Min(at_start.gap, gap_along<of_a>(at_start.normal, ends));
+    const auto may_turn = hn::And(is_at_border<of_a>(at_start.weights), hn::Lt(least, at_start.gap));
+    if (hn::AllFalse(Tag(), may_turn)) return at_start;
+    ShapeLanes shape = at_start;
+    const auto consider = [&](const Lanes3& normal, const Lanes4& weights) HWY_ATTR {
+        const Lanes gap = gap_along<of_a>(normal, corners);
+        const Lanes least_along = hn::Min(gap, gap_along<of_a>(normal, ends));
+        const auto better = hn::And(may_turn, hn::Gt(least_along, hn::Max(least, set(0))));
+        shape.weights = either(better, weights, shape.weights);
+        shape.normal = either(better, normal, shape.normal);
+        shape.gap = hn::IfThenElse(better, gap, shape.gap);
+        least = hn::IfThenElse(better, least_along, least);
+    };
+    const ShapeLanes at_end = shape_of<of_a>(ends);
+    consider(at_end.normal, at_end.weights);
+    consider(unit(at_start.normal + at_end.normal), at_start.weights);
+    return shape;
+}
+
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -15,13 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// PairShape::is_at_border.
-template <std::uint32_t of_a>
-HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
-    const auto in_triangle = hn::Or(hn::Eq(w.y, set(0)), hn::Or(hn::Eq(w.z, set(0)), hn::Eq(w.w, set(0))));
-    return of_a == vertex_and_triangle ? in_triangle : hn::Or(in_triangle, hn::Eq(w.x, set(0)));
-}
-
 /// How far searches look for pairs of two bodies' features: the mean of the bodies' reaches, and the halves
 /// of these by which boxes are grown.
 struct PairReach {
@@ -301,25 +294,60 @@ void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& 
     collector.test_all();
 }
 
+/// Of the pairs from `first` on, as many as a register has lanes.
+HWY_INLINE Candidates batch_of(std::span<const FeaturePair> pairs, std::uint32_t first) {
+    Candidates batch;
+    batch.count = std::min(part_lanes, static_cast<std::uint32_t>(pairs.size()) - first);
+    for (std::uint32_t i = 0; i < batch.count; ++i)
+        for (std::uint32_t c = 0; c < 4; ++c) batch.corners[c][i] = pairs[first + i].corners[c];
+    pad(batch);
+    return batch;
+}
+
+HWY_INLINE void store_shapes(const ShapeLanes& lanes, std::uint32_t count, PairShape* to) {
+    alignas(64) Vec4 weights[group_lanes], normals[group_lanes];
+    store_rows(xyz(lanes.weights), lanes.weights.w, weights);
+    store_rows(lanes.normal, lanes.gap, normals);
+    for (std::uint32_t i = 0; i < count; ++i) to[i] = {weights[i], normals[i]};
+}
+
 template <std::uint32_t of_a>
 HWY_INLINE void shape(const Vec4* positions, std::span<const FeaturePair> pairs, PairShape* shapes) {
-    Candidates batch;
-    alignas(64) Vec4 weights[group_lanes], normals[group_lanes];
     for (std::uint32_t k = 0; k < pairs.size(); k += part_lanes) {
-        batch.count = std::min(part_lanes, static_cast<std::uint32_t>(pairs.size()) - k);
-        for (std::uint32_t i = 0; i < batch.count; ++i)
-            for (std::uint32_t c = 0; c < 4; ++c) batch.corners[c][i] = pairs[k + i].corners[c];
-        pad(batch);
-        const ShapeLanes lanes = shape_of<of_a>(gather_corners(positions, nullptr, batch, 0));
-        store_rows(xyz(lanes.weights), lanes.weights.w, weights);
-        store_rows(lanes.normal, lanes.gap, normals);
-        for (std::uint32_t i = 0; i < batch.count; ++i) shapes[k + i] = {weights[i], normals[i]};
+        const Candidates batch = batch_of(pairs, k);
+        store_shapes(shape_of<of_a>(gather_corners(positions, nullptr, batch, 0)), batch.count, shapes + k);
+    }
+}
+
+template <std::uint32_t of_a>
+HWY_INLINE void shape_moving(const Vec4* positions, const Vec4* motions, std::span<const FeaturePair> pairs,
+                             PairShape* shapes) {
+    for (std::uint32_t k = 0; k < pairs.size(); k += part_lanes) {
+        const Candidates batch = batch_of(pairs, k);
+        PairShape* const of_batch = shapes + k;
+        if (std::none_of(of_batch, of_batch + batch.count,
+                         [](const PairShape& shape) { return shape.is_at_border(); }))
+            continue;
+        const auto of = [&](std::uint32_t i) { return std::min(i, batch.count - 1); };
+        const Lanes4 weights = lanes4_of(rows_from(
+            [&](std::uint32_t i) HWY_ATTR { return hn::Load(RowTag(), &of_batch[of(i)].weights.x); }));
+        const Lanes4 normals = lanes4_of(rows_from(
+            [&](std::uint32_t i) HWY_ATTR { return hn::Load(RowTag(), &of_batch[of(i)].normal.x); }));
+        const ShapeLanes at_start{weights, xyz(normals), normals.w, set(0)};
+        store_shapes(shape_over_motion<of_a>(gather_corners(positions, motions, batch, 0), at_start),
+                     batch.count, of_batch);
     }
 }
 
 void shapes(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs, PairShape* to) {
     vertex_triangle ? shape<vertex_and_triangle>(positions, pairs, to)
                     : shape<edge_and_edge>(positions, pairs, to);
+}
+
+void moving_shapes(const Vec4* positions, const Vec4* motions, bool vertex_triangle,
+                   std::span<const FeaturePair> pairs, PairShape* to) {
+    vertex_triangle ? shape_moving<vertex_and_triangle>(positions, motions, pairs, to)
+                    : shape_moving<edge_and_edge>(positions, motions, pairs, to);
 }
 
 }  // namespace
@@ -332,6 +360,7 @@ namespace weft {
 HWY_EXPORT(find);
 HWY_EXPORT(find_again);
 HWY_EXPORT(shapes);
+HWY_EXPORT(moving_shapes);
 
 void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
     HWY_DYNAMIC_DISPATCH(find)(search, block, found, kept);
@@ -345,6 +374,11 @@ void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptB
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
                  PairShape* to) {
     HWY_DYNAMIC_DISPATCH(shapes)(positions, vertex_triangle, pairs, to);
+}
+
+void shape_moving_pairs(const Vec4* positions, const Vec4* motions, bool vertex_triangle,
+                        std::span<const FeaturePair> pairs, PairShape* shapes) {
+    HWY_DYNAMIC_DISPATCH(moving_shapes)(positions, motions, vertex_triangle, pairs, shapes);
 }
 
 }  // namespace weft

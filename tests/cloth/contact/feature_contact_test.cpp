@@ -319,18 +319,19 @@ TEST(ClothOnCloth, RestsOnASlopeOfClothThatIsHeldEverywhere) {
     EXPECT_EQ(crossings(slope.world, slope.cloths), 0);
 }
 
-// By Coulomb's law; faster than half an edge a step, it does not know yet which triangles it comes over, and
-// meets them as if they were uneven.
+// By Coulomb's law: what landing takes of its speed, and the air, are what is missing.
 TEST(ClothOnCloth, SlidesDownASlopeOfClothThatIsHeldEverywhere) {
     constexpr float angle = 0.611f;  // 35 degrees
-    for (const float friction : {0.3f, 0.5f}) {
+    for (const float friction : {0.0f, 0.1f, 0.3f, 0.5f}) {
         Slope slope(angle, friction);
         const float before = slope.mean(slope.down);
         constexpr int steps = 20;
         for (int k = 0; k < steps; ++k) slope.world.step(h);
         const float seconds = steps * h;
         const float way = 0.5f * 9.81f * (std::sin(angle) - friction * std::cos(angle)) * seconds * seconds;
-        EXPECT_NEAR((slope.mean(slope.down) - before) / way, 1, 0.45f) << friction;
+        const float part = (slope.mean(slope.down) - before) / way;
+        EXPECT_GT(part, friction > 0 ? 0.64f : 0.9f) << friction;
+        EXPECT_LT(part, 1) << friction;
     }
 }
 

@@ -67,6 +67,31 @@ struct ReferencePair {
     double distance, swept_gap, box_gap;
 };
 
+/// min over A - max over B of n . x, where the whole motion begins and where it ends.
+struct EndGaps {
+    double start, end;
+
+    EndGaps(const Vector3d& n, const std::array<std::uint32_t, 4>& corners, std::size_t of_a,
+            std::span<const Vec4> positions, std::span<const Vec4> motions) {
+        const auto gap = [&](double part) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            double least_a = infinity, most_b = -infinity;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double along =
+                    n.dot(in_double(positions[corners[k]]) + part * in_double(motions[corners[k]]));
+                if (k < of_a)
+                    least_a = std::min(least_a, along);
+                else
+                    most_b = std::max(most_b, along);
+            }
+            return least_a - most_b;
+        };
+        start = gap(0);
+        end = gap(1);
+    }
+    [[nodiscard]] double least() const { return std::min(start, end); }
+};
+
 inline ReferencePair reference_pair(const std::array<std::uint32_t, 4>& corners, std::size_t of_a,
                                     std::span<const Vec4> positions, std::span<const Vec4> motions) {
     std::array<Vector3d, 4> x, m;
