@@ -19,11 +19,11 @@
 
 namespace weft {
 
-/// Each pair's features push each other apart along the normal that they have at the start of the step, by a
-/// stiff spring that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987),
-/// and hold each other across it by a damper that has Coulomb's limit as it is known so far. Over the first
-/// part of its way the spring stiffens from nothing, or what rests would touch and let go by turns. The
-/// impulse on corner i of pair k is
+/// Each pair's features push each other apart along the normal that detection gave them, by a stiff spring
+/// that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987), and hold each
+/// other across it by a damper that has Coulomb's limit as it is known so far. Over the first part of its way
+/// the spring stiffens from nothing, or what rests would touch and let go by turns. The impulse on corner i
+/// of pair k is
 ///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
 /// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {

@@ -21,7 +21,7 @@ void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, con
     finder_.find(parallel, bodies_.span(), start_.span(), motions, pairs_, reach.of_borders, full);
 }
 
-/// Turns the normals of the pairs found last for these motions.
+/// Turns the normals of the pairs found last as shape_moving_pairs() does, for these motions.
 void FeatureContact::turn_normals(Parallel& parallel, std::span<const Vec4> motions) {
     const auto turn = [&](bool vertex_triangle, std::uint32_t begin, std::uint32_t end) {
         parallel.ranges(end - begin, [&](const BlockRange& range) {
@@ -138,7 +138,7 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     }
 }
 
-/// What the whole of the relative motion can bring near.
+/// Finds the pairs that the whole of the relative motion can bring too near, for the cut.
 void FeatureContact::find_of_motion(Parallel& parallel) {
     find(parallel, settler_.relative(), {&ContactCloth::floor}, FullList::is_empty);
     turn_normals(parallel, settler_.relative());

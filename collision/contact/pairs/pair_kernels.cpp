@@ -294,7 +294,7 @@ void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& 
     collector.test_all();
 }
 
-/// Of the pairs from `first` on, as many as a register has lanes.
+/// Takes as many pairs as a register has lanes, from `first` on.
 HWY_INLINE Candidates batch_of(std::span<const FeaturePair> pairs, std::uint32_t first) {
     Candidates batch;
     batch.count = std::min(part_lanes, static_cast<std::uint32_t>(pairs.size()) - first);

@@ -159,10 +159,10 @@ void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossin
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,
                  PairShape* shapes);
 
-/// Of pairs that have these shapes now: turns the normals of those at borders as their motion asks. What
-/// slides over a surface seems to run into each border ahead of it, and would be stopped there. Such a pair
-/// gets the normal that keeps it farther apart at both ends of the motion, if there is one along which both
-/// gaps are positive: its own, that of the end, or what is half way between, for what passes over a border.
+/// Turns the normals of pairs that are nearest at a border, since a feature that slides over a surface would
+/// run into each border ahead of it. Such a pair gets the normal that keeps it farther apart at both ends of
+/// the motion, if both gaps are positive along it: its own, that of the end with the weights of the end, or
+/// the one half way between, for what passes over a border. `shapes` has the pairs' shapes at the start.
 void shape_moving_pairs(const Vec4* positions, const Vec4* motions, bool vertex_triangle,
                         std::span<const FeaturePair> pairs, PairShape* shapes);
 

@@ -18,8 +18,9 @@ struct FeaturePair {
     std::array<std::uint32_t, 4> corners;  ///< particles, numbered through all bodies
 };
 
-/// How a pair lies. The gap vector, from the closest point of B to that of A, is the sum of weights times
-/// corners: (1, -w1, -w2, -w3) or (1 - s, s, -(1 - t), -t).
+/// How a pair lies at the start; normals of moving pairs may be turned, see shape_moving_pairs(). The gap
+/// vector, from the closest point of B to that of A, is the sum of weights times corners: (1, -w1, -w2, -w3)
+/// or (1 - s, s, -(1 - t), -t).
 struct PairShape {
     Vec4 weights;
     /// Unit normal from B to A; w [m]: min over A of n . x - max over B of n . x. Where it is positive the

@@ -27,10 +27,10 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// their particles at half a metre a second, since springs pull back what was pushed.
     avoidance,
     /// The default. Triangles of one cloth, and of all cloths with this method, meet in the step's equation,
-    /// and a motion
-    /// that would still take one through another is cut short. What has not crossed does not cross; what the
-    /// start has crossed comes apart, the way that most of it lies. Cloths that start at exactly one place
-    /// part in the order in which they were added, each on the front of those before it; layers of one mesh
+    /// and a motion that would still take one through another is cut short. What has not crossed does not
+    /// cross; what the start has crossed comes apart, the way that most of it lies. Cloths that start at
+    /// exactly one place part in the order in which they were added, each on the front of those before it;
+    /// layers of one mesh
     /// that face opposite ways part on their fronts. By Multilevel, the default; other methods
     /// solve without it and are cut and pushed apart afterwards, which crosses nothing either, but stretches
     /// or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is calm, 3 where

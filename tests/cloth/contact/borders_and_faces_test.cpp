@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct Surface {
     std::vector<ContactMesh::Triangle> triangles;
 };
 
-/// The triangle whose first corner the others tell of: it points down, at 4 mm above the plane y = 0.
+/// A triangle that points down. Its first corner, the tip, is 4 mm above the plane y = 0.
 Surface tip() {
     return {{{0, 0.004f, 0, 1}, {-0.5f, 1, 0.1f, 1}, {0.5f, 1, -0.1f, 1}}, {{0, 1, 2}}};
 }
@@ -27,7 +26,8 @@ Surface tip() {
 Surface floor() {
     return {{{0.003f, 0, -1, 1}, {0.003f, 0, 1, 1}, {-1, 0, 0, 1}, {1, 0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}}};
 }
-/// One triangle at this height, on the side x > 0, whose border along z is so far from the tip.
+/// A triangle lies at this height on the side x > 0. Its border along z is `aside` from the tip's plane x =
+/// 0.
 Surface ledge(float height, float aside) {
     return {{{aside, height, -1, 1}, {aside, height, 1, 1}, {1, height, 0, 1}}, {{0, 1, 2}}};
 }

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <random>
+#include <vector>
 
 #include "collision/contact/pairs/pair_kernels.h"
 #include "tests/collision/contact/contact_reference.h"
@@ -48,7 +52,7 @@ TEST(PairShapes, AVertexThatSlidesOverATriangleIsKeptAboveIt) {
     EXPECT_GT(sliding(-1, 0.5, 0.1, 0.1).shape(true, false).normal.w, 0.9f);
 }
 
-// On the way it is above the triangle, at neither end.
+// The vertex is above the triangle on its way, and at neither end.
 TEST(PairShapes, WhatPassesOverABorderIsKeptAboveIt) {
     const Case over = sliding(-0.4, 1.3, 0.2, 0.2);
     EXPECT_LT(over.gaps(over.shape(true, false), true).end, 0);
