@@ -32,10 +32,10 @@ enum class SelfCollisionMethod : std::uint8_t {
     /// exactly one place part in the order in which they were added, each on the front of those before it;
     /// layers of one mesh that face opposite ways part on their fronts. By Multilevel, the default; other
     /// methods solve without it and are cut and pushed apart afterwards, which crosses nothing either, but
-    /// stretches or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is calm,
-    /// 3 where it lies folded. Cloths that touch, and of which contact had to cut more than a few particles,
-    /// take their next ten steps in halves. Layers that slide over each other by more than some three quarters
-    /// of an edge in a step are braked.
+    /// stretches or locks cloth in piles. Costs some 0.2 ms a step and thousand particles where cloth is
+    /// calm, 3 where it lies folded. Cloths that touch, and of which contact had to cut more than a few
+    /// particles, take their next ten steps in halves. Layers that slide over each other by more than some
+    /// three quarters of an edge in a step are braked.
     contact,
     /// What collides within a step is resolved together once the step is solved, zone by zone, and linear
     /// momentum kept to rounding (Huh, Metaxas, Badler, "Collision resolutions in cloth simulation", 2001):
