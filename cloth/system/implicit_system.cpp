@@ -12,21 +12,24 @@ std::optional<SavedSprings> ImplicitSystem::springs() const {
     return std::nullopt;
 }
 
-Products ImplicitSystem::multiply(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
-                                  std::span<Vec4> product) {
+Products ImplicitSystem::multiply_by(MultiplyRows rows, Parallel& parallel, const DottedWith& with,
+                                     std::span<const Vec4> x, std::span<Vec4> product) {
     const std::uint32_t nodes = stencil().nodes;
     blocks_in_tiles(parallel, nodes, windows_, [&](const BlockRange& range, GridWindow* window) {
-        partial_sums_[range.block] = multiply_rows(range, with, x.data(), product.data(), window);
+        partial_sums_[range.block] = (this->*rows)(range, with, x.data(), product.data(), window);
     });
     const std::span<const Products> partials = std::as_const(partial_sums_).span().first(block_count(nodes));
     return std::accumulate(partials.begin(), partials.end(), Products{});
 }
 
+Products ImplicitSystem::multiply(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
+                                  std::span<Vec4> product) {
+    return multiply_by(&ImplicitSystem::multiply_rows, parallel, with, x, product);
+}
+
 Products ImplicitSystem::multiply_coupled(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
                                           std::span<Vec4> product) {
-    Products sum = multiply(parallel, with, x, product);
-    sum.x_wx += add_coupling(parallel, x, product);
-    return sum;
+    return multiply_by(&ImplicitSystem::multiply_coupled_rows, parallel, with, x, product);
 }
 
 void ImplicitSystem::relax(Parallel& parallel, std::span<const Vec4> b, std::span<const Vec4> x,

@@ -147,17 +147,16 @@ class ImplicitSystem {
   protected:
     ImplicitSystem(const ImplicitSystem&) = default;
 
-    /// Adds what W leaves out to the product, unless it is empty; returns x . that.
-    virtual double add_coupling(Parallel& /*parallel*/, std::span<const Vec4> /*x*/,
-                                std::span<Vec4> /*product*/) {
-        return 0;
-    }
-
     // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
     // are empty.
     /// Returns their shares.
     virtual Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                    Vec4* product, GridWindow* window) const = 0;
+    /// With what W leaves out.
+    virtual Products multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                           Vec4* product, GridWindow* window) const {
+        return multiply_rows(range, with, x, product, window);
+    }
     virtual void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
                                        GridWindow* window) const = 0;
     virtual void precondition_rows(const BlockRange& range, const Vec4* b, float step, Vec4* x) const = 0;
@@ -173,6 +172,11 @@ class ImplicitSystem {
                                    const BlockRange& range) {
         if (equation.contacts != nullptr) equation.contacts->linearise(equation, velocities, range);
     }
+
+    using MultiplyRows = Products (ImplicitSystem::*)(const BlockRange&, const DottedWith&, const Vec4*,
+                                                      Vec4*, GridWindow*) const;
+    Products multiply_by(MultiplyRows rows, Parallel& parallel, const DottedWith& with,
+                         std::span<const Vec4> x, std::span<Vec4> product);
 
     AlignedBuffer<Vec4> right_side_;
     GridWindows windows_;  // empty unless the matrix is kept by diagonals

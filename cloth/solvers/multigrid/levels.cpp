@@ -167,7 +167,7 @@ std::optional<SavedLevels> read_levels(PackedReader& reader, const ClothModel& m
     visit_all_lists(levels, reader);
     if (!reader.is_sound()) return std::nullopt;
     if (!levels.springs) return levels;
-    levels.springs->diagonals = Diagonals(model.spring_offsets.span(), model.neighbours.span());
+    levels.springs->diagonals = diagonals_of(model);
     const bool are_sound = levels.springs->is_sound(model, levels.kind.stiffening) &&
                            fit(levels, model.particle_count, levels.springs->entries());
     return are_sound ? std::optional(std::move(levels)) : std::nullopt;

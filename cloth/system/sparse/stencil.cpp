@@ -60,7 +60,8 @@ std::uint32_t run_at(std::int64_t difference, std::uint32_t group, std::uint32_t
 
 }  // namespace
 
-Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> row_neighbours)
+Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> row_neighbours,
+                 Order order)
     : nodes(static_cast<std::uint32_t>(offsets.size()) - 1),
       group_slots(groups() + 1),
       entries(row_neighbours.size()) {
@@ -72,7 +73,8 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
     std::vector<std::int64_t> differences;
     for (std::uint32_t g = 0; g < groups(); ++g) {
         const std::uint32_t first_slot = group_slots[g], slot_count = group_slots[g + 1] - first_slot;
-        const bool by_difference = find_differences(rows, g, slot_count, differences);
+        const bool by_difference =
+            order == Order::by_difference && find_differences(rows, g, slot_count, differences);
         for (std::uint32_t s = 0; s < slot_count; ++s)
             runs[first_slot + s] = by_difference ? run_at(differences[s], g, groups()) : no_run;
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {

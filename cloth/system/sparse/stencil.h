@@ -3,8 +3,8 @@
 // 2010).
 //
 // Nodes are taken in groups of 16 lanes. A group has as many slots as its best-connected node has neighbours;
-// a slot holds, lane by lane, one neighbour of each, in ascending order. A node names itself in the slots
-// that it does not need, where all coefficients must be 0. Lanes past the last node name that one.
+// a slot holds, lane by lane, one neighbour of each, in the order of their rows. A node names itself in the
+// slots that it does not need, where all coefficients must be 0. Lanes past the last node name that one.
 //
 // Where the nodes of a group differ from their neighbours by the same few numbers, as in a grid, each of
 // these differences has its slot. Kernels may then read a run of 16 consecutive rows, of which those of lanes
@@ -26,9 +26,13 @@ struct Stencil {
     /// n, rounded up.
     static constexpr std::uint32_t whole_groups(std::uint32_t n) { return (n + lanes - 1) / lanes * lanes; }
 
+    /// Of slots: by what nodes differ from their neighbours, if these are few numbers; or as rows have them.
+    enum class Order { by_difference, as_given };
+
     Stencil() = default;
     /// From compressed rows: the neighbours of node i are neighbours[offsets[i] .. offsets[i + 1]).
-    Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
+    Stencil(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours,
+            Order order = Order::by_difference);
 
     std::uint32_t nodes = 0;
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])

@@ -8,252 +8,66 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "cloth/system/external_row-inl.h"
 #include "cloth/system/grid/grid_windows-inl.h"
-#include "cloth/system/sparse/stencil-inl.h"
-#include "cloth/system/springs/spring_lanes-inl.h"
-#include "engine/simd/half_precision-inl.h"
-#include "engine/simd/symmetric3-inl.h"
+#include "cloth/system/springs/membrane.h"
+#include "cloth/system/springs/spring_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// What springs add up to in rows.
-struct RowSums {
-    Lanes3 force;  ///< pulls
-    Lanes a;
-    SymmetricLanes squares;
-
-    HWY_INLINE void add(const SpringBlockLanes& block) {
-        a = hn::Add(a, block.a);
-        squares = add_square(squares, block.d);
-    }
-};
-HWY_INLINE RowSums no_sums() {
-    return {zero3(), set(0), zero_symmetric()};
-}
-
-// Kang, eq. 4 and 5, with the springs' damping (c = damping k, along the spring) and the air's taken
-// implicitly too:
-//   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
-//   iterate).
-// Springs, and all sums over them, are in the matrix's units: stiffness is gamma^2 k there.
-//
-// A spring under tension resists turning, whether it is stretched or being stretched: damping's tension
-// counts like the elastic one. Without it, iterates about themselves overshoot where damping is stiff, and
-// never come to rest. Tension that is negative would make W indefinite, and counts as none (Choi and Ko
-// 2002). Bending's Hessian is taken as it is, its negative weights too.
-struct Linearisation {
-    Linearisation(const SpringState& state, LinearisedAbout about)
-        : about_base(about == LinearisedAbout::base),
-          damping(state.equation.settings.fabric.damping),
-          uses_velocities(about_base || damping > 0),
-          squared(state.matrix.unit * state.matrix.unit),
-          elastic(state.equation.gamma * state.equation.gamma / squared),
-          rigidity(state.equation.rigidity * elastic),
-          has_bending(rigidity > 0),
-          per_gamma(1 / state.equation.gamma),
-          viscosity(damping / state.equation.gamma) {}
-
-    /// Adds what springs pull to `force`; their blocks. relative() is how fast their other ends move.
-    template <class Relative>
-    HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Relative& relative,
-                                          Lanes3& force) const {
-        const Lanes stiffness = hn::Mul(set(elastic), springs.stiffness);
-        Lanes slack = springs.rest_ratio;  // 1 - tension / (stiffness x length)
-        Lanes push = hn::Mul(stiffness, hn::Mul(set(per_gamma), springs.extension));
-        const Lanes viscous = hn::Mul(set(viscosity), stiffness);
-        if (about_base) {
-            const Lanes axial = hn::Mul(stiffness, hn::Min(set(1), slack));
-            const Lanes a = hn::Sub(stiffness, axial);
-            const Lanes along = hn::Max(hn::Add(viscous, axial), set(0));
-            const Lanes3 v = relative();
-            push = hn::MulAdd(along, dot(springs.direction, v), push);
-            force = mul_add(push, springs.direction, mul_add(a, v, force));
-            return {a, hn::Sqrt(along) * springs.direction};
-        }
-        if (uses_velocities) {
-            const Lanes rate = dot(springs.direction, relative());
-            push = hn::MulAdd(viscous, rate, push);
-            slack = hn::NegMulAdd(hn::Mul(set(damping), rate), springs.per_length, slack);
-        }
-        const Lanes along = hn::Max(hn::MulAdd(stiffness, hn::Min(set(1), slack), viscous), set(0));
-        force = mul_add(push, springs.direction, force);
-        return {hn::Sub(hn::Add(stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
-    }
-
-    /// Adds what bending pulls to `force`; its number in W. Of weights by a rigidity of 1.
-    template <class Relative>
-    HWY_INLINE Lanes add_bending(Lanes weights, const Lanes3& separation, const Relative& relative,
-                                 Lanes3& force) const {
-        const Lanes weight = hn::Mul(set(rigidity), weights);
-        force = mul_add(hn::Mul(set(per_gamma), weight), separation, force);
-        const float resisted = about_base ? 1 + viscosity : viscosity;
-        if (uses_velocities) force = mul_add(hn::Mul(set(resisted), weight), relative(), force);
-        return hn::Mul(set(1 + viscosity), weight);
-    }
-
-    /// Rows of W and b, for the lanes from particle `i` on.
-    HWY_INLINE void finish(const SpringState& state, std::uint32_t i, const Lanes3& v_i, const RowSums& sums,
-                           SpringMatrix& matrix, Vec4* right_side) const {
-        const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
-        const Lanes squared_unit = set(squared);
-        const auto free = hn::Ne(row.row_sum, set(0));
-        store_rows(keep_where(free, mul_add(squared_unit, sums.force, row.impulse)), row.row_sum,
-                   right_side + i);
-        hn::Store(row.row_sum, Tag(), &matrix.row_sums[i]);
-        SymmetricLanes diagonal =
-            add_identity(squared_unit * add_identity(sums.squares, sums.a), row.row_sum);
-        if (has_bending) {
-            const Lanes excess = load_lanes(&state.bending_excess[i]);
-            diagonal = add_identity(diagonal, hn::Mul(set(squared * rigidity * (1 + viscosity)), excess));
-        }
-        if (touches(matrix.contacts, i)) diagonal = diagonal + contact_diagonal(*matrix.contacts, i);
-        store_symmetric(keep_where(free, inverse(diagonal, row.row_sum)),
-                        &matrix.inverse_diagonal[lane_index(i, 0, 6)]);
-    }
-
-    bool about_base;
-    float damping;
-    bool uses_velocities;
-    float squared, elastic, rigidity;
-    bool has_bending;
-    float per_gamma, viscosity;
+/// Rest lengths, stiffness and bending of the lanes of an entry.
+struct EntryLanes {
+    Lanes rest_length, stiffness, bending;
 };
 
-/// What a residual is made of: forces alone.
-struct SpringPulls {
-    explicit SpringPulls(const SpringState& state)
-        : viscosity(state.equation.settings.fabric.damping),
-          rigidity(state.equation.rigidity),
-          has_bending(rigidity > 0) {}
-
-    template <class Relative>
-    HWY_INLINE Lanes3 of_springs(const Springs& springs, const Relative& relative) const {
-        Lanes pull = springs.extension;
-        if (viscosity > 0) pull = hn::MulAdd(set(viscosity), dot(springs.direction, relative()), pull);
-        return hn::Mul(springs.stiffness, pull) * springs.direction;
-    }
-    template <class Relative>
-    HWY_INLINE Lanes3 of_bending(Lanes weights, const Lanes3& separation, const Relative& relative) const {
-        const Lanes3 reach = viscosity > 0 ? mul_add(set(viscosity), relative(), separation) : separation;
-        return hn::Mul(set(rigidity), weights) * reach;
-    }
-
-    float viscosity, rigidity;
-    bool has_bending;
-};
-
-HWY_INLINE void finish_residual(const SpringState& state, std::uint32_t i, const Lanes3& v_i,
-                                const Lanes3& force, Vec4* residual) {
-    const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);
-    const auto free = hn::Ne(row.row_sum, set(0));
-    store_rows(keep_where(free, mul_add(set(state.equation.gamma), force, row.impulse)), set(0),
-               residual + i);
-}
-
-/// What a slot holds, in the lanes from particle `i` on.
-struct Slot {
-    std::uint32_t number;  ///< of the stencil, or the diagonal
-    std::uint32_t entry;
-    Lanes3 separation;
-};
-
-/// Any mesh: each particle looks at all its springs.
+/// Where a table has its springs. A kernel's own: through the state they would be looked up anew after each
+/// store. `stiffens` is known beforehand, for other springs not to pay for it.
 template <bool stiffens>
-class SpringsOfMesh {
-    // Deduced, so before those who use it.
-    HWY_INLINE auto relative(std::uint32_t s, std::uint32_t i, const Lanes3& v_i) const {
-        return [this, s, i, &v_i]() HWY_ATTR { return velocities_.neighbours(s, i % Stencil::lanes) - v_i; };
-    }
+class TableLanes {
+    using SlotKind = SpringTable::SlotKind;
 
   public:
-    explicit SpringsOfMesh(const SpringState& state)
-        : state_(state),
-          tables_(state),
-          stencil_(state.matrix.stencil),
-          positions_{stencil_, state.positions.data()},
-          velocities_{stencil_, state.velocities.data()} {}
+    HWY_INLINE explicit TableLanes(const SpringTable& table)
+        : slots_(table.slots()),
+          rest_lengths_(table.rest_lengths()),
+          stiffness_(table.stiffness()),
+          bending_(table.bending()),
+          stiffening_(table.stiffening()) {}
 
-    void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
-                   Vec4* right_side) const {
-        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-            const Lanes3 v_i = velocities_.own(i);
-            RowSums sums = no_sums();
-            const auto add = [&](const Slot& slot, SpringBlockLanes block) HWY_ATTR {
-                if (equations.has_bending)
-                    block.a =
-                        hn::Add(block.a, equations.add_bending(tables_.bending(slot.entry), slot.separation,
-                                                               relative(slot.number, i, v_i), sums.force));
-                sums.add(store_block(block, &matrix.coefficients[lane_index(slot.entry, 0, 4)]));
-            };
-            for_each_slot(
-                i,
-                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
-                    add(slot, equations.add_force(springs, relative(slot.number, i, v_i), sums.force));
-                },
-                [&](const Slot& slot) HWY_ATTR {
-                    add(slot, {set(0), zero3()});
-                });
-            equations.finish(state_, i, v_i, sums, matrix, right_side);
-        }
+    [[nodiscard]] HWY_INLINE Lanes bending(std::uint32_t entry) const {
+        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
+        return slot.kind == SlotKind::same_bending ? set(slot.entry.bending) : load_lanes(bending_ + entry);
     }
-
-    void residual(const BlockRange& range, Vec4* residual) const {
-        const SpringPulls pulls(state_);
-        for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-            const Lanes3 v_i = velocities_.own(i);
-            Lanes3 force = zero3();
-            const auto bend = [&](const Slot& slot) HWY_ATTR {
-                if (pulls.has_bending)
-                    force = force + pulls.of_bending(tables_.bending(slot.entry), slot.separation,
-                                                     relative(slot.number, i, v_i));
-            };
-            for_each_slot(
-                i,
-                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
-                    force = force + pulls.of_springs(springs, relative(slot.number, i, v_i));
-                    bend(slot);
-                },
-                bend);
-            finish_residual(state_, i, v_i, force, residual);
+    /// The linear springs of the entries from one on, whose slot has springs, that pull as theirs do at a
+    /// length, and as steeply: spring_at(), lane by lane.
+    [[nodiscard]] HWY_INLINE EntryLanes springs(std::uint32_t entry, Lanes length) const {
+        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
+        if constexpr (!stiffens) {
+            if (slot.kind == SlotKind::same)
+                return {set(slot.entry.rest_length), set(slot.entry.stiffness), set(slot.entry.bending)};
         }
+        const EntryLanes of{load_lanes(rest_lengths_ + entry), load_lanes(stiffness_ + entry),
+                            load_lanes(bending_ + entry)};
+        if constexpr (!stiffens) return of;
+        const Lanes strain = hn::Sub(hn::Div(length, of.rest_length), set(1));
+        const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
+        const Lanes half = hn::Mul(load_lanes(stiffening_ + entry), c);
+        const Lanes slope = hn::MulAdd(set(2), half, of.stiffness);
+        const Lanes longer = hn::Div(hn::Mul(half, c), hn::Max(slope, set(1e-30f)));
+        return {hn::MulAdd(of.rest_length, longer, of.rest_length), slope, of.bending};
     }
 
   private:
-    /// springs(slot, springs) for the slots of the lanes from particle `i` on that have any, bending(slot)
-    /// for the others. The ends of each slot are worked out while the one before is, else a processor would
-    /// spend half its time on waiting for one root after the other.
-    template <class WithSprings, class Bending>
-    HWY_INLINE void for_each_slot(std::uint32_t i, const WithSprings& springs, const Bending& bending) const {
-        const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-        const std::uint32_t begin = stencil_.group_slots[group], end = stencil_.group_slots[group + 1];
-        if (begin == end) return;
-        const Lanes3 x_i = positions_.own(i);
-        const auto apart = [&](std::uint32_t s) HWY_ATTR {
-            const Lanes3 separation = positions_.neighbours(s, lane) - x_i;
-            return tables_.has_springs(s * Stencil::lanes) ? ends_apart(separation)
-                                                           : Ends{separation, set(0), set(0), set(0)};
-        };
-        Ends next = apart(begin);
-        for (std::uint32_t s = begin; s < end; ++s) {
-            const Ends ends = next;
-            if (s + 1 < end) next = apart(s + 1);
-            const Slot slot{s, s * Stencil::lanes + lane, ends.separation};
-            if (tables_.has_springs(slot.entry))
-                springs(slot,
-                        springs_in(state_, tables_.stiffened(slot.entry, tables_[slot.entry], ends.length),
-                                   slot.entry, i, ends));
-            else
-                bending(slot);
-        }
-    }
+    const SpringTable::Slot* slots_;
+    const float *rest_lengths_, *stiffness_, *bending_, *stiffening_;
+};
 
-    const SpringState& state_;
-    const SpringTables<stiffens> tables_;
-    const Stencil& stencil_;
-    RowsInMemory positions_, velocities_;
+/// What a slot holds, in the lanes from particle `i` on.
+struct Slot {
+    std::uint32_t number;  ///< of the diagonal
+    std::uint32_t entry;
+    Lanes3 separation;
 };
 
 /// A grid: each particle looks at its springs to later ones, and gives these what they have of them.
@@ -261,14 +75,10 @@ template <bool stiffens, std::uint32_t exchanged>
 class SpringsOfGrid {
     static constexpr std::uint32_t position = 0, velocity = 1;  // of the loop's vectors
 
-    HWY_INLINE auto relative(std::uint32_t d, const Lanes3& v_i) const {
-        return [this, d, &v_i]() HWY_ATTR { return loop_.later(velocity, d) - v_i; };
-    }
-
   public:
     HWY_INLINE SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
         : state_(state),
-          tables_(state),
+          tables_(state.table),
           diagonals_(state.matrix.diagonals),
           loop_(window, diagonals_, range) {}
 
@@ -290,29 +100,34 @@ class SpringsOfGrid {
             loop_.take_from_far(take);
             std::uint16_t* const coefficients =
                 i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
-            const auto bend = [&](const Slot& slot, Lanes3& force) HWY_ATTR {
+            const auto bend = [&](const Slot& slot, const Lanes3& v, Lanes3& force) HWY_ATTR {
                 if (!equations.has_bending) return set(0);
-                return equations.add_bending(tables_.bending(slot.entry), slot.separation,
-                                             relative(slot.number, v_i), force);
+                const Lanes weight = hn::Mul(set(equations.rigidity), tables_.bending(slot.entry));
+                force = mul_add(hn::Mul(set(equations.per_gamma), weight),
+                                mul_add(set(equations.ahead()), v, slot.separation), force);
+                return hn::Mul(set(1 + equations.viscosity), weight);
             };
-            const auto give = [&](const Slot& slot, SpringBlockLanes block, Lanes3 force) HWY_ATTR {
-                block.a = hn::Add(block.a, bend(slot, force));
-                const SpringBlockLanes stored = store_block(block, coefficients + slot.number * in_slot);
-                loop_.give(slot.number, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z,
-                           stored.a);
-                sums.force = sums.force + force;
-                sums.add(stored);
+            const auto relative = [&](const Slot& slot) HWY_ATTR {
+                return equations.uses_velocities ? loop_.later(velocity, slot.number) - v_i : zero3();
             };
             for_each_later(
                 i,
-                [&](const Slot& slot, const Springs& springs) HWY_ATTR {
+                [&](const Slot& slot, const Ends& ends) HWY_ATTR {
+                    const Lanes3 v = relative(slot);
                     Lanes3 force = zero3();
-                    const auto block = equations.add_force(springs, relative(slot.number, v_i), force);
-                    give(slot, block, force);
+                    SpringBlockLanes block =
+                        equations.add_force(springs_at(slot, i, ends, equations.elastic), v, force);
+                    block.a = hn::Add(block.a, bend(slot, v, force));
+                    const SpringBlockLanes stored = store_block(block, coefficients + slot.number * in_slot);
+                    loop_.give(slot.number, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z,
+                               stored.a);
+                    sums.force = sums.force + force;
+                    sums.add(stored);
                 },
                 [&](const Slot& slot) HWY_ATTR {
                     Lanes3 force = zero3();
-                    const Lanes a = store_halves(bend(slot, force), coefficients + slot.number * in_slot);
+                    const Lanes a =
+                        store_halves(bend(slot, relative(slot), force), coefficients + slot.number * in_slot);
                     loop_.give(slot.number, force.x, force.y, force.z, a);
                     sums.force = sums.force + force;
                     sums.a = hn::Add(sums.a, a);
@@ -332,18 +147,23 @@ class SpringsOfGrid {
             const auto take = [&sum](std::uint32_t /*d*/, const Given& given)
                                   HWY_ATTR { sum = sum - given.xyz(0); };
             loop_.take_from_far(take);
-            const auto give = [&](const Slot& slot, Lanes3 force) HWY_ATTR {
+            const auto relative = [&](const Slot& slot) HWY_ATTR {
+                return pulls.damping > 0 ? loop_.later(velocity, slot.number) - v_i : zero3();
+            };
+            const auto give = [&](const Slot& slot, const Lanes3& v, Lanes3 force) HWY_ATTR {
                 if (pulls.has_bending)
-                    force = force + pulls.of_bending(tables_.bending(slot.entry), slot.separation,
-                                                     relative(slot.number, v_i));
+                    force = mul_add(hn::Mul(set(pulls.rigidity), tables_.bending(slot.entry)),
+                                    mul_add(set(pulls.damping), v, slot.separation), force);
                 loop_.give(slot.number, force.x, force.y, force.z);
                 sum = sum + force;
             };
             for_each_later(
                 i,
-                [&](const Slot& slot, const Springs& springs)
-                    HWY_ATTR { give(slot, pulls.of_springs(springs, relative(slot.number, v_i))); },
-                [&](const Slot& slot) HWY_ATTR { give(slot, zero3()); });
+                [&](const Slot& slot, const Ends& ends) HWY_ATTR {
+                    const Lanes3 v = relative(slot);
+                    give(slot, v, pulls.of_springs(springs_at(slot, i, ends, 1), v));
+                },
+                [&](const Slot& slot) HWY_ATTR { give(slot, relative(slot), zero3()); });
             if (i < range.begin) continue;
             loop_.take_from_near(take);
             finish_residual(state_, i, v_i, sum, residual);
@@ -360,7 +180,16 @@ class SpringsOfGrid {
                                          v};
         });
     }
-    /// As SpringsOfMesh::for_each_slot, for the diagonals: first those of springs.
+    /// In units of which a newton is so many.
+    HWY_INLINE Springs springs_at(const Slot& slot, std::uint32_t i, const Ends& ends, float unit) const {
+        const EntryLanes of = tables_.springs(slot.entry, ends.length);
+        const Lanes stiffness = hn::Mul(set(unit), of.stiffness);
+        return springs_between(ends, hn::Mul(stiffness, hn::Sub(ends.length, of.rest_length)), stiffness,
+                               state_.matrix, slot.entry, i);
+    }
+    /// springs(slot, ends) along the diagonals of the lanes from particle `i` on that have any, bending(slot)
+    /// along the others. The ends of each slot are worked out while the one before is, else a processor would
+    /// spend half its time on waiting for one root after the other.
     template <class WithSprings, class Bending>
     HWY_INLINE void for_each_later(std::uint32_t i, const WithSprings& springs, const Bending& bending) {
         const Lanes3 x_i = loop_.own(position);
@@ -373,9 +202,7 @@ class SpringsOfGrid {
             const Ends ends = next;
             d = next_with_springs(d + 1);
             if (d < loop_.diagonals()) next = ends_apart(loop_.later(position, d) - x_i);
-            springs({now, entry(now), ends.separation},
-                    springs_in(state_, tables_.stiffened(entry(now), tables_[entry(now)], ends.length),
-                               entry(now), i, ends));
+            springs({now, entry(now), ends.separation}, ends);
         }
         for (d = 0; d < loop_.diagonals(); ++d)
             if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
@@ -387,47 +214,25 @@ class SpringsOfGrid {
     }
 
     const SpringState& state_;
-    const SpringTables<stiffens> tables_;
+    const TableLanes<stiffens> tables_;
     const Diagonals& diagonals_;
     GridLoop<2, exchanged> loop_;
 };
 
-template <bool stiffens>
-void linearise_springs(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                       GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {
-    const Linearisation equations(state, about);
-    if (window == nullptr)
-        SpringsOfMesh<stiffens>(state).linearise(equations, range, matrix, right_side);
-    else
-        SpringsOfGrid<stiffens, 7>(state, range, *window).linearise(equations, range, matrix, right_side);
-}
-
-template <bool stiffens>
-void residual_of_springs(const SpringState& state, const BlockRange& range, GridWindow* window,
-                         Vec4* residual) {
-    if (window == nullptr)
-        SpringsOfMesh<stiffens>(state).residual(range, residual);
-    else
-        SpringsOfGrid<stiffens, 3>(state, range, *window).residual(range, residual);
-}
-
-bool stiffen_at_all(const SpringState& state) {
-    return state.table.stiffening() != nullptr || state.coupling.extra_tensions() != nullptr;
-}
-
-void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow* window,
+void linearise(const SpringState& state, LinearisedAbout about, const BlockRange& range, GridWindow& window,
                SpringMatrix& matrix, Vec4* right_side) {
-    if (stiffen_at_all(state))
-        linearise_springs<true>(state, about, range, window, matrix, right_side);
+    const Linearisation equations(state, about);
+    if (state.table.stiffening() != nullptr)
+        SpringsOfGrid<true, 7>(state, range, window).linearise(equations, range, matrix, right_side);
     else
-        linearise_springs<false>(state, about, range, window, matrix, right_side);
+        SpringsOfGrid<false, 7>(state, range, window).linearise(equations, range, matrix, right_side);
 }
 
-void residual(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
-    if (stiffen_at_all(state))
-        residual_of_springs<true>(state, range, window, residual);
+void residual(const SpringState& state, const BlockRange& range, GridWindow& window, Vec4* residual) {
+    if (state.table.stiffening() != nullptr)
+        SpringsOfGrid<true, 3>(state, range, window).residual(range, residual);
     else
-        residual_of_springs<false>(state, range, window, residual);
+        SpringsOfGrid<false, 3>(state, range, window).residual(range, residual);
 }
 
 }  // namespace
@@ -441,11 +246,11 @@ HWY_EXPORT(linearise);
 HWY_EXPORT(residual);
 
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     GridWindow* window, SpringMatrix& matrix, Vec4* right_side) {
+                     GridWindow& window, SpringMatrix& matrix, Vec4* right_side) {
     HWY_DYNAMIC_DISPATCH(linearise)(state, about, range, window, matrix, right_side);
 }
 
-void residual_block(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual) {
+void residual_block(const SpringState& state, const BlockRange& range, GridWindow& window, Vec4* residual) {
     HWY_DYNAMIC_DISPATCH(residual)(state, range, window, residual);
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "cloth/system/implicit_system.h"
-#include "cloth/system/springs/coupling.h"
+#include "cloth/system/springs/rings.h"
 #include "cloth/system/springs/spring_matrix.h"
 #include "cloth/system/springs/spring_table.h"
 #include "cloth/system/step_equation.h"
@@ -17,18 +17,26 @@ namespace weft {
 struct SpringState {
     const StepEquation& equation;
     const SpringMatrix& matrix;
-    const SpringTable& table;
-    const MembraneCoupling& coupling;       ///< computed at the positions meant; empty: there is none
+    const SpringTable& table;               ///< of a grid
+    const Rings& rings;                     ///< of any other mesh
     std::span<const float> bending_excess;  ///< see ClothModel
     std::span<const Vec4> positions;        ///< w inverse mass
     std::span<const Vec4> velocities;
-    float time_ahead = 0;  ///< meant are positions + time_ahead x velocities [s]; 0 without a window
+    float time_ahead = 0;  ///< of a grid: meant are positions + time_ahead x velocities [s]
 };
 
-/// The rows of W and b of one block; see ImplicitSystem::linearise.
-/// Invariant: `window` is null but for matrices with diagonals.
+/// The rows of W and b of one block; see ImplicitSystem::linearise. Of a grid.
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
-                     GridWindow* window, SpringMatrix& matrix, Vec4* right_side);
-void residual_block(const SpringState& state, const BlockRange& range, GridWindow* window, Vec4* residual);
+                     GridWindow& window, SpringMatrix& matrix, Vec4* right_side);
+void residual_block(const SpringState& state, const BlockRange& range, GridWindow& window, Vec4* residual);
+
+/// The same of rings, which take what a coupled product needs of the linearisation.
+void linearise_rings(const SpringState& state, LinearisedAbout about, const BlockRange& range, Rings& rings,
+                     SpringMatrix& matrix, Vec4* right_side);
+void residual_of_rings(const SpringState& state, const BlockRange& range, Vec4* residual);
+/// As multiply_block(), with what the sides of triangles do to one another in that linearisation, times
+/// `elastic` [s^2].
+Products multiply_rings(const SpringMatrix& matrix, const Rings& rings, float elastic,
+                        const BlockRange& range, const DottedWith& with, const Vec4* x, Vec4* product);
 
 }  // namespace weft

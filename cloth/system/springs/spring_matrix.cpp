@@ -9,13 +9,12 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "cloth/system/external_row-inl.h"
 #include "cloth/system/grid/grid_windows-inl.h"
 #include "cloth/system/row_loops-inl.h"
 #include "cloth/system/sparse/stencil-inl.h"
 #include "cloth/system/sparse/transfers-inl.h"
+#include "cloth/system/springs/whole_row-inl.h"
 #include "engine/simd/half_precision-inl.h"
-#include "engine/simd/symmetric3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
@@ -117,23 +116,28 @@ HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, co
                                  const Lanes3& x_i) {
     Lanes3 sum = zero3();
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
-    for (std::uint32_t s = x.stencil.group_slots[group]; s < x.stencil.group_slots[group + 1]; ++s) {
-        const auto [a, d] = load_block(&matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)]);
-        const Lanes3 difference = x_i - x.neighbours(s, lane);
-        sum = mul_add(dot(d, difference), d, mul_add(a, difference, sum));
+    const std::uint32_t begin = x.stencil.group_slots[group], end = x.stencil.group_slots[group + 1];
+    const std::uint32_t bending = begin + matrix.group_places[group + 1] - matrix.group_places[group] - 1;
+    const auto difference = [&](std::uint32_t s) HWY_ATTR {
+        return x_i - gather_rows(x.rows, &x.stencil.neighbours[s * Stencil::lanes + lane]);
+    };
+    const auto coefficients = [&](std::uint32_t s) HWY_ATTR {
+        return &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)];
+    };
+    for (std::uint32_t s = begin; s < bending; ++s) {
+        const auto [a, d] = load_block(coefficients(s));
+        const Lanes3 apart = difference(s);
+        sum = mul_add(dot(d, apart), d, mul_add(a, apart, sum));
     }
+    for (std::uint32_t s = bending; s < end; ++s)
+        sum = mul_add(load_halves(coefficients(s)), difference(s), sum);
     return sum;
 }
 
 /// (W x)_i for the lanes from particle `i` on.
 template <class Rows>
 HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, Rows& x, const Lanes3& x_i) {
-    const Lanes3 sum = sum_of_springs(matrix, i, x, x_i);
-    const Lanes row_sum = load_lanes(&matrix.row_sums[i]);
-    const Lanes squared_unit = hn::Set(Tag(), matrix.unit * matrix.unit);
-    Lanes3 own = row_sum * x_i;
-    if (touches(matrix.contacts, i)) own = own + contact_blocks(*matrix.contacts, i) * x_i;
-    return keep_where(hn::Ne(row_sum, hn::Zero(Tag())), mul_add(squared_unit, sum, own));
+    return whole_row(matrix, i, x_i, sum_of_springs(matrix, i, x, x_i));
 }
 
 namespace {
@@ -210,26 +214,22 @@ HWY_EXPORT(relax_corrected);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
 
-SpringMatrix::SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours)
-    : stencil(offsets, neighbours),
-      diagonals(offsets, neighbours),
+SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid)
+    : stencil(std::move(of_rings)),
+      group_places(std::move(places)),
+      diagonals(of_grid),
       coefficients(4 * entries()),
       row_sums(stencil.nodes),
-      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {
-    if (!diagonals.empty()) stencil.drop_lists();
-}
+      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
 
-SpringMatrix::SpringMatrix(Stencil of_any, const Diagonals& of_grid, Unmade later)
-    : stencil(std::move(of_any)),
+SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid,
+                           Unmade later)
+    : stencil(std::move(of_rings)),
+      group_places(std::move(places)),
       diagonals(of_grid),
       coefficients(4 * entries(), later),
       row_sums(stencil.nodes, later),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes, later) {}
-
-std::uint32_t SpringMatrix::entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const {
-    if (diagonals.empty()) return stencil.entries[e];
-    return neighbour > i ? diagonals.entry_between(i, neighbour) : no_entry;
-}
 
 // Halves reach from 2^-14 (2^-24 with fewer digits) to 2^16. With |d| of at most 2^7 units, a is at most 2^14
 // square units, and the softest spring that keeps its digits is 2^28 times softer than the stiffest.

@@ -2,6 +2,7 @@
 // The matrix of springs, and the loops over its rows: a block of particles at a time, with the widest vectors
 // that the machine has.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,7 @@
 #include "cloth/system/grid/diagonals.h"
 #include "cloth/system/implicit_system.h"
 #include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -20,29 +22,41 @@ namespace weft {
 /// a spring and the diagonal are made of the cut values, so that W is symmetric, keeps momentum, and is
 /// positive definite.
 ///
-/// Any mesh: the entries are those of a stencil, each spring at both ends. A grid: those of diagonals, each
-/// spring at its first end.
+/// A grid: the entries are those of diagonals, each spring at its first end. Any other mesh: those of a
+/// stencil of rings, each spring at both ends; see Rings.
 struct SpringMatrix {
-    /// From compressed rows, as a Stencil.
-    SpringMatrix(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
-    /// Of lists that were read; a grid's are none.
-    SpringMatrix(Stencil of_any, const Diagonals& of_grid, Unmade later);
+    SpringMatrix() = default;
+    /// Of rings and their places, or of a grid, whose stencil has no lists.
+    SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid);
+    SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid,
+                 Unmade later);
     /// Chooses the unit so that blocks A of up to `largest_block` [kg] fit half precision.
     void set_unit(float largest_block);
 
     [[nodiscard]] std::size_t entries() const noexcept {
         return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
     }
-    /// The entry of half-edge e of node i; no_entry if the spring is kept at its other end.
-    [[nodiscard]] std::uint32_t entry(std::uint32_t i, std::uint32_t e, std::uint32_t neighbour) const;
-    static constexpr std::uint32_t no_entry = ~0u;
+    /// The place * 16 + lane of half-edge e of node i, which is a spring's; see Rings.
+    [[nodiscard]] std::uint32_t place(std::uint32_t i, std::uint32_t e) const {
+        const std::uint32_t group = i / Stencil::lanes, entry = stencil.entries[e];
+        const std::uint32_t slot = entry / Stencil::lanes - stencil.group_slots[group];
+        // It is among the group's, but perhaps in a file that was made to mislead.
+        const std::uint32_t last = group_places[group + 1] - group_places[group] - 1;
+        return (group_places[group] + std::min(slot + 1, last)) * Stencil::lanes + entry % Stencil::lanes;
+    }
+    [[nodiscard]] std::uint32_t places() const noexcept {
+        return group_places.empty() ? 0 : group_places[stencil.groups()];
+    }
     /// The particle that particle i has in one of its entries.
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t entry, std::uint32_t i) const {
         return diagonals.empty() ? stencil.neighbours[entry]
                                  : i + diagonals.differences[entry / Stencil::lanes % diagonals.count];
     }
 
-    Stencil stencil;      ///< of a grid without lists
+    Stencil stencil;  ///< of a grid without lists
+    /// Places of group g: [group_places[g], group_places[g + 1]), one and one for each of its first slots;
+    /// in the others there is bending alone: d is 0, and neither written nor read. A grid has none.
+    SharedBuffer<std::uint32_t> group_places;
     Diagonals diagonals;  ///< empty for what is no grid
     /// Diagonals along which there is bending alone: d is 0, and neither written nor read.
     std::array<bool, Diagonals::most> isotropic{};
@@ -53,7 +67,8 @@ struct SpringMatrix {
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return stencil.bytes() + coefficients.bytes() + row_sums.bytes() + inverse_diagonal.bytes();
+        return stencil.bytes() + group_places.bytes() + coefficients.bytes() + row_sums.bytes() +
+               inverse_diagonal.bytes();
     }
 };
 

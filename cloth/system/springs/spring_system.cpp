@@ -1,28 +1,64 @@
 #include "cloth/system/springs/spring_system.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
+#include "cloth/mesh/list_checks.h"
 #include "cloth/system/sparse/vectors.h"
 #include "cloth/system/springs/spring_forces.h"
-#include "cloth/system/springs/springs.h"
 
 namespace weft {
 
+namespace {
+
+/// Of each group as many places as the longest ring has springs, and one for openings.
+SharedBuffer<std::uint32_t> places_of(const RingOrder& order, std::uint32_t particles) {
+    constexpr std::uint32_t lanes = Stencil::lanes;
+    SharedBuffer<std::uint32_t> places(Stencil::whole_groups(particles) / lanes + 1);
+    for (std::uint32_t i = 0; i < particles; ++i) {
+        std::uint32_t& end = places[i / lanes + 1];
+        end = std::max(end, order.end(i) - order.offsets[i] + 1);
+    }
+    std::partial_sum(places.begin(), places.end(), places.begin());
+    return places;
+}
+
+/// Whether these are places of a stencil's groups, each with slots for its springs.
+bool are_places(const SharedBuffer<std::uint32_t>& places, const Stencil& stencil) {
+    const std::uint32_t groups = stencil.groups();
+    if (places.size() != groups + 1 || !are_offsets(places.span(), groups, places[groups])) return false;
+    for (std::uint32_t g = 0; g < groups; ++g) {
+        const std::uint32_t slots = stencil.group_slots[g + 1] - stencil.group_slots[g];
+        if (places[g + 1] == places[g] || places[g + 1] - places[g] > slots + 1) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Diagonals diagonals_of(const ClothModel& model) {
+    return model.rows > 0 ? Diagonals(model.spring_offsets.span(), model.neighbours.span()) : Diagonals();
+}
+
 SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
-    : ImplicitSystem(model.particle_count),
-      model_(&model),
-      matrix_(model.spring_offsets.span(), model.neighbours.span()),
-      table_(model, matrix_, stiffens) {
-    windows_ = GridWindows(matrix_.diagonals, 7);
-    if (model.rows == 0) coupling_ = MembraneCoupling(model, matrix_, stiffens);
-    if (windows_.empty() || !coupling_.empty()) positions_ = AlignedBuffer<Vec4>(model.particle_count);
-    if (const std::uint32_t count = matrix_.diagonals.count; count > 0) {
+    : ImplicitSystem(model.particle_count), model_(&model) {
+    if (const Diagonals diagonals = diagonals_of(model); !diagonals.empty()) {
+        Stencil no_lists;
+        no_lists.nodes = model.particle_count;
+        matrix_ = SpringMatrix(std::move(no_lists), {}, diagonals);
+        windows_ = GridWindows(diagonals, 7);
+        table_ = SpringTable(model, matrix_, stiffens);
         matrix_.isotropic.fill(true);
         for_each_entry(model, matrix_, [&](std::uint32_t e, std::uint32_t entry) {
             if (model.kinds[e] != SpringKind::bending)
-                matrix_.isotropic[entry / Stencil::lanes % count] = false;
+                matrix_.isotropic[entry / Stencil::lanes % diagonals.count] = false;
         });
+    } else {
+        const RingOrder order(model);
+        matrix_ = SpringMatrix(order.stencil(model), places_of(order, model.particle_count), {});
+        rings_ = Rings(model, order, matrix_, stiffens);
+        positions_ = AlignedBuffer<Vec4>(model.particle_count);
     }
     prepare(Fabric());
 }
@@ -30,90 +66,105 @@ SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
 SpringSystem::SpringSystem(const ClothModel& model, SavedSprings&& saved)
     : ImplicitSystem(model.particle_count, unmade),
       model_(&model),
-      matrix_(std::move(saved.stencil), saved.diagonals, unmade),
+      matrix_(std::move(saved.stencil), std::move(saved.places), saved.diagonals, unmade),
+      membrane_(saved.membrane),
       table_(std::move(saved.table)),
-      coupling_(model.rows == 0 ? std::move(saved.coupling) : MembraneCoupling()) {
+      rings_(std::move(saved.rings)) {
     windows_ = GridWindows(matrix_.diagonals, 7);
-    if (model.rows == 0) coupling_.complete(model, unmade);
-    if (windows_.empty() || !coupling_.empty())
+    if (!rings_.empty()) {
+        rings_.complete(unmade);
         positions_ = AlignedBuffer<Vec4>(model.particle_count, unmade);
+    }
     for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
         matrix_.isotropic[d] = (saved.isotropic >> d & 1) != 0;
 }
 
 std::optional<SavedSprings> SpringSystem::springs() const {
-    SavedSprings saved;
-    saved.stencil = matrix_.stencil;
-    saved.table = table_;
-    saved.coupling = coupling_;
-    saved.diagonals = matrix_.diagonals;
+    SavedSprings saved{.stencil = matrix_.stencil,
+                       .places = matrix_.group_places,
+                       .membrane = membrane_,
+                       .table = table_,
+                       .rings = rings_,
+                       .diagonals = matrix_.diagonals};
     for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
         saved.isotropic |= (matrix_.isotropic[d] ? 1u : 0u) << d;
     return saved;
 }
 
 bool SavedSprings::is_sound(const ClothModel& model, bool stiffens) const {
-    const bool has_lists = diagonals.empty()
-                               ? stencil.is_sound(model.particle_count, model.neighbours.size())
-                               : stencil.nodes == model.particle_count && stencil.neighbours.empty();
-    return has_lists && table.is_sound(entries(), stiffens && model.rows > 0) &&
-           (model.rows == 0 ? coupling.is_sound(model, entries(), stiffens) : true);
+    const float numbers[] = {membrane.warp, membrane.weft, membrane.shear, membrane.stiffening};
+    if (!are_from_zero(numbers)) return false;
+    if (!diagonals.empty())
+        return stencil.nodes == model.particle_count && stencil.neighbours.empty() && rings.empty() &&
+               table.is_sound(entries(), stiffens);
+    return stencil.is_sound(model.particle_count, model.neighbours.size()) && are_places(places, stencil) &&
+           table.empty() && rings.is_sound(model, places[stencil.groups()], entries(), stiffens);
 }
 
 std::unique_ptr<ImplicitSystem> SpringSystem::clone(const ClothModel& model) const {
     auto made = std::make_unique<SpringSystem>(*this);
     made->model_ = &model;
     made->matrix_.contacts = nullptr;
-    made->linearised_at_ = {};
+    made->coupling_ = 0;
     return made;
 }
 
+bool SpringSystem::has_membrane_of(const Fabric& fabric) const noexcept {
+    return fabric.warp == membrane_.warp && fabric.weft == membrane_.weft &&
+           fabric.shear == membrane_.shear && fabric.stiffening == membrane_.stiffening &&
+           membrane_.areal_density >= 0;
+}
+
 void SpringSystem::make_own(const Fabric& fabric) {
-    if (table_.has_membrane_of(fabric)) return;
-    coupling_.make_own();
-    table_.make_own(fabric);
+    if (has_membrane_of(fabric)) return;
+    rings_.make_own();
+    table_.make_own();
 }
 
 void SpringSystem::prepare(const Fabric& fabric) noexcept {
-    if (!table_.set(*model_, matrix_, fabric)) return;
-    coupling_.set(*model_, matrix_, table_);
+    if (has_membrane_of(fabric)) return;
+    membrane_ = fabric;
+    table_.set(*model_, matrix_, fabric);
+    rings_.set(*model_, matrix_, fabric);
 }
 
 SpringState SpringSystem::state_at(Parallel& parallel, const StepEquation& equation,
                                    std::span<const Vec4> velocities, LinearisedAbout about) {
-    const bool ahead = about == LinearisedAbout::iterate, placed = ahead && positions_.size() > 0;
-    if (placed)
-        scale_and_add(parallel, equation.gamma, velocities, equation.base_positions, positions_.span());
-    const std::span<const Vec4> positions =
-        placed ? std::as_const(positions_).span() : equation.base_positions;
     prepare(equation.settings.fabric);
-    if (!coupling_.empty()) coupling_.compute(parallel, positions);
-    return {.equation = equation,
-            .matrix = matrix_,
-            .table = table_,
-            .coupling = coupling_,
-            .bending_excess = model_->bending_excess.span(),
-            .positions = positions,
-            .velocities = velocities,
-            .time_ahead = ahead && !placed ? equation.gamma : 0};
+    const float ahead = about == LinearisedAbout::iterate ? equation.gamma : 0;
+    SpringState state{.equation = equation,
+                      .matrix = matrix_,
+                      .table = table_,
+                      .rings = rings_,
+                      .bending_excess = model_->bending_excess.span(),
+                      .positions = equation.base_positions,
+                      .velocities = velocities,
+                      .time_ahead = ahead};
+    if (rings_.empty() || ahead == 0) return state;
+    scale_and_add(parallel, ahead, velocities, equation.base_positions, positions_.span());
+    state.positions = std::as_const(positions_).span();
+    return state;
 }
 
 void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
                              std::span<const Vec4> velocities, LinearisedAbout about) {
     const Fabric& fabric = equation.settings.fabric;
     const SpringState state = state_at(parallel, equation, velocities, about);
-    const float stiffest =
-        table_.stiffest() + coupling_.stiffest_extra() + equation.rigidity * table_.stiffest_bending();
+    const float stiffest = rings_.empty() ? table_.stiffest() + equation.rigidity * table_.stiffest_bending()
+                                          : rings_.stiffest() + equation.rigidity * rings_.stiffest_bending();
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
     // About the base the right side has W's slope, and the matrix must, too.
-    linearised_at_ = about == LinearisedAbout::iterate ? state.positions : std::span<const Vec4>();
-    elastic_ = equation.gamma * equation.gamma;
+    const bool is_coupled = about == LinearisedAbout::iterate && model_->rows == 0;
+    coupling_ = is_coupled ? equation.gamma * equation.gamma : 0;
     blocks_in_tiles(parallel, model_->particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
                         linearise_contacts(equation, velocities, range);
-                        linearise_block(state, about, range, window, matrix_, right_side_.data());
+                        if (window == nullptr)
+                            linearise_rings(state, about, range, rings_, matrix_, right_side_.data());
+                        else
+                            linearise_block(state, about, range, *window, matrix_, right_side_.data());
                     });
 }
 
@@ -122,8 +173,18 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
     const SpringState state = state_at(parallel, equation, velocities, LinearisedAbout::iterate);
     blocks_in_tiles(parallel, model_->particle_count, windows_,
                     [&](const BlockRange& range, GridWindow* window) {
-                        residual_block(state, range, window, residual.data());
+                        if (window == nullptr)
+                            residual_of_rings(state, range, residual.data());
+                        else
+                            residual_block(state, range, *window, residual.data());
                     });
+}
+
+// What triangles' sides do to one another: without it a pass would leave as much of that as it found.
+Products SpringSystem::multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                             Vec4* product, GridWindow* window) const {
+    if (coupling_ == 0) return multiply_rows(range, with, x, product, window);
+    return multiply_rings(matrix_, rings_, coupling_, range, with, x, product);
 }
 
 Products SpringSystem::multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
@@ -163,19 +224,6 @@ void SpringSystem::relax_corrected(Parallel& parallel, std::span<const Vec4> b, 
         });
 }
 
-// What triangles' sides do to one another: without it a pass would leave as much of that as it found.
-double SpringSystem::add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
-    if (coupling_.empty() || linearised_at_.empty()) return 0;
-    const double sum = coupling_.stiffen(parallel, linearised_at_, x);
-    if (!product.empty()) {
-        parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
-            for (std::uint32_t i = range.begin; i < range.end; ++i)
-                if (matrix_.row_sums[i] != 0) coupling_.add_forces(i, elastic_, product[i]);
-        });
-    }
-    return static_cast<double>(elastic_) * sum;
-}
-
 float SpringSystem::constant_block(std::uint32_t i, std::uint32_t j) const {
     const std::uint32_t e = half_edge_between(*model_, i, j);
     return model_->kinds[e] == SpringKind::bending ? model_->bending[e] : 0.0f;
@@ -194,8 +242,7 @@ std::uint32_t SpringSystem::entry_between(std::uint32_t i, std::uint32_t j) cons
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + matrix_.bytes() + table_.bytes() + coupling_.bytes() +
-           positions_.bytes();
+    return ImplicitSystem::bytes() + matrix_.bytes() + table_.bytes() + rings_.bytes() + positions_.bytes();
 }
 
 }  // namespace weft

@@ -1,7 +1,6 @@
 #pragma once
 // Springs as the linear system of an implicit step.
 
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -14,10 +13,12 @@ namespace weft {
 /// What of a SpringSystem is constant, as long as its fabric's membrane is.
 struct SavedSprings {
     Stencil stencil;
+    SharedBuffer<std::uint32_t> places;  ///< SpringMatrix::group_places
     /// As SpringMatrix::isotropic, a bit each.
     std::uint32_t isotropic = 0;
+    Fabric membrane{.areal_density = -1};  ///< whose membrane it is; none yet
     SpringTable table;
-    MembraneCoupling coupling;
+    Rings rings;
     Diagonals diagonals;  ///< saved nowhere: they are the model's
 
     /// visit(list) and visit.value(number) for all that is saved.
@@ -25,9 +26,15 @@ struct SavedSprings {
     static void for_each_list(Self& self, Visit& visit) {
         visit.value(self.stencil.nodes);
         visit.value(self.isotropic);
+        visit.value(self.membrane.warp);
+        visit.value(self.membrane.weft);
+        visit.value(self.membrane.shear);
+        visit.value(self.membrane.stiffening);
+        visit.value(self.membrane.areal_density);
         Stencil::for_each_list(self.stencil, visit);
+        visit(self.places);
         SpringTable::for_each_list(self.table, visit);
-        MembraneCoupling::for_each_list(self.coupling, visit);
+        Rings::for_each_list(self.rings, visit);
     }
     /// Whether lists that were read are of this model, as far as memory goes.
     [[nodiscard]] bool is_sound(const ClothModel& model, bool stiffens) const;
@@ -35,6 +42,10 @@ struct SavedSprings {
         return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
     }
 };
+
+/// A sheet's; empty where it is no sheet, or a large one of so few rows that threads would have nothing to
+/// share.
+[[nodiscard]] Diagonals diagonals_of(const ClothModel& model);
 
 /// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + G_i + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c
 /// n n^T = a I + d d^T.
@@ -72,7 +83,8 @@ class SpringSystem final : public ImplicitSystem {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
-    double add_coupling(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) override;
+    Products multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
+                                   Vec4* product, GridWindow* window) const override;
     Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x, Vec4* product,
                            GridWindow* window) const override;
     void subtract_product_rows(const BlockRange& range, const Vec4* b, const Vec4* x, Vec4* remainder,
@@ -82,17 +94,18 @@ class SpringSystem final : public ImplicitSystem {
                     GridWindow* window) const override;
 
   private:
+    [[nodiscard]] bool has_membrane_of(const Fabric& fabric) const noexcept;
     [[nodiscard]] SpringState state_at(Parallel& parallel, const StepEquation& equation,
                                        std::span<const Vec4> velocities, LinearisedAbout about);
 
     const ClothModel* model_;
     SpringMatrix matrix_;
-    SpringTable table_;
-    MembraneCoupling coupling_;
+    Fabric membrane_{.areal_density = -1};  // whose springs these are; none yet
+    SpringTable table_;                     // of a grid
+    Rings rings_;                           // of any other mesh
     float constant_scale_ = 0;
-    std::span<const Vec4> linearised_at_;  // the particles' places in the last linearisation about an iterate
-    float elastic_ = 0;                    // gamma^2 of that
-    AlignedBuffer<Vec4> positions_;        // x_base + gamma v; in a sheet added up on the way
+    float coupling_ = 0;             // gamma^2 of the last linearisation about an iterate, on meshes
+    AlignedBuffer<Vec4> positions_;  // of rings: x_base + gamma v; in a grid added up on the way
 };
 
 }  // namespace weft

@@ -13,7 +13,7 @@ SpringTable::SpringTable(const ClothModel& model, const SpringMatrix& matrix, bo
     : rest_lengths_(matrix.entries()),
       stiffness_(matrix.entries()),
       bending_(matrix.entries()),
-      stiffening_(stiffens && model.rows > 0 ? matrix.entries() : 0),
+      stiffening_(stiffens ? matrix.entries() : 0),
       slots_(matrix.entries() / Stencil::lanes) {
     std::ranges::fill(rest_lengths_.span(), 1.0f);
     for_each_entry(model, matrix, [&](std::uint32_t e, std::uint32_t entry) {
@@ -26,74 +26,45 @@ SpringTable::SpringTable(const ClothModel& model, const SpringMatrix& matrix, bo
 bool SpringTable::is_sound(std::size_t entries, bool stiffens) const {
     std::uint32_t wrong = 0;
     for (const Slot& slot : slots_) wrong |= slot.kind > SlotKind::bending ? 1u : 0u;
-    const float numbers[] = {fabric_.warp,       fabric_.weft, fabric_.shear,
-                             fabric_.stiffening, stiffest_,    stiffest_bending_};
+    const float numbers[] = {stiffest_, stiffest_bending_};
     return wrong == 0 && are_from_zero(numbers) && rest_lengths_.size() == entries &&
            stiffness_.size() == entries && bending_.size() == entries &&
            stiffening_.size() == (stiffens ? entries : 0) && slots_.size() == entries / Stencil::lanes;
 }
 
-bool SpringTable::has_membrane_of(const Fabric& fabric) const noexcept {
-    return fabric.warp == fabric_.warp && fabric.weft == fabric_.weft && fabric.shear == fabric_.shear &&
-           fabric.stiffening == fabric_.stiffening && fabric_.areal_density >= 0;
-}
-
-void SpringTable::make_own(const Fabric& fabric) {
-    if (has_membrane_of(fabric)) return;
-    rest_lengths_.make_own();
+void SpringTable::make_own() {
     stiffness_.make_own();
     stiffening_.make_own();
     slots_.make_own();
 }
 
-bool SpringTable::set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
-    if (has_membrane_of(fabric)) return false;
-    fabric_ = fabric;
+void SpringTable::set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
+    if (empty()) return;
     std::ranges::fill(stiffness_.span(), 0.0f);
-    // Where panels of a seam have sides of two lengths, the spring rests where its parts balance.
-    const bool has_seams = !model.panel_sides.empty();
-    if (has_seams) std::ranges::fill(rest_lengths_.span(), 0.0f);
-    const auto entry_of = [&](std::uint32_t from, std::uint32_t e) {
-        return matrix.entry(from, e, model.neighbours[e]);
-    };
     for_each_spring_part(model, fabric,
-                         [&](std::uint32_t forth, std::uint32_t back, double stiffness, double length) {
-                             const std::uint32_t i = model.neighbours[back], j = model.neighbours[forth];
-                             for (const std::uint32_t entry : {entry_of(i, forth), entry_of(j, back)}) {
-                                 if (entry == SpringMatrix::no_entry) continue;
-                                 stiffness_[entry] += static_cast<float>(stiffness);
-                                 if (has_seams)
-                                     rest_lengths_[entry] += static_cast<float>(stiffness * length);
-                             }
+                         [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {
+                             const auto [i, j] = std::minmax(model.neighbours[back], model.neighbours[forth]);
+                             stiffness_[matrix.diagonals.entry_between(i, j)] += static_cast<float>(part);
                          });
     stiffest_ = 0;
     for (float& stiffness : stiffness_.span()) {
         stiffness = std::max(stiffness, 0.0f);
         stiffest_ = std::max(stiffest_, stiffness);
     }
-    set_stiffening(model, matrix);
-    if (has_seams) {
-        for_each_entry(model, matrix, [&](std::uint32_t e, std::uint32_t entry) {
-            float& length = rest_lengths_[entry];
-            length = stiffness_[entry] > 0 ? length / stiffness_[entry] : model.rest_lengths[e];
-        });
-    }
+    set_stiffening(model, matrix, fabric);
     sum_up_slots();
-    return true;
 }
 
-void SpringTable::set_stiffening(const ClothModel& model, const SpringMatrix& matrix) noexcept {
+void SpringTable::set_stiffening(const ClothModel& model, const SpringMatrix& matrix,
+                                 const Fabric& fabric) noexcept {
     if (stiffening_.size() == 0) return;
     std::ranges::fill(stiffening_.span(), 0.0f);
     const auto add = [&](std::uint32_t i, std::uint32_t j, double q) {
-        const std::uint32_t entry = matrix.entry(i, half_edge_between(model, i, j), j);
-        const std::uint32_t back = matrix.entry(j, half_edge_between(model, j, i), i);
-        for (const std::uint32_t at : {entry, back})
-            if (at != SpringMatrix::no_entry) stiffening_[at] += static_cast<float>(q);
+        stiffening_[matrix.diagonals.entry_between(std::min(i, j), std::max(i, j))] += static_cast<float>(q);
     };
     for (std::uint32_t row = 0; row + 1 < model.rows; ++row)
         for (std::uint32_t column = 0; column + 1 < model.columns; ++column)
-            for_each_stiffening_of_cell(model, fabric_, row * model.columns + column, add);
+            for_each_stiffening_of_cell(model, fabric, row * model.columns + column, add);
     const auto steepest = static_cast<float>(stiffened(last_stiffening_strain).slope);
     for (std::size_t e = 0; e < stiffening_.size(); ++e)
         stiffest_ = std::max(stiffest_, stiffness_[e] + steepest * stiffening_[e]);

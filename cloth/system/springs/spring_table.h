@@ -1,5 +1,5 @@
 #pragma once
-// What springs and bending are at each entry of a matrix, once a fabric is set.
+// What a grid's springs and bending are at each entry of its matrix, once a fabric is set.
 
 #include <cstdint>
 
@@ -10,13 +10,13 @@
 
 namespace weft {
 
-/// body(half-edge, entry) for all that have one.
+/// body(half-edge, entry) for the half-edges that have one: those to later particles.
 template <class Body>
 void for_each_entry(const ClothModel& model, const SpringMatrix& matrix, const Body& body) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
-            const std::uint32_t entry = matrix.entry(i, e, model.neighbours[e]);
-            if (entry != SpringMatrix::no_entry) body(e, entry);
+            const std::uint32_t j = model.neighbours[e];
+            if (j > i) body(e, matrix.diagonals.entry_between(i, j));
         }
     }
 }
@@ -34,12 +34,11 @@ class SpringTable {
     SpringTable() = default;
     /// `stiffens`: for fabrics that do.
     SpringTable(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
-    /// Whether set() has nothing to do.
-    [[nodiscard]] bool has_membrane_of(const Fabric& fabric) const noexcept;
     /// Gives a table that is a copy memory of its own for another fabric's membrane. May run out of memory.
-    void make_own(const Fabric& fabric);
-    /// Takes O(springs). False: nothing to do, it has that fabric's membrane. Precondition: make_own().
-    bool set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
+    void make_own();
+    /// Takes O(springs). Precondition: make_own().
+    void set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
+    [[nodiscard]] bool empty() const noexcept { return slots_.empty(); }
 
     enum class SlotKind : std::uint32_t {
         mixed,         ///< look at each lane
@@ -55,20 +54,14 @@ class SpringTable {
     [[nodiscard]] const float* rest_lengths() const noexcept { return rest_lengths_.data(); }
     [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
     [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
-    /// q of a sheet's springs [N/m], see spring_at(); null: they do not stiffen, or by their triangles.
+    /// q [N/m], see spring_at(); null: they do not stiffen.
     [[nodiscard]] const float* stiffening() const noexcept { return stiffening_.data(); }
-    [[nodiscard]] const Fabric& fabric() const noexcept { return fabric_; }
 
     [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< however stretched [N/m]
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< of B = 1 [1/m^2]
     /// visit(list) and visit.value(number) for all that it has.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
-        visit.value(self.fabric_.warp);
-        visit.value(self.fabric_.weft);
-        visit.value(self.fabric_.shear);
-        visit.value(self.fabric_.stiffening);
-        visit.value(self.fabric_.areal_density);
         visit.value(self.stiffest_);
         visit.value(self.stiffest_bending_);
         visit(self.rest_lengths_);
@@ -87,11 +80,10 @@ class SpringTable {
 
   private:
     void sum_up_slots() noexcept;
-    void set_stiffening(const ClothModel& model, const SpringMatrix& matrix) noexcept;
+    void set_stiffening(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
     SharedBuffer<float> rest_lengths_, stiffness_, bending_, stiffening_;
     SharedBuffer<Slot> slots_;
-    Fabric fabric_{.areal_density = -1};  // none yet
     float stiffest_ = 0, stiffest_bending_ = 0;
 };
 

@@ -1,0 +1,152 @@
+// Rings in registers: the way round them. Included as cloth/system/sparse/stencil-inl.h is.
+
+#if defined(WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H
+#undef WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H
+#else
+#define WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H
+#endif
+
+#include "cloth/system/sparse/stencil-inl.h"
+#include "cloth/system/springs/membrane.h"
+#include "cloth/system/springs/rings.h"
+#include "engine/simd/half_precision-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+
+/// Where rings lie, for the lanes from one particle on. A kernel's own: through their owner they would be
+/// looked up anew after each store.
+struct RingLanes {
+    HWY_INLINE RingLanes(const SpringMatrix& matrix, const Rings& rings, std::uint32_t i)
+        : opening(matrix.group_places[i / Stencil::lanes]),
+          springs(matrix.group_places[i / Stencil::lanes + 1] - opening - 1),
+          first_slot(matrix.stencil.group_slots[i / Stencil::lanes]),
+          slots(matrix.stencil.group_slots[i / Stencil::lanes + 1] - first_slot),
+          lane(i % Stencil::lanes),
+          nodes(&matrix.stencil.neighbours[std::size_t{first_slot} * Stencil::lanes + lane]),
+          last(rings.last() + i),
+          closes(rings.closes() + opening),
+          numbers(rings.springs() + std::size_t{opening} * Rings::count * Stencil::lanes + lane),
+          stiffening(rings.stiffening() == nullptr
+                         ? nullptr
+                         : rings.stiffening() +
+                               std::size_t{opening} * Rings::stiffening_count * Stencil::lanes + lane) {}
+
+    // Of the places of the group, of which 0 is the opening.
+    [[nodiscard]] HWY_INLINE Lanes number(std::uint32_t place, Rings::Number k) const {
+        return load_lanes(numbers + (std::size_t{place} * Rings::count + k) * Stencil::lanes);
+    }
+    [[nodiscard]] HWY_INLINE Lanes stiffening_number(std::uint32_t place, std::uint32_t k) const {
+        return load_lanes(stiffening + (std::size_t{place} * Rings::stiffening_count + k) * Stencil::lanes);
+    }
+    [[nodiscard]] HWY_INLINE Lanes3 neighbours(const Vec4* rows, std::uint32_t slot) const {
+        return gather_rows(rows, nodes + std::size_t{slot} * Stencil::lanes);
+    }
+    /// The place's value in halves, of so many a place, for kernels to write or to read.
+    template <class Halves>
+    [[nodiscard]] HWY_INLINE Halves* halves(Halves* of_all, std::uint32_t count, std::uint32_t place,
+                                            std::uint32_t k) const {
+        return of_all + (std::size_t{opening + place} * count + k) * Stencil::lanes + lane;
+    }
+
+    std::uint32_t opening, springs;  ///< the group's first place; slots with springs, which come first
+    std::uint32_t first_slot, slots, lane;
+    const std::uint32_t *nodes, *last;
+    const std::uint16_t* closes;
+    const float *numbers, *stiffening;
+};
+
+/// s a + t b. Both ends of a spring have the two products in either order, so neither may be rounded less.
+HWY_INLINE Lanes sum_of_products(Lanes s, Lanes a, Lanes t, Lanes b) {
+    return hn::Add(hn::Mul(s, a), hn::Mul(t, b));
+}
+
+/// `yes` in the lanes whose bit is set, which are the lowest.
+HWY_INLINE Lanes where_bits(std::uint32_t bits, Lanes yes, Lanes no) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits & 255),
+                                   static_cast<std::uint8_t>(bits >> 8 & 255)};
+    return hn::IfThenElse(hn::LoadMaskBits(Tag(), bytes), yes, no);
+}
+
+/// What a spring's triangles pull along it; and by how much more for each metre, where they stiffen.
+template <bool stiffens>
+struct Pull {
+    Lanes tension, slope;
+
+    HWY_INLINE static Pull none() { return {set(0), set(0)}; }
+    HWY_INLINE friend Pull operator+(const Pull& l, const Pull& r) {
+        return {hn::Add(l.tension, r.tension), stiffens ? hn::Add(l.slope, r.slope) : l.slope};
+    }
+    HWY_INLINE friend Pull where_bits(std::uint32_t bits, const Pull& yes, const Pull& no) {
+        return {where_bits(bits, yes.tension, no.tension),
+                stiffens ? where_bits(bits, yes.slope, no.slope) : no.slope};
+    }
+};
+
+/// The part of one axis, warp or weft, in a triangle that stiffens, as one of the two sides at the particle
+/// sees it. Both ends of the side compute the same floats.
+struct AxisOfSide {
+    Lanes own, other, third;  ///< strain by the length of the side, of the other one and of the third
+    Lanes modulus;
+
+    HWY_INLINE AxisOfSide(const RingLanes& rings, std::uint32_t place, std::uint32_t axis, bool is_a)
+        : own(rings.stiffening_number(place, axis * Rings::axis_count + (is_a ? Rings::by_a : Rings::by_b))),
+          other(
+              rings.stiffening_number(place, axis * Rings::axis_count + (is_a ? Rings::by_b : Rings::by_a))),
+          third(rings.stiffening_number(place, axis * Rings::axis_count + Rings::by_third)),
+          modulus(rings.stiffening_number(place, axis * Rings::axis_count + Rings::modulus)) {}
+
+    [[nodiscard]] HWY_INLINE Lanes strain(Lanes own_length, Lanes other_length, Lanes third_length) const {
+        return hn::MulAdd(own, own_length, sum_of_products(other, other_length, third, third_length));
+    }
+    /// What bounds the slope of the side's tension where its axis has reached so much.
+    [[nodiscard]] HWY_INLINE Lanes own_slope(Lanes reached) const {
+        const Lanes size = hn::Abs(own), sum = hn::Add(size, hn::Add(hn::Abs(other), hn::Abs(third)));
+        const Lanes bound = hn::Mul(size, hn::Max(size, hn::Mul(set(static_cast<float>(least_bound)), sum)));
+        return hn::Mul(hn::Mul(modulus, hn::Add(reached, reached)), bound);
+    }
+};
+
+/// Goes round the rings of the lanes from a particle on. A side has a `value`, its length or how much longer
+/// it becomes. The visitor has
+///     side(place, to the neighbour), third(place, from a's end to b's): a side, a value
+///     open(place, side): the last neighbour's
+///     pull(place, is a, its value, the other's, the third's): what the place's triangle pulls along a or b
+///     spring(place, side, pull of both triangles)
+/// The next side is worked out before a spring is, else a processor would spend half its time on waiting for
+/// one root after the other. The third side is a difference of places, not of what lies between: so all three
+/// corners compute the same floats.
+template <class Visitor>
+HWY_INLINE void go_round(const RingLanes& rings, const Vec4* rows, const Lanes3& own, Visitor& visitor) {
+    if (rings.springs == 0) return;
+    const Lanes3 at_last = gather_rows(rows, rings.last);
+    Lanes3 at = rings.neighbours(rows, 0);
+    const auto back = visitor.side(0, at_last - own);
+    auto side = visitor.side(1, at - own);
+    const Lanes across = visitor.third(0, at - at_last);
+    visitor.open(0, back);
+    auto behind = visitor.pull(0, false, side.value, back.value, across);
+    const auto closing = visitor.pull(0, true, back.value, side.value, across);
+    for (std::uint32_t place = 1; place <= rings.springs; ++place) {
+        const auto now = side;
+        const auto from_behind = behind;
+        auto ahead = decltype(behind)::none();
+        if (place < rings.springs) {
+            const Lanes3 next = rings.neighbours(rows, place);
+            side = visitor.side(place + 1, next - own);
+            const Lanes third = visitor.third(place, next - at);
+            ahead = visitor.pull(place, true, now.value, side.value, third);
+            behind = visitor.pull(place, false, side.value, now.value, third);
+            at = next;
+        }
+        const std::uint32_t closes = rings.closes[place] >> rings.lane & ((1u << part_lanes) - 1);
+        if (HWY_UNLIKELY(closes != 0)) ahead = where_bits(closes, closing, ahead);
+        visitor.spring(place, now, from_behind + ahead);
+    }
+}
+
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

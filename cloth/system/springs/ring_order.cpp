@@ -1,0 +1,190 @@
+#include "cloth/system/springs/ring_order.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace weft {
+
+namespace {
+
+constexpr std::uint32_t none = RingPlace::none;
+
+/// One triangle at a particle, between two of its neighbours.
+struct Corner {
+    std::uint32_t triangle;
+    std::array<std::uint32_t, 2> beside;  // places in the list of neighbours
+    bool is_used = false;
+};
+
+/// A neighbour of a particle, with the one or two of their triangles that this copy of their edge has.
+struct Neighbour {
+    std::uint32_t half_edge, copy;
+    std::array<std::uint32_t, 2> corners{none, none};
+
+    [[nodiscard]] bool is_end() const { return corners[0] != none && corners[1] == none; }
+};
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+/// Edges that have a copy for each triangle.
+using CutEdges = std::set<Edge>;
+
+/// The triangles round one particle at a time.
+class Fan {
+  public:
+    explicit Fan(const ClothModel& model) : model_(model) {}
+
+    void look_at(std::uint32_t particle, const CutEdges& cut);
+    /// Writes the particle's ring; returns its opening.
+    std::uint32_t list(std::vector<RingPlace>& places);
+    /// Cuts what closes, unless it is all that there is. Whether there was anything to cut.
+    bool cut_open(std::uint32_t particle, CutEdges& cut);
+
+  private:
+    [[nodiscard]] std::uint32_t copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
+                                         std::uint32_t corner);
+    /// Goes on from a neighbour over triangles that were not used yet, and lists what it comes to. Returns
+    /// the triangle by which it came back to where it began, or none.
+    std::uint32_t follow(std::uint32_t first, std::vector<RingPlace>& places);
+    [[nodiscard]] Corner* next_corner(const Neighbour& from);
+
+    const ClothModel& model_;
+    std::vector<Neighbour> neighbours_;
+    std::vector<Corner> corners_;
+    std::vector<RingPlace> scratch_;
+};
+
+Edge edge_between(std::uint32_t i, std::uint32_t j) {
+    return {std::min(i, j), std::max(i, j)};
+}
+
+/// The place of the copy of an edge that takes one more triangle. Triangles come in ascending order, so both
+/// ends give each copy the same ones.
+std::uint32_t Fan::copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
+                            std::uint32_t corner) {
+    const std::uint32_t half_edge = half_edge_between(model_, particle, neighbour);
+    const std::size_t most = cut.contains(edge_between(particle, neighbour)) ? 1 : 2;
+    std::uint32_t copies = 0;
+    for (std::uint32_t k = 0; k < neighbours_.size(); ++k) {
+        if (neighbours_[k].half_edge != half_edge) continue;
+        ++copies;
+        for (std::size_t c = 0; c < most; ++c) {
+            if (neighbours_[k].corners[c] != none) continue;
+            neighbours_[k].corners[c] = corner;
+            return k;
+        }
+    }
+    neighbours_.push_back({half_edge, copies, {corner, none}});
+    return static_cast<std::uint32_t>(neighbours_.size()) - 1;
+}
+
+void Fan::look_at(std::uint32_t particle, const CutEdges& cut) {
+    neighbours_.clear();
+    corners_.clear();
+    for (std::uint32_t e = model_.spring_offsets[particle]; e < model_.spring_offsets[particle + 1]; ++e)
+        if (model_.kinds[e] != SpringKind::bending) neighbours_.push_back({e, 0});
+    if (model_.rows > 0) return;  // its springs are those of cells
+    for (std::uint32_t c = model_.corner_offsets[particle]; c < model_.corner_offsets[particle + 1]; ++c) {
+        const std::uint32_t t = model_.corner_triangles[c];
+        const Triangle& triangle = model_.triangles[t];
+        std::size_t k = 0;
+        while (triangle[k] != particle) ++k;
+        const auto corner = static_cast<std::uint32_t>(corners_.size());
+        corners_.push_back({t,
+                            {copy_for(particle, triangle[(k + 1) % 3], cut, corner),
+                             copy_for(particle, triangle[(k + 2) % 3], cut, corner)}});
+    }
+}
+
+Corner* Fan::next_corner(const Neighbour& from) {
+    for (const std::uint32_t corner : from.corners)
+        if (corner != none && !corners_[corner].is_used) return &corners_[corner];
+    return nullptr;
+}
+
+std::uint32_t Fan::follow(std::uint32_t first, std::vector<RingPlace>& places) {
+    std::uint32_t at = first;
+    places.push_back({neighbours_[at].half_edge, neighbours_[at].copy});
+    while (Corner* const corner = next_corner(neighbours_[at])) {
+        corner->is_used = true;
+        at = corner->beside[corner->beside[0] == at ? 1 : 0];
+        if (at == first) return corner->triangle;
+        places.back().triangle = corner->triangle;
+        places.push_back({neighbours_[at].half_edge, neighbours_[at].copy});
+    }
+    return none;
+}
+
+std::uint32_t Fan::list(std::vector<RingPlace>& places) {
+    const auto count = static_cast<std::uint32_t>(neighbours_.size());
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (neighbours_[k].is_end() && next_corner(neighbours_[k]) != nullptr) follow(k, places);
+    std::uint32_t opening = none;
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (next_corner(neighbours_[k]) != nullptr) opening = follow(k, places);
+    for (const Neighbour& neighbour : neighbours_)
+        if (neighbour.corners[0] == none) places.push_back({neighbour.half_edge, neighbour.copy});
+    return opening;
+}
+
+bool Fan::cut_open(std::uint32_t particle, CutEdges& cut) {
+    scratch_.clear();
+    std::uint32_t chains = 0;
+    std::vector<std::uint32_t> closed;
+    const auto count = static_cast<std::uint32_t>(neighbours_.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+        if (!neighbours_[k].is_end() || next_corner(neighbours_[k]) == nullptr) continue;
+        follow(k, scratch_);
+        ++chains;
+    }
+    for (std::uint32_t k = 0; k < count; ++k) {
+        if (next_corner(neighbours_[k]) == nullptr) continue;
+        follow(k, scratch_);
+        closed.push_back(model_.neighbours[neighbours_[k].half_edge]);
+    }
+    if (closed.empty() || chains + closed.size() == 1) return false;
+    for (const std::uint32_t neighbour : closed) cut.insert(edge_between(particle, neighbour));
+    return true;
+}
+
+}  // namespace
+
+RingOrder::RingOrder(const ClothModel& model) : offsets{0} {
+    Fan fan(model);
+    CutEdges cut;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        fan.look_at(i, cut);
+        fan.cut_open(i, cut);
+    }
+    places.reserve(model.neighbours.size());
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        fan.look_at(i, cut);
+        openings.push_back(fan.list(places));
+        offsets.push_back(static_cast<std::uint32_t>(places.size()));
+    }
+}
+
+Stencil RingOrder::stencil(const ClothModel& model) const {
+    std::vector<std::uint32_t> rows{0}, neighbours, half_edges;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t p = offsets[i]; p < end(i); ++p) {
+            neighbours.push_back(model.neighbours[places[p].half_edge]);
+            half_edges.push_back(places[p].copy == 0 ? places[p].half_edge : none);
+        }
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            if (model.kinds[e] != SpringKind::bending) continue;
+            neighbours.push_back(model.neighbours[e]);
+            half_edges.push_back(e);
+        }
+        rows.push_back(static_cast<std::uint32_t>(neighbours.size()));
+    }
+    Stencil made(rows, neighbours, Stencil::Order::as_given);
+    SharedBuffer<std::uint32_t> entries(model.neighbours.size());
+    for (std::size_t k = 0; k < half_edges.size(); ++k)
+        if (half_edges[k] != none) entries[half_edges[k]] = made.entries[k];
+    made.entries = std::move(entries);
+    return made;
+}
+
+}  // namespace weft
