@@ -10,6 +10,7 @@
 #include "cloth/mesh/ordering.h"
 #include "cloth/mesh/rest/linear_bending.h"
 #include "cloth/mesh/rest/slivers.h"
+#include "cloth/mesh/rest/vertex_bending.h"
 #include "cloth/mesh/topology.h"
 #include "engine/state_hash.h"
 
@@ -53,45 +54,13 @@ double edge_length(const Mesh& mesh, const Topology& topology, const Edge& edge)
     return 0.5 * (first + rest_distance(mesh, topology, edge.triangles[1], a, b));
 }
 
-/// The third point of a triangle whose side of length `base` runs along x from the origin, by its distances
-/// to the side's two ends. On a seam the three lengths may not quite make a triangle; it is then flat.
-struct Apex {
-    double along, height;
-};
-Apex apex(double base, double to_start, double to_end) {
-    const double along = (to_start * to_start - to_end * to_end + base * base) / (2 * base);
-    return {along, std::sqrt(std::max(0.0, to_start * to_start - along * along))};
-}
-
-/// Distance between the two opposite particles in the rest shape: as the mesh lies in space, or, with a
-/// pattern, after laying both triangles flat about their shared edge.
-double opposite_distance(const Mesh& mesh, const Topology& topology, const Edge& edge) {
-    const auto [first, second] = edge.triangles;
-    if (mesh.pattern.empty()) {
-        return rest_distance(mesh, vertex_in(topology, first, edge.opposites[0]),
-                             vertex_in(topology, second, edge.opposites[1]));
-    }
-    const double base = edge_length(mesh, topology, edge);
-    const auto apex_of = [&](std::uint32_t triangle, std::uint32_t opposite) {
-        return apex(base, rest_distance(mesh, topology, triangle, edge.particles[0], opposite),
-                    rest_distance(mesh, topology, triangle, edge.particles[1], opposite));
-    };
-    const Apex one = apex_of(first, edge.opposites[0]);
-    const Apex other = apex_of(second, edge.opposites[1]);
-    return std::hypot(one.along - other.along, one.height + other.height);
-}
-
-/// Edges hold together; what lies across a shared edge from one another is joined by its bending.
+/// Edges hold together.
 std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) {
     std::vector<Spring> springs;
-    springs.reserve(2 * topology.edges.size());
-    for (const Edge& edge : topology.edges) {
+    springs.reserve(4 * topology.edges.size());
+    for (const Edge& edge : topology.edges)
         springs.push_back(make_spring(edge.particles[0], edge.particles[1], SpringKind::structural,
                                       edge_length(mesh, topology, edge)));
-        if (!edge.is_border())
-            springs.push_back(make_spring(edge.opposites[0], edge.opposites[1], SpringKind::bending,
-                                          opposite_distance(mesh, topology, edge)));
-    }
     return springs;
 }
 
@@ -374,7 +343,6 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     store_positions(mesh, topology, cloth);
     store_rest_areas(mesh, topology, cloth);
     store_panel_sides(mesh, topology, cloth);
-    store_springs(springs, cloth);
     cloth.triangles = SharedBuffer<Triangle>(topology.triangles);
     store_corners(cloth);
     cloth.component_offsets = SharedBuffer<std::uint32_t>(topology.component_offsets);
@@ -385,9 +353,20 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     cloth.info.softened_triangles = static_cast<std::uint32_t>(softened.size());
     if (report != nullptr) report->softened = softened;
     progress.reach(Progress::stored);
-    const std::vector<BendingElement> bending = linear_bending(cloth);
-    cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
-    store_bending(bending, cloth);
+    if (is_grid(mesh)) {
+        store_springs(springs, cloth);
+        const std::vector<BendingElement> bending = linear_bending(cloth);
+        cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
+        store_bending(bending, cloth);
+    } else {
+        const VertexBending bending = vertex_bending(cloth);
+        for (const BendingPair& pair : bending.pairs)
+            springs.push_back(make_spring(pair.i, pair.j, SpringKind::bending, pair.length));
+        keep_one_per_pair(springs);
+        store_springs(springs, cloth);
+        cloth.info.bending_elements = bending.elements;
+        store_bending(bending, cloth);
+    }
     cloth.fingerprint = fingerprint_of(cloth);
     progress.reach(Progress::modelled);
     return cloth;

@@ -63,18 +63,6 @@ class SheetBending {
     std::vector<BendingElement> elements_;
 };
 
-/// Where the hinge's particles lie when it is flat: its edge along x from particle 0 to 1.
-std::array<Eigen::Vector2d, 4> flat_hinge(const Hinge& hinge) {
-    // q_2 and q_3 are the sums of a triangle's two cotangents: length over height. The cotangent at the
-    // edge's start is where the apex stands over it.
-    const double length = static_cast<double>(hinge.length);
-    const auto apex = [&](std::size_t k, double side) {
-        const double height = length / static_cast<double>(hinge.q[k]);
-        return Eigen::Vector2d(static_cast<double>(hinge.feet[k - 2]) * height, side * height);
-    };
-    return {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0), apex(2, 1), apex(3, -1)};
-}
-
 // A plate bent to kxx, kyy, kxy gives the hinge phi = a kxx + b kyy + c kxy, with a = sum q x^2 / 2, b = sum
 // q y^2 / 2, c = sum q x y. Over cylinders along all directions the mean of its square is S = (3 (a^2 + b^2)
 // + 2 a b + c^2) / 8, and by k = 1.04 / sqrt(3 S) hinges cost what the plate does, on equilateral meshes
@@ -90,6 +78,14 @@ double hinge_weight(const Hinge& hinge) {
     }
     return static_cast<double>(hinge.softening) * 1.04 /
            std::sqrt(3 * (3 * (a * a + b * b) + 2 * a * b + c * c) / 8);
+}
+
+void store(std::span<const double> weights, std::span<const double> excess, ClothModel& model) {
+    model.bending = SharedBuffer<float>(weights.size());
+    model.bending_excess = SharedBuffer<float>(excess.size());
+    const auto to_float = [](double value) { return static_cast<float>(value); };
+    std::ranges::transform(weights, model.bending.data(), to_float);
+    std::ranges::transform(excess, model.bending_excess.data(), to_float);
 }
 
 std::vector<BendingElement> hinges_of_mesh(const ClothModel& model) {
@@ -123,11 +119,16 @@ void store_bending(const std::vector<BendingElement>& elements, ClothModel& mode
             }
         }
     }
-    model.bending = SharedBuffer<float>(weights.size());
-    model.bending_excess = SharedBuffer<float>(excess.size());
-    const auto to_float = [](double value) { return static_cast<float>(value); };
-    std::ranges::transform(weights, model.bending.data(), to_float);
-    std::ranges::transform(excess, model.bending_excess.data(), to_float);
+    store(weights, excess, model);
+}
+
+void store_bending(const VertexBending& bending, ClothModel& model) {
+    std::vector<double> weights(model.neighbours.size());
+    for (const BendingPair& pair : bending.pairs)
+        for (const std::uint32_t e :
+             {half_edge_between(model, pair.i, pair.j), half_edge_between(model, pair.j, pair.i)})
+            weights[e] = pair.weight;
+    store(weights, bending.excess, model);
 }
 
 float find_bending_per_area(const ClothModel& model) {

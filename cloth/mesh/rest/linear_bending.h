@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
+#include "cloth/mesh/rest/vertex_bending.h"
 
 namespace weft {
 
@@ -22,13 +23,16 @@ struct BendingElement {
 
 /// Of a sheet: what threads bend, by the second difference of three particles, and what cells twist, by that
 /// of their four corners. Together, the plate's B/2 |curvature tensor|^2 with Poisson's ratio 0.
-/// Of a general mesh: Bergou et al. 2006, per pair of triangles that share an edge.
+/// Of a general mesh: Bergou et al. 2006, per pair of triangles that share an edge, for methods whose
+/// elements have four particles. See vertex_bending() for the others'.
 /// Needs the model's springs and triangles.
 [[nodiscard]] std::vector<BendingElement> linear_bending(const ClothModel& model);
 
 /// Sums the elements up in the model: ClothModel::bending and bending_excess. Precondition: the model has a
-/// half-edge between any two particles of an element.
+/// half-edge between any two particles that bending joins.
 void store_bending(const std::vector<BendingElement>& elements, ClothModel& model);
+
+void store_bending(const VertexBending& bending, ClothModel& model);
 
 /// The greatest sum of the magnitudes of a particle's weights over its rest area [1/m^4].
 [[nodiscard]] float find_bending_per_area(const ClothModel& model);

@@ -95,14 +95,12 @@ Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const Triangl
     return hinge;
 }
 
-constexpr std::uint32_t no_hinge = ~0u;
-
 /// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
 void append_pairs(const ClothModel& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
                   Bending& bending) {
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t one = of_sides[k], other = of_sides[(k + 2) % 3];
-        if (one == no_hinge || other == no_hinge) continue;
+        if (one == Bending::no_hinge || other == Bending::no_hinge) continue;
         // Both sides meet at corner k; their normals enclose the angle that they do.
         const RestSide side = rest_side(model, triangle, k);
         const float squared = side.cot_start * side.cot_start;
@@ -136,19 +134,32 @@ double sliver_factor(const RestSides& sides) {
     return part * part * part;
 }
 
+std::array<Eigen::Vector2d, 4> flat_hinge(const Hinge& hinge) {
+    // q_2 and q_3 are the sums of a triangle's two cotangents: length over height. The cotangent at the
+    // edge's start is where the apex stands over it.
+    const double length = static_cast<double>(hinge.length);
+    const auto apex = [&](std::size_t k, double side) {
+        const double height = length / static_cast<double>(hinge.q[k]);
+        return Eigen::Vector2d(static_cast<double>(hinge.feet[k - 2]) * height, side * height);
+    };
+    return {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0), apex(2, 1), apex(3, -1)};
+}
+
 Bending bending_elements(const ClothModel& model) {
     const std::vector<TriangleSide> sides = sides_by_edge(model);
     Bending result;
-    std::vector<std::uint32_t> hinge_of_side(sides.size(), no_hinge);
+    result.of_sides.assign(sides.size(), Bending::no_hinge);
     for (std::size_t s = 1; s < sides.size(); ++s) {
         const TriangleSide &one = sides[s - 1], &other = sides[s];
         if (one.low != other.low || one.high != other.high) continue;
         for (const TriangleSide& side : {one, other})
-            hinge_of_side[3 * side.triangle + side.corner] = static_cast<std::uint32_t>(result.hinges.size());
+            result.of_sides[3 * std::size_t{side.triangle} + side.corner] =
+                static_cast<std::uint32_t>(result.hinges.size());
         result.hinges.push_back(make_hinge(model, one, other));
     }
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
-        append_pairs(model, t, std::span(hinge_of_side).subspan(3 * std::size_t{t}, 3), result);
+        append_pairs(model, t, std::span(std::as_const(result.of_sides)).subspan(3 * std::size_t{t}, 3),
+                     result);
     return result;
 }
 

@@ -42,6 +42,9 @@ struct Hinge {
     float softening;            ///< the lesser sliver_factor of the two triangles
 };
 
+/// Where the hinge's particles lie when it is flat: its edge along x from particle 0 to 1 [m].
+[[nodiscard]] std::array<Eigen::Vector2d, 4> flat_hinge(const Hinge& hinge);
+
 /// A triangle's curvature is the mean over it of what its edges bend (Grinspun et al. 2006, discrete shape
 /// operators), each edge's bend shared between its two triangles by their areas: Lambda = sum_e phi_e / (A +
 /// A') m_e m_e^T, m_e being the edge's normal in the plane and phi_e its length times its angle. The energy
@@ -60,8 +63,11 @@ struct HingePair {
     float weight;
 };
 struct Bending {
-    std::vector<Hinge> hinges;     ///< in ascending order of their edges
-    std::vector<HingePair> pairs;  ///< by triangles
+    static constexpr std::uint32_t no_hinge = ~0u;
+
+    std::vector<Hinge> hinges;            ///< in ascending order of their edges
+    std::vector<HingePair> pairs;         ///< by triangles
+    std::vector<std::uint32_t> of_sides;  ///< [3 triangle + side]: its hinge, or no_hinge at a border
 };
 [[nodiscard]] Bending bending_elements(const ClothModel& model);
 

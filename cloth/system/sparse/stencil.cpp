@@ -102,10 +102,13 @@ bool Stencil::is_sound(std::uint32_t node_count, std::size_t half_edges) const {
     return wrong == 0 && are_below(neighbours.span(), nodes) && are_below(entries.span(), neighbours.size());
 }
 
+std::uint32_t Stencil::group_of(std::uint32_t slot) const noexcept {
+    const auto next = std::ranges::upper_bound(group_slots.span(), slot);
+    return static_cast<std::uint32_t>(next - group_slots.span().begin()) - 1;
+}
+
 std::uint32_t Stencil::node_of(std::uint32_t slot, std::uint32_t lane) const noexcept {
-    const auto next_group = std::ranges::upper_bound(group_slots.span(), slot);
-    const auto group = static_cast<std::uint32_t>(next_group - group_slots.span().begin()) - 1;
-    return std::min(group * lanes + lane, nodes - 1);
+    return std::min(group_of(slot) * lanes + lane, nodes - 1);
 }
 
 }  // namespace weft

@@ -44,7 +44,9 @@ struct Stencil {
     [[nodiscard]] std::uint32_t slots() const noexcept {
         return group_slots.empty() ? 0 : group_slots[groups()];
     }
-    /// Whose neighbour a slot has in a lane: found by bisection.
+    /// Which group a slot belongs to: found by bisection.
+    [[nodiscard]] std::uint32_t group_of(std::uint32_t slot) const noexcept;
+    /// Whose neighbour a slot has in a lane.
     [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
     /// visit(list) for each of its lists.
     template <class Self, class Visit>

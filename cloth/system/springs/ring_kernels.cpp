@@ -173,7 +173,7 @@ class Assembly : public LengthsInRings<stiffens> {
         return equations_.uses_velocities ? Base::velocity(slot) : zero3();
     }
     HWY_INLINE std::uint16_t* coefficients(std::uint32_t slot) const {
-        return &matrix_.coefficients[lane_index(Base::entry(slot), 0, 4)];
+        return matrix_.coefficients.data() + rings_.halves_of(slot);
     }
     HWY_INLINE void keep_direction(std::uint32_t place, std::uint32_t first, const Lanes3& n) const {
         std::uint16_t* const to = rings_.halves(kept_.directions(), Rings::directions_count, place, first);
@@ -282,8 +282,7 @@ class ChangesInRings {
                 load_halves(from + 2 * Stencil::lanes)};
     }
     HWY_INLINE const std::uint16_t* coefficients(std::uint32_t slot) const {
-        return &of_.matrix.coefficients[lane_index((rings_.first_slot + slot) * Stencil::lanes + rings_.lane,
-                                                   0, 4)];
+        return of_.matrix.coefficients.data() + rings_.halves_of(slot);
     }
 
     const CoupledMatrix& of_;

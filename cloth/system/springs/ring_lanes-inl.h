@@ -24,6 +24,7 @@ struct RingLanes {
           first_slot(matrix.stencil.group_slots[i / Stencil::lanes]),
           slots(matrix.stencil.group_slots[i / Stencil::lanes + 1] - first_slot),
           lane(i % Stencil::lanes),
+          first_half(matrix.halves(i / Stencil::lanes, 0) + lane),
           nodes(&matrix.stencil.neighbours[std::size_t{first_slot} * Stencil::lanes + lane]),
           last(rings.last() + i),
           closes(rings.closes() + opening),
@@ -43,6 +44,10 @@ struct RingLanes {
     [[nodiscard]] HWY_INLINE Lanes3 neighbours(const Vec4* rows, std::uint32_t slot) const {
         return gather_rows(rows, nodes + std::size_t{slot} * Stencil::lanes);
     }
+    /// Where a slot's halves lie in the matrix; see SpringMatrix::halves().
+    [[nodiscard]] HWY_INLINE std::size_t halves_of(std::uint32_t slot) const {
+        return first_half + Stencil::lanes * (slot < springs ? 4 * slot : 3 * springs + slot);
+    }
     /// The place's value in halves, of so many a place, for kernels to write or to read.
     template <class Halves>
     [[nodiscard]] HWY_INLINE Halves* halves(Halves* of_all, std::uint32_t count, std::uint32_t place,
@@ -52,6 +57,7 @@ struct RingLanes {
 
     std::uint32_t opening, springs;  ///< the group's first place; slots with springs, which come first
     std::uint32_t first_slot, slots, lane;
+    std::size_t first_half;  ///< of the matrix, in the lane
     const std::uint32_t *nodes, *last;
     const std::uint16_t* closes;
     const float *numbers, *stiffening;

@@ -121,16 +121,14 @@ HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, co
     const auto difference = [&](std::uint32_t s) HWY_ATTR {
         return x_i - gather_rows(x.rows, &x.stencil.neighbours[s * Stencil::lanes + lane]);
     };
-    const auto coefficients = [&](std::uint32_t s) HWY_ATTR {
-        return &matrix.coefficients[lane_index(s * Stencil::lanes + lane, 0, 4)];
-    };
-    for (std::uint32_t s = begin; s < bending; ++s) {
-        const auto [a, d] = load_block(coefficients(s));
+    const std::uint16_t* halves = matrix.coefficients.data() + matrix.halves(group, 0) + lane;
+    for (std::uint32_t s = begin; s < bending; ++s, halves += 4 * Stencil::lanes) {
+        const auto [a, d] = load_block(halves);
         const Lanes3 apart = difference(s);
         sum = mul_add(dot(d, apart), d, mul_add(a, apart, sum));
     }
-    for (std::uint32_t s = bending; s < end; ++s)
-        sum = mul_add(load_halves(coefficients(s)), difference(s), sum);
+    for (std::uint32_t s = bending; s < end; ++s, halves += Stencil::lanes)
+        sum = mul_add(load_halves(halves), difference(s), sum);
     return sum;
 }
 
@@ -188,12 +186,26 @@ void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec
     precondition_rows(matrix, range, b, step, x);
 }
 
+/// Whose d are there, for a slot.
+struct SlotHalves {
+    const std::uint16_t* first;
+    bool has_d;
+};
+SlotHalves halves_of(const SpringMatrix& matrix, std::uint32_t slot) {
+    const std::uint16_t* const all = matrix.coefficients.data();
+    if (!matrix.diagonals.empty()) return {all + std::size_t{4} * slot * Stencil::lanes, true};
+    const std::uint32_t group = matrix.stencil.group_of(slot), first = matrix.stencil.group_slots[group];
+    const std::uint32_t springs = matrix.group_places[group + 1] - matrix.group_places[group] - 1;
+    return {all + matrix.halves(group, slot - first), slot - first < springs};
+}
+
 void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots, Vec4* blocks) {
     const Lanes unit = hn::Set(Tag(), matrix.unit), squared_unit = hn::Mul(unit, unit);
     for (std::uint32_t k = range.begin; k < range.end; ++k) {
+        const auto [halves, has_d] = halves_of(matrix, slots[k]);
         for (std::uint32_t lane = 0; lane < Stencil::lanes; lane += part_lanes) {
-            const std::size_t at = lane_index(slots[k] * Stencil::lanes + lane, 0, 4);
-            const auto [a, d] = load_block(&matrix.coefficients[at]);
+            const auto [a, d] =
+                has_d ? load_block(halves + lane) : SpringBlockLanes{load_halves(halves + lane), zero3()};
             store_rows(unit * d, hn::Mul(squared_unit, a), blocks + k * Stencil::lanes + lane);
         }
     }
@@ -218,7 +230,7 @@ SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places,
     : stencil(std::move(of_rings)),
       group_places(std::move(places)),
       diagonals(of_grid),
-      coefficients(4 * entries()),
+      coefficients(all_halves()),
       row_sums(stencil.nodes),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
 
@@ -227,7 +239,7 @@ SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places,
     : stencil(std::move(of_rings)),
       group_places(std::move(places)),
       diagonals(of_grid),
-      coefficients(4 * entries(), later),
+      coefficients(all_halves(), later),
       row_sums(stencil.nodes, later),
       inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes, later) {}
 

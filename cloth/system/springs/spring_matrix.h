@@ -44,6 +44,13 @@ struct SpringMatrix {
         const std::uint32_t last = group_places[group + 1] - group_places[group] - 1;
         return (group_places[group] + std::min(slot + 1, last)) * Stencil::lanes + entry % Stencil::lanes;
     }
+    /// Where the halves of a group's slot begin, for rings. Slots that only bend have but a.
+    [[nodiscard]] std::size_t halves(std::uint32_t group, std::uint32_t slot) const {
+        const std::uint32_t springs = group_places[group + 1] - group_places[group] - 1;
+        const std::size_t before =
+            stencil.group_slots[group] + std::size_t{3} * (group_places[group] - group);
+        return Stencil::lanes * (before + (slot < springs ? 4 * slot : 3 * springs + slot));
+    }
     [[nodiscard]] std::uint32_t places() const noexcept {
         return group_places.empty() ? 0 : group_places[stencil.groups()];
     }
@@ -55,17 +62,21 @@ struct SpringMatrix {
 
     Stencil stencil;  ///< of a grid without lists
     /// Places of group g: [group_places[g], group_places[g + 1]), one and one for each of its first slots;
-    /// in the others there is bending alone: d is 0, and neither written nor read. A grid has none.
+    /// in the others there is bending alone, and d is not kept. A grid has none.
     SharedBuffer<std::uint32_t> group_places;
     Diagonals diagonals;  ///< empty for what is no grid
     /// Diagonals along which there is bending alone: d is 0, and neither written nor read.
     std::array<bool, Diagonals::most> isotropic{};
     float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
-    AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z
+    AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z; see halves()
     AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     const ContactRows* contacts = nullptr;      ///< G; null: there are no colliders
     AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
+    [[nodiscard]] std::size_t all_halves() const noexcept {
+        if (!diagonals.empty()) return 4 * entries();
+        return Stencil::lanes * (stencil.slots() + std::size_t{3} * (places() - stencil.groups()));
+    }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return stencil.bytes() + group_places.bytes() + coefficients.bytes() + row_sums.bytes() +
                inverse_diagonal.bytes();

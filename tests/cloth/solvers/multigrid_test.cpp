@@ -293,7 +293,7 @@ TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
         const double one = bytes_a_particle(side, 1), most = bytes_a_particle(side, 5000 / (side * side));
         EXPECT_LT(bytes_a_particle(side, 200 / side), 1.05 * one) << side;
         EXPECT_LT(most, 1.05 * one) << side;
-        EXPECT_LT(most, 700) << side;
+        EXPECT_LT(most, 760) << side;
     }
     EXPECT_LT(bytes_a_particle(2, 5000), 1.01 * bytes_a_particle(2, 1000));
 }

@@ -32,8 +32,8 @@ ClothSettings stiff_threads(const Multilevel& method = {}) {
 
 /// A square sheet hung by two corners.
 struct Hung {
-    Hung(std::uint32_t side, const ClothSettings& settings, int threads = 1) : side(side) {
-        WorldSettings world_settings = vacuum(downwards);
+    Hung(std::uint32_t side, const ClothSettings& settings, int threads = 1, float gravity = 1) : side(side) {
+        WorldSettings world_settings = vacuum({0, gravity * downwards.y, 0});
         world_settings.threads = threads;
         world = World::create(world_settings).value();
         id = world->add_cloth(sheet(side, side), settings).value();
@@ -59,15 +59,19 @@ struct Hung {
     ClothId id;
 };
 
+// Any rounding changes the worst of one swing, hence the median of five.
 TEST(Passes, HoldThreadsThatAreAThousandTimesStifferThanShear) {
     for (const std::uint32_t side : {17u, 33u}) {
-        Hung hung(side, stiff_threads());
-        float worst = 0;
-        for (int k = 0; k < 150; ++k) {
-            hung.world->step(h);
-            worst = std::max(worst, hung.stretch());
+        std::array<float, 5> worst{};
+        for (std::size_t k = 0; k < worst.size(); ++k) {
+            Hung hung(side, stiff_threads(), 1, 1 + 1e-5f * static_cast<float>(k));
+            for (int n = 0; n < 150; ++n) {
+                hung.world->step(h);
+                worst[k] = std::max(worst[k], hung.stretch());
+            }
         }
-        EXPECT_LT(worst, 1.12f) << side;  // 1.001 where each step is solved to the end
+        std::ranges::sort(worst);
+        EXPECT_LT(worst[2], 1.08f) << side;  // 1.001 where each step is solved to the end
     }
 }
 
