@@ -20,7 +20,7 @@ using Tensor = Eigen::Vector3d;  // xx, yy, sqrt 2 xy
 /// Orthonormal columns: the moments that a fan can bear.
 using Bearing = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 
-/// A tensor, seen from a frame that is turned by an angle the other way.
+/// Rotates a tensor by an angle.
 Eigen::Matrix3d turn(double angle) {
     const double c = std::cos(angle), s = std::sin(angle), r = std::numbers::sqrt2;
     Eigen::Matrix3d m;
@@ -35,7 +35,7 @@ Tensor across(double angle) {
     return turn(angle) * Tensor(0, 1, 0);
 }
 
-/// One end of a hinge's edge, in the fan of triangles there.
+/// HingeEnd is one end of a hinge's edge, in the fan of triangles there.
 struct HingeEnd {
     std::uint32_t fan = none;
     Eigen::Matrix3d to_fan = Eigen::Matrix3d::Identity();  ///< of tensors, from the hinge's frame
@@ -49,7 +49,7 @@ struct SharedEdge {
     Tensor passed = Tensor::Zero();                           ///< from the second end's share to the first's
 };
 
-/// Triangles at a particle that hang together by their edges, flattened.
+/// A fan is a set of triangles at a particle that share edges there, laid flat.
 struct Fan {
     struct End {
         std::uint32_t hinge, end;
@@ -68,7 +68,7 @@ struct Fan {
     double scale = 0;  ///< 1 / norm of its f
 };
 
-/// One triangle at a particle.
+/// A corner is one triangle at a particle.
 struct Corner {
     struct Side {
         std::uint32_t hinge, particle;  ///< or no hinge, at a border; the side's other end
@@ -79,7 +79,7 @@ struct Corner {
     bool is_used = false;
 };
 
-/// How far two neighbours are from one another in the fan, spread flat.
+/// Distance of two neighbours in the fan, laid flat [m].
 double distance_in(const Fan& fan, std::uint32_t i, std::uint32_t j) {
     const auto at = [&](std::uint32_t particle) {
         return std::ranges::find(fan.around, particle, &Fan::Polar::particle);
@@ -107,7 +107,7 @@ class Plate {
     }
 
   private:
-    /// What a sheet of curvatures xx, yy and sqrt 2 xy gives sum_k q_k x_k.
+    /// f: sum_k q_k x_k on a sheet, per unit of its curvatures xx, yy and sqrt 2 xy [m^2].
     static Tensor curvature_of(const Hinge& hinge) {
         const std::array<Eigen::Vector2d, 4> at = flat_hinge(hinge);
         Tensor f = Tensor::Zero();
@@ -125,7 +125,7 @@ class Plate {
     void balance();
     VertexBending sum_up() const;
 
-    /// What a fan can bear of the axis of an antisymmetric part.
+    /// Projects the axis of an antisymmetric tensor onto the moments that the fan can bear.
     static Eigen::Vector3d within(const Fan& fan, const Eigen::Vector3d& axis) {
         if (fan.bears.cols() == 3) return axis;
         if (fan.bears.cols() < 2) return Eigen::Vector3d::Zero();
@@ -262,7 +262,7 @@ void Plate::share_out() {
     }
 }
 
-/// By how much the fans' A is turned if each edge passes so much from one end to the other.
+/// The antisymmetric part that each fan's A gains if each edge passes so much from one end to the other.
 Plate::Axes Plate::twist_of(const std::vector<Tensor>& passed) const {
     Axes axes(fans_.size());
     for (std::size_t n = 0; n < fans_.size(); ++n) {

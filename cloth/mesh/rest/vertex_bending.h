@@ -31,8 +31,9 @@ struct VertexBending {
     std::vector<double> excess;      ///< ClothModel::bending_excess
     std::uint32_t elements = 0;
 };
-/// Of a model's triangles and its rest shape; springs need not be there yet. A border bears no moment about
-/// itself, and a border's corner twist alone. Hinges of slivers are softened, see sliver_factor().
+/// Computes the bending of a general mesh from its triangles and rest shape; the model needs no springs yet.
+/// A border bears no moment about itself, and a border's corner bears twist alone. Hinges of slivers are
+/// softened, see sliver_factor().
 [[nodiscard]] VertexBending vertex_bending(const ClothModel& model);
 
 }  // namespace weft

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Of a SpringMatrix and what triangles' sides do to one another, as the last linearisation left them.
+/// The matrix W plus the coupling of triangles' sides, at the last linearisation.
 struct CoupledMatrix {
     const SpringMatrix& matrix;
     const Rings& rings;
@@ -24,7 +24,7 @@ struct CoupledMatrix {
 
 namespace {
 
-/// Springs as they lie: a side's value is its length.
+/// Visitor of go_round() for forces: the value of a side is its length.
 template <bool stiffens>
 class LengthsInRings {
   public:
@@ -97,7 +97,7 @@ class LengthsInRings {
     [[nodiscard]] HWY_INLINE std::uint32_t entry(std::uint32_t slot) const {
         return (rings_.first_slot + slot) * Stencil::lanes + rings_.lane;
     }
-    // Of the neighbours in a slot, relative to their particles.
+    // Positions and velocities of a slot's neighbours, relative to their particles.
     [[nodiscard]] HWY_INLINE Lanes3 separation(std::uint32_t slot) const {
         return rings_.neighbours(state_.positions.data(), slot) - x_;
     }
@@ -224,7 +224,7 @@ class ForcesOfRings : public LengthsInRings<stiffens> {
     Lanes3 force_ = zero3();
 };
 
-/// What W and the coupling make of changes: a side's value is how much longer it becomes.
+/// Visitor of go_round() for products: the value of a side is the change of its length.
 class ChangesInRings {
   public:
     struct Side {
@@ -235,7 +235,7 @@ class ChangesInRings {
     HWY_INLINE ChangesInRings(const CoupledMatrix& of, std::uint32_t i)
         : of_(of), rings_(of.matrix, of.rings, i), elastic_(of.elastic / (of.matrix.unit * of.matrix.unit)) {}
 
-    /// What the neighbours give, in the matrix's units.
+    /// sum_j A_ij (x_j - x_i) with the coupling, in the matrix's square units.
     HWY_INLINE Lanes3 operator()(const Vec4* x, const Lanes3& own) {
         go_round(rings_, x, own, *this);
         for (std::uint32_t slot = rings_.springs; slot < rings_.slots; ++slot)

@@ -1,4 +1,5 @@
-// Rings in registers: the way round them. Included as cloth/system/sparse/stencil-inl.h is.
+// go_round() walks the rings of as many particles as a register has lanes. Included as
+// cloth/system/sparse/stencil-inl.h is.
 
 #if defined(WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_SYSTEM_SPRINGS_RING_LANES_INL_H
@@ -15,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Where rings lie, for the lanes from one particle on. A kernel's own: through their owner they would be
-/// looked up anew after each store.
+/// RingLanes holds the addresses of the rings of the lanes from one particle on. A kernel has a copy of its
+/// own: after each store the compiler would load them from their owner again.
 struct RingLanes {
     HWY_INLINE RingLanes(const SpringMatrix& matrix, const Rings& rings, std::uint32_t i)
         : opening(matrix.group_places[i / Stencil::lanes]),
@@ -34,7 +35,7 @@ struct RingLanes {
                          : rings.stiffening() +
                                std::size_t{opening} * Rings::stiffening_count * Stencil::lanes + lane) {}
 
-    // Of the places of the group, of which 0 is the opening.
+    // Places are numbered within the group; place 0 is the opening.
     [[nodiscard]] HWY_INLINE Lanes number(std::uint32_t place, Rings::Number k) const {
         return load_lanes(numbers + (std::size_t{place} * Rings::count + k) * Stencil::lanes);
     }
@@ -48,7 +49,7 @@ struct RingLanes {
     [[nodiscard]] HWY_INLINE std::size_t halves_of(std::uint32_t slot) const {
         return first_half + Stencil::lanes * (slot < springs ? 4 * slot : 3 * springs + slot);
     }
-    /// The place's value in halves, of so many a place, for kernels to write or to read.
+    /// The address of number k of a place in a list of halves that has `count` numbers a place.
     template <class Halves>
     [[nodiscard]] HWY_INLINE Halves* halves(Halves* of_all, std::uint32_t count, std::uint32_t place,
                                             std::uint32_t k) const {
@@ -63,7 +64,7 @@ struct RingLanes {
     const float *numbers, *stiffening;
 };
 
-/// s a + t b. Both ends of a spring have the two products in either order, so neither may be rounded less.
+/// s a + t b. The two ends of a spring compute the products in either order, so none is fused into the sum.
 HWY_INLINE Lanes sum_of_products(Lanes s, Lanes a, Lanes t, Lanes b) {
     return hn::Add(hn::Mul(s, a), hn::Mul(t, b));
 }
@@ -75,7 +76,7 @@ HWY_INLINE Lanes where_bits(std::uint32_t bits, Lanes yes, Lanes no) {
     return hn::IfThenElse(hn::LoadMaskBits(Tag(), bytes), yes, no);
 }
 
-/// What a spring's triangles pull along it; and by how much more for each metre, where they stiffen.
+/// The tension that triangles add to a spring; and, where they stiffen, its slope by the spring's length.
 template <bool stiffens>
 struct Pull {
     Lanes tension, slope;
@@ -90,8 +91,8 @@ struct Pull {
     }
 };
 
-/// The part of one axis, warp or weft, in a triangle that stiffens, as one of the two sides at the particle
-/// sees it. Both ends of the side compute the same floats.
+/// The numbers of one axis, warp or weft, of a triangle that stiffens, as one of its sides at the particle
+/// uses them. Both ends of the side compute the same floats.
 struct AxisOfSide {
     Lanes own, other, third;  ///< strain by the length of the side, of the other one and of the third
     Lanes modulus;
@@ -114,8 +115,8 @@ struct AxisOfSide {
     }
 };
 
-/// Goes round the rings of the lanes from a particle on. A side has a `value`, its length or how much longer
-/// it becomes. The visitor has
+/// Goes round the rings of the lanes from a particle on. The `value` of a side is its length, or the change
+/// of its length. The visitor has
 ///     side(place, to the neighbour), third(place, from a's end to b's): a side, a value
 ///     open(place, side): the last neighbour's
 ///     pull(place, is a, its value, the other's, the third's): what the place's triangle pulls along a or b

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::uint32_t none = RingPlace::none;
 
-/// One triangle at a particle, between two of its neighbours.
+/// A corner is a triangle at the particle, between two of its neighbours.
 struct Corner {
     std::uint32_t triangle;
     std::array<std::uint32_t, 2> beside;  // places in the list of neighbours
     bool is_used = false;
 };
 
-/// A neighbour of a particle, with the one or two of their triangles that this copy of their edge has.
+/// A neighbour of a particle, with the triangles of this copy of their edge.
 struct Neighbour {
     std::uint32_t half_edge, copy;
     std::array<std::uint32_t, 2> corners{none, none};
@@ -27,25 +27,25 @@ struct Neighbour {
 };
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
-/// Edges that have a copy for each triangle.
+/// These edges have a copy for each of their triangles.
 using CutEdges = std::set<Edge>;
 
-/// The triangles round one particle at a time.
+/// Fan orders the triangles round one particle at a time.
 class Fan {
   public:
     explicit Fan(const ClothModel& model) : model_(model) {}
 
     void look_at(std::uint32_t particle, const CutEdges& cut);
-    /// Writes the particle's ring; returns its opening.
+    /// Appends the particle's ring to the places and returns its opening.
     std::uint32_t list(std::vector<RingPlace>& places);
-    /// Cuts what closes, unless it is all that there is. Whether there was anything to cut.
+    /// Cuts closed rings of the particle, unless there is one and nothing else. Returns whether it cut any.
     bool cut_open(std::uint32_t particle, CutEdges& cut);
 
   private:
     [[nodiscard]] std::uint32_t copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
                                          std::uint32_t corner);
-    /// Goes on from a neighbour over triangles that were not used yet, and lists what it comes to. Returns
-    /// the triangle by which it came back to where it began, or none.
+    /// Appends the neighbours that unused triangles connect to the first one. Returns the triangle that leads
+    /// back to the first, or none.
     std::uint32_t follow(std::uint32_t first, std::vector<RingPlace>& places);
     [[nodiscard]] Corner* next_corner(const Neighbour& from);
 
@@ -60,7 +60,7 @@ Edge edge_between(std::uint32_t i, std::uint32_t j) {
 }
 
 /// The place of the copy of an edge that takes one more triangle. Triangles come in ascending order, so both
-/// ends give each copy the same ones.
+/// ends give each copy the same one.
 std::uint32_t Fan::copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
                             std::uint32_t corner) {
     const std::uint32_t half_edge = half_edge_between(model_, particle, neighbour);

@@ -1,6 +1,7 @@
 #pragma once
-// The springs of a general mesh, by rings: see RingOrder. With a triangle's three sides at hand where its
-// particle looks at two of them, what the sides do to one another costs a few products; see membrane.h.
+// Rings store the springs of a general mesh in the order of RingOrder. A kernel that goes round a particle
+// then has all three sides of each triangle in registers, so the coupling of the sides (see membrane.h) costs
+// a few products.
 
 #include <cstdint>
 #include <span>
@@ -14,15 +15,15 @@
 
 namespace weft {
 
-/// In groups of 16 particles, as the matrix. A group has places: the first is the opening, the triangle
-/// between a ring's last and first neighbour; then one for each of its slots with springs. Lanes that do not
-/// need a place have 0 there.
+/// Groups are those of the matrix: 16 particles each. The first place of a group is the opening, the triangle
+/// between a ring's last and first neighbour. One place follows for each of the group's slots that has
+/// springs. Lanes that do not use a place hold 0 there.
 class Rings {
   public:
     static constexpr std::uint32_t lanes = Stencil::lanes;
 
-    /// What a place holds [(place * count + k) * 16 + lane]. Its triangle lies between its neighbour, whose
-    /// side is `a`, and the next one, whose side is `b`; the third side is that between these two. The
+    /// The numbers of a place, at [(place * count + k) * 16 + lane]. Its triangle lies between its neighbour,
+    /// whose side is `a`, and the next one, whose side is `b`; the third side is that between these two. The
     /// tension of a spring is `slope` times its length, less `at_zero`; and for each of its triangles `other`
     /// times the other side at the particle, and `third_a` or `third_b` times the third side.
     enum Number : std::uint32_t {
@@ -34,9 +35,9 @@ class Rings {
         third_b,    ///< [N/m]
         count
     };
-    /// Of a place whose triangle stiffens, for warp and then for weft: strain by the length of each side
-    /// [1/m] and at a length of 0, and the modulus, see TriangleStiffening. Then for sheets q times the rest
-    /// length [N], see spring_at(), and 1 / rest length [1/m].
+    /// The numbers of a place whose triangle stiffens (see TriangleStiffening): for warp and then for weft,
+    /// the strain per length of each side [1/m], the strain at length 0 and the modulus. Sheets follow with q
+    /// times the rest length [N] (see spring_at()) and 1 / rest length [1/m].
     enum Stiffening : std::uint32_t {
         by_a,
         by_b,
@@ -48,8 +49,8 @@ class Rings {
         per_rest_length,
         stiffening_count
     };
-    /// Of each place, from the last linearisation on, in halves: the unit directions of its neighbour and of
-    /// its third side; and how far warp and weft had come on their way to the end of stiffening, by a and b.
+    /// The last linearisation leaves these halves at each place: the unit directions to the neighbour and
+    /// along the third side; and the clamped strains of warp and weft as sides a and b see them.
     static constexpr std::uint32_t directions_count = 6, reached_count = 4;
 
     Rings() = default;
@@ -85,7 +86,7 @@ class Rings {
     }  ///< [entry], B = 1 [1/m^2]
     /// The last neighbour in each particle's ring; the particle itself where the ring is open.
     [[nodiscard]] const std::uint32_t* last() const noexcept { return last_.data(); }
-    /// Of each place a bit for each lane: set where a closed ring ends.
+    /// A bit for each lane of each place: set where a closed ring ends.
     [[nodiscard]] const std::uint16_t* closes() const noexcept { return closes_.data(); }
     [[nodiscard]] const std::uint16_t* directions() const noexcept { return directions_.data(); }
     [[nodiscard]] std::uint16_t* directions() noexcept { return directions_.data(); }
@@ -108,14 +109,14 @@ class Rings {
     }
     void set_triangles(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     void set_cells(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
-    /// Returns the most that it adds to the stiffness of a side [N/m].
+    /// Returns the greatest stiffness that stiffening adds to a side [N/m].
     float set_stiffening(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
 
     SharedBuffer<float> springs_, stiffening_, bending_;
     SharedBuffer<std::uint32_t> last_;
     SharedBuffer<std::uint16_t> closes_;
-    /// Of each triangle's corners the place * 16 + lane where it is, times 2; and 1 more where the side to
-    /// the triangle's next corner is b.
+    /// The place * 16 + lane of each corner of each triangle, times 2; plus 1 where side b leads to the
+    /// triangle's next corner.
     SharedBuffer<std::uint32_t> corners_;
     AlignedBuffer<std::uint16_t> directions_, reached_;
     float stiffest_ = 0, stiffest_bending_ = 0;

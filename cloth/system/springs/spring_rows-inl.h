@@ -1,4 +1,4 @@
-// A particle's row of the equation, from its springs in registers. Included as
+// Rows of the equation from springs in registers, for grids and for rings. Included as
 // cloth/system/sparse/stencil-inl.h is.
 
 #if defined(WEFT_CLOTH_SYSTEM_SPRINGS_SPRING_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -52,7 +52,7 @@ HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask a
     return {hn::Load(d, xs), hn::Load(d, ys), hn::Load(d, zs)};
 }
 
-/// springs.h's springs, lane by lane. Tension and stiffness are in the units of the row that they are for.
+/// Springs holds the springs of springs.h lane by lane. Tension and stiffness are in units of their row.
 struct Springs {
     Lanes3 direction;  ///< n
     Lanes tension;
@@ -73,7 +73,7 @@ HWY_INLINE Springs springs_between(const Ends& ends, Lanes tension, Lanes stiffn
     return {direction, tension, hn::IfThenElseZero(apart, ends.inverse_length), stiffness};
 }
 
-/// What springs add up to in rows.
+/// RowSums adds up the springs of each row.
 struct RowSums {
     Lanes3 force;  ///< pulls
     Lanes a;
@@ -138,7 +138,7 @@ struct Linearisation {
         return {hn::Sub(hn::Add(springs.stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
     }
 
-    /// For how long the other end's velocity counts in what bending reaches for [s].
+    /// Time by which bending looks ahead of positions: gamma about the base, and the damping [s].
     [[nodiscard]] HWY_INLINE float ahead() const { return (about_base ? 1 / per_gamma : 0) + damping; }
 
     /// Rows of W and b, for the lanes from particle `i` on.
@@ -169,7 +169,7 @@ struct Linearisation {
     float per_gamma, viscosity;
 };
 
-/// What a residual is made of: forces alone.
+/// SpringPulls computes the forces of a residual.
 struct SpringPulls {
     explicit SpringPulls(const SpringState& state)
         : damping(state.equation.settings.fabric.damping),
