@@ -63,7 +63,7 @@ TEST_P(ContactScenes, StartWellAndRun) {
     EXPECT_FALSE(has(run.world().report().flags, StepFlags::state_restored));
     EXPECT_FALSE(run.over());
     // One edge of a swung dress; zones do not hold its stretch.
-    const bool is_loose = maker.needs_garments && name_of(GetParam().rung) == std::string("impact_zones");
+    const bool is_loose = maker.needs_garments && GetParam().rung == Rung::impact_zones;
     EXPECT_LT(edges.of(run).most, is_loose ? 6 : 3.1);
     EXPECT_TRUE(std::isfinite(rms_speed(run)));
 }
