@@ -62,6 +62,11 @@ struct ClothModel {
 /// Of the lists of a model that has them all.
 [[nodiscard]] std::uint32_t fingerprint_of(const ClothModel& model);
 
+/// The corner at which a triangle has a particle. Precondition: it has it.
+[[nodiscard]] inline std::uint32_t corner_at(const Triangle& triangle, std::uint32_t particle) {
+    return triangle[0] == particle ? 0 : triangle[1] == particle ? 1 : 2;
+}
+
 /// Precondition: i and j have a half-edge.
 [[nodiscard]] std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j);
 /// Of that half-edge [m].

@@ -62,7 +62,7 @@ TEST_P(ContactScenes, StartWellAndRun) {
     EXPECT_TRUE(run.soup().finite());
     EXPECT_FALSE(has(run.world().report().flags, StepFlags::state_restored));
     EXPECT_FALSE(run.over());
-    // One edge of a swung dress; zones do not hold its stretch.
+    // Impact zones do not hold the stretch of a swung dress: one edge is longer.
     const bool is_loose = maker.needs_garments && GetParam().rung == Rung::impact_zones;
     EXPECT_LT(edges.of(run).most, is_loose ? 6 : 3.1);
     EXPECT_TRUE(std::isfinite(rms_speed(run)));

@@ -22,7 +22,8 @@ struct ClothInfo {
     std::uint32_t triangles = 0;
     std::uint32_t components = 0;
     std::uint32_t structural_springs = 0, shear_springs = 0;
-    std::uint32_t bending_elements = 0;    ///< threads' triples and cells of a sheet; shared edges of a mesh
+    std::uint32_t bending_elements =
+        0;  ///< threads' triples and cells of a sheet; up to three a particle of a mesh
     std::uint32_t border_edges = 0;        ///< edges of one triangle
     std::uint32_t dropped_triangles = 0;   ///< warning: left out, see DropReason
     std::uint32_t turned_triangles = 0;    ///< warning: wound the other way than their neighbours, and turned

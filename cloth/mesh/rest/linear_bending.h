@@ -23,8 +23,8 @@ struct BendingElement {
 
 /// Of a sheet: what threads bend, by the second difference of three particles, and what cells twist, by that
 /// of their four corners. Together, the plate's B/2 |curvature tensor|^2 with Poisson's ratio 0.
-/// Of a general mesh: Bergou et al. 2006, per pair of triangles that share an edge, for methods whose
-/// elements have four particles. See vertex_bending() for the others'.
+/// A general mesh has one element per pair of triangles that share an edge (Bergou et al. 2006), for methods
+/// whose elements have four particles. The others use vertex_bending().
 /// Needs the model's springs and triangles.
 [[nodiscard]] std::vector<BendingElement> linear_bending(const ClothModel& model);
 

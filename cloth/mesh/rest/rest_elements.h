@@ -42,7 +42,7 @@ struct Hinge {
     float softening;            ///< the lesser sliver_factor of the two triangles
 };
 
-/// Where the hinge's particles lie when it is flat: its edge along x from particle 0 to 1 [m].
+/// Positions of the hinge's particles when it is flat: its edge lies along x from particle 0 to 1 [m].
 [[nodiscard]] std::array<Eigen::Vector2d, 4> flat_hinge(const Hinge& hinge);
 
 /// A triangle's curvature is the mean over it of what its edges bend (Grinspun et al. 2006, discrete shape

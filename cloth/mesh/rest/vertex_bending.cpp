@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -123,7 +124,12 @@ class Plate {
     void meet(std::uint32_t hinge, std::uint32_t particle, double angle, bool apex_0_is_before);
     void share_out();
     void balance();
-    VertexBending sum_up() const;
+    using Element = std::vector<std::pair<std::uint32_t, double>>;  // c_i by particles
+    [[nodiscard]] Element element_of(const Fan& fan, const Eigen::VectorXd& parts) const;
+    void add(const Fan& fan, const Element& c, VertexBending& to);
+    void add_elements(const Fan& fan, VertexBending& to);
+    [[nodiscard]] std::vector<BendingPair> merged(std::vector<BendingPair> terms) const;
+    VertexBending sum_up();
 
     /// Projects the axis of an antisymmetric tensor onto the moments that the fan can bear.
     static Eigen::Vector3d within(const Fan& fan, const Eigen::Vector3d& axis) {
@@ -142,14 +148,14 @@ class Plate {
     std::vector<SharedEdge> edges_;
     std::vector<Fan> fans_;
     std::vector<Corner> corners_;
+    std::vector<double> own_;  // sum of c_i^2 of each particle
 };
 
 void Plate::list_corners(std::uint32_t particle) {
     corners_.clear();
     for (std::uint32_t c = model_.corner_offsets[particle]; c < model_.corner_offsets[particle + 1]; ++c) {
         const std::uint32_t t = model_.corner_triangles[c];
-        std::uint32_t k = 0;
-        while (model_.triangles[t][k] != particle) ++k;
+        const std::uint32_t k = corner_at(model_.triangles[t], particle);
         const RestSides sides = rest_sides(model_, t);
         const std::array<Eigen::Vector2d, 3> at{Eigen::Vector2d::Zero(), sides.to1.cast<double>(),
                                                 sides.to2.cast<double>()};
@@ -337,53 +343,63 @@ void Plate::balance() {
     }
 }
 
-VertexBending Plate::sum_up() const {
-    constexpr double least = 0.05;  // eigenvalue of A, of the fan's area: else its inverse is too stiff
-    VertexBending result;
-    result.excess.resize(model_.particle_count);
-    std::vector<double> own(model_.particle_count);  // c_i^2
-    std::vector<BendingPair> terms;
-    for (const Fan& fan : fans_) {
-        const Eigen::Index moments = fan.bears.cols(), count = static_cast<Eigen::Index>(fan.ends.size());
-        if (moments == 0 || count == 0) continue;
-        Eigen::MatrixXd f(count, moments), p(count, moments);
-        for (Eigen::Index e = 0; e < count; ++e) {
-            const auto& [hinge, end] = fan.ends[static_cast<std::size_t>(e)];
-            const HingeEnd& of = edges_[hinge].ends[end];
-            f.row(e) = (of.to_fan * edges_[hinge].f).transpose() * fan.bears;
-            p.row(e) = (of.to_fan * of.share).transpose() * fan.bears;
-        }
-        const Eigen::MatrixXd a = f.transpose() * p;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes((a + a.transpose()) / 2);
-        const Eigen::MatrixXd along = p * axes.eigenvectors();
-        for (Eigen::Index z = 0; z < moments; ++z) {
-            if (along.col(z).squaredNorm() < 1e-10) continue;
-            const double scale = 1 / std::sqrt(std::max(axes.eigenvalues()[z], least * fan.area));
-            std::vector<std::pair<std::uint32_t, double>> c;
-            for (Eigen::Index e = 0; e < count; ++e) {
-                const Hinge& hinge = bending_.hinges[fan.ends[static_cast<std::size_t>(e)].hinge];
-                const double part = scale * along(e, z) * static_cast<double>(hinge.softening);
-                for (std::size_t k = 0; k < 4; ++k) {
-                    const std::uint32_t i = hinge.particles[k];
-                    const auto found = std::ranges::find_if(c, [i](const auto& of) { return of.first == i; });
-                    const double more = part * static_cast<double>(hinge.q[k]);
-                    if (found != c.end())
-                        found->second += more;
-                    else
-                        c.emplace_back(i, more);
-                }
-            }
-            ++result.elements;
-            double positive = 0;
-            for (const auto& [i, of_i] : c) positive += std::max(of_i, 0.0);
-            for (const auto& [i, of_i] : c) {
-                own[i] += of_i * of_i;
-                result.excess[i] += std::abs(of_i) * std::max(positive - std::abs(of_i), 0.0);
-                for (const auto& [j, of_j] : c)
-                    if (i < j) terms.push_back({i, j, -of_i * of_j, distance_in(fan, i, j)});
-            }
+/// The c_i of one element: of the hinges' phi times their parts.
+Plate::Element Plate::element_of(const Fan& fan, const Eigen::VectorXd& parts) const {
+    Element c;
+    for (std::size_t e = 0; e < fan.ends.size(); ++e) {
+        const Hinge& hinge = bending_.hinges[fan.ends[e].hinge];
+        const double part = parts[static_cast<Eigen::Index>(e)] * static_cast<double>(hinge.softening);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t i = hinge.particles[k];
+            const double more = part * static_cast<double>(hinge.q[k]);
+            const auto found = std::ranges::find(c, i, &Element::value_type::first);
+            if (found != c.end())
+                found->second += more;
+            else
+                c.emplace_back(i, more);
         }
     }
+    return c;
+}
+
+void Plate::add(const Fan& fan, const Element& c, VertexBending& to) {
+    ++to.elements;
+    double positive = 0;
+    for (const auto& [i, of_i] : c) positive += std::max(of_i, 0.0);
+    for (const auto& [i, of_i] : c) {
+        own_[i] += of_i * of_i;
+        to.excess[i] += std::abs(of_i) * std::max(positive - std::abs(of_i), 0.0);
+        for (const auto& [j, of_j] : c)
+            if (i < j) to.pairs.push_back({i, j, -of_i * of_j, distance_in(fan, i, j)});
+    }
+}
+
+/// Adds up to three elements.
+void Plate::add_elements(const Fan& fan, VertexBending& to) {
+    constexpr double least = 0.05;  // eigenvalue of A, of the fan's area: else its inverse is too stiff
+    const Eigen::Index moments = fan.bears.cols(), count = static_cast<Eigen::Index>(fan.ends.size());
+    if (moments == 0 || count == 0) return;
+    Eigen::MatrixXd f(count, moments), p(count, moments);
+    for (Eigen::Index e = 0; e < count; ++e) {
+        const auto& [hinge, end] = fan.ends[static_cast<std::size_t>(e)];
+        const HingeEnd& of = edges_[hinge].ends[end];
+        f.row(e) = (of.to_fan * edges_[hinge].f).transpose() * fan.bears;
+        p.row(e) = (of.to_fan * of.share).transpose() * fan.bears;
+    }
+    const Eigen::MatrixXd a = f.transpose() * p;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes((a + a.transpose()) / 2);
+    const Eigen::MatrixXd along = p * axes.eigenvectors();
+    for (Eigen::Index z = 0; z < moments; ++z) {
+        if (along.col(z).squaredNorm() < 1e-10) continue;
+        const double scale = 1 / std::sqrt(std::max(axes.eigenvalues()[z], least * fan.area));
+        add(fan, element_of(fan, scale * along.col(z)), to);
+    }
+}
+
+/// Sums the terms of each pair, and leaves out pairs whose terms cancel.
+std::vector<BendingPair> Plate::merged(std::vector<BendingPair> terms) const {
+    constexpr double rounding = 3e-7;  // of q, which are floats
+    std::vector<BendingPair> pairs;
     std::ranges::stable_sort(terms, [](const BendingPair& l, const BendingPair& r) {
         return std::tie(l.i, l.j) < std::tie(r.i, r.j);
     });
@@ -393,9 +409,17 @@ VertexBending Plate::sum_up() const {
             sum.weight += terms[first].weight;
             sum.length = std::min(sum.length, terms[first].length);
         }
-        constexpr double rounding = 3e-7;  // of q, which are floats: where nothing is meant to be left
-        if (std::abs(sum.weight) > rounding * std::sqrt(own[sum.i] * own[sum.j])) result.pairs.push_back(sum);
+        if (std::abs(sum.weight) > rounding * std::sqrt(own_[sum.i] * own_[sum.j])) pairs.push_back(sum);
     }
+    return pairs;
+}
+
+VertexBending Plate::sum_up() {
+    VertexBending result;
+    result.excess.resize(model_.particle_count);
+    own_.assign(model_.particle_count, 0);
+    for (const Fan& fan : fans_) add_elements(fan, result);
+    result.pairs = merged(std::move(result.pairs));
     return result;
 }
 

@@ -20,7 +20,7 @@
 
 namespace weft {
 
-/// What bending of rigidity 1 has between two particles i < j: a weight as ClothModel::bending's [1/m^2].
+/// A pair of particles i < j that bending of rigidity 1 joins; the weight is ClothModel::bending's [1/m^2].
 struct BendingPair {
     std::uint32_t i, j;
     double weight;

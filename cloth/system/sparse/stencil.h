@@ -26,7 +26,8 @@ struct Stencil {
     /// n, rounded up.
     static constexpr std::uint32_t whole_groups(std::uint32_t n) { return (n + lanes - 1) / lanes * lanes; }
 
-    /// Of slots: by what nodes differ from their neighbours, if these are few numbers; or as rows have them.
+    /// The order of a group's slots: by the differences between nodes and neighbours, if these are few; or
+    /// the order of the rows.
     enum class Order { by_difference, as_given };
 
     Stencil() = default;

@@ -127,11 +127,10 @@ SheetModuli sheet_moduli(const Fabric& fabric) {
 
 void spring_stiffness(const ClothModel& model, const Fabric& fabric, std::span<float> stiffness) noexcept {
     std::ranges::fill(stiffness, 0.0f);
-    for_each_spring_part(model, fabric,
-                         [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {
-                             stiffness[forth] += static_cast<float>(part);
-                             stiffness[back] += static_cast<float>(part);
-                         });
+    for_each_spring_part(model, fabric, [&](std::uint32_t forth, std::uint32_t back, double part) {
+        stiffness[forth] += static_cast<float>(part);
+        stiffness[back] += static_cast<float>(part);
+    });
     for (float& k : stiffness) k = std::max(k, 0.0f);
 }
 

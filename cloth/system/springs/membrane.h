@@ -132,13 +132,13 @@ void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, s
     add(near + 1, far, diagonal, rest(near + 1, far));
 }
 
-/// body(half-edge from i, half-edge from j, stiffness [N/m], rest length [m]) for each part of each spring
+/// body(half-edge from i, half-edge from j, stiffness [N/m]) for each part of each spring
 /// (i, j): one for each cell or triangle that it is a side of. The stiffness of a spring is their sum, but no
 /// less than 0.
 template <class Body>
 void for_each_spring_part(const ClothModel& model, const Fabric& fabric, const Body& body) {
-    const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double rest_length) {
-        body(half_edge_between(model, i, j), half_edge_between(model, j, i), stiffness, rest_length);
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double /*rest_length*/) {
+        body(half_edge_between(model, i, j), half_edge_between(model, j, i), stiffness);
     };
     for (std::uint32_t t = 0; model.rows == 0 && t < model.triangles.size(); ++t) {
         const TriangleMembrane membrane = triangle_membrane(model, t, fabric);

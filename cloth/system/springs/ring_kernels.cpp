@@ -58,24 +58,19 @@ class LengthsInRings {
     template <class Reached>
     HWY_INLINE Pull<stiffens> pull(std::uint32_t place, bool is_a, Lanes own, Lanes other, Lanes third,
                                    const Reached& reached) const {
-        Pull<stiffens> result{
-            sum_of_products(rings_.number(place, Rings::other), other,
-                            rings_.number(place, is_a ? Rings::third_a : Rings::third_b), third),
-            set(0)};
+        Pull<stiffens> result{rings_.coupled(place, is_a, other, third), set(0)};
         for (std::uint32_t k = 0; stiffens && k < 2; ++k) {
             const AxisOfSide axis(rings_, place, k, is_a);
             const Lanes at_zero =
                 rings_.stiffening_number(place, k * Rings::axis_count + Rings::strain_at_zero);
-            const Lanes strain = hn::Add(axis.strain(own, other, third), at_zero);
-            const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
-            const Lanes g = hn::Mul(c, hn::Sub(hn::Add(strain, strain), c));
+            const auto [c, g] = stiffened(hn::Add(axis.strain(own, other, third), at_zero));
             result.tension = hn::MulAdd(hn::Mul(axis.modulus, g), axis.own, result.tension);
             result.slope = hn::Add(result.slope, axis.own_slope(c));
             reached(k, c);
         }
         return result;
     }
-    /// In units of which a newton is so many.
+    /// The springs of a place; forces are multiplied by `unit`.
     HWY_INLINE Springs springs(std::uint32_t place, const Ends& ends, const Pull<stiffens>& pull,
                                float unit) const {
         Lanes stiffness = rings_.number(place, Rings::stiffness);
@@ -85,15 +80,14 @@ class LengthsInRings {
         if constexpr (stiffens) {
             const Lanes q = rings_.stiffening_number(place, Rings::of_sheet);
             const Lanes per_length = rings_.stiffening_number(place, Rings::per_rest_length);
-            const Lanes strain = hn::MulSub(ends.length, per_length, set(1));
-            const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
-            tension = hn::MulAdd(q, hn::Mul(c, hn::Sub(hn::Add(strain, strain), c)), tension);
+            const auto [c, g] = stiffened(hn::MulSub(ends.length, per_length, set(1)));
+            tension = hn::MulAdd(q, g, tension);
             stiffness = hn::MulAdd(hn::Mul(q, per_length), hn::Add(c, c), hn::Add(stiffness, pull.slope));
         }
         return springs_between(ends, hn::Mul(set(unit), tension), hn::Mul(set(unit), stiffness),
                                state_.matrix, entry(place - 1), i_);
     }
-    /// Of a slot of the group, for the lanes from the particle on.
+    /// The entry of a slot of the group, in the first of the lanes.
     [[nodiscard]] HWY_INLINE std::uint32_t entry(std::uint32_t slot) const {
         return (rings_.first_slot + slot) * Stencil::lanes + rings_.lane;
     }
@@ -252,8 +246,7 @@ class ChangesInRings {
     }
     HWY_INLINE void open(std::uint32_t /*place*/, const Side& /*last*/) const {}
     HWY_INLINE Pull<false> pull(std::uint32_t place, bool is_a, Lanes own, Lanes other, Lanes third) const {
-        Lanes tension = sum_of_products(rings_.number(place, Rings::other), other,
-                                        rings_.number(place, is_a ? Rings::third_a : Rings::third_b), third);
+        Lanes tension = rings_.coupled(place, is_a, other, third);
         for (std::uint32_t k = 0; rings_.stiffening != nullptr && k < 2; ++k) {
             const AxisOfSide axis(rings_, place, k, is_a);
             const Lanes c = load_halves(

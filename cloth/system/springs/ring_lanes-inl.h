@@ -21,7 +21,7 @@ namespace weft::HWY_NAMESPACE {
 struct RingLanes {
     HWY_INLINE RingLanes(const SpringMatrix& matrix, const Rings& rings, std::uint32_t i)
         : opening(matrix.group_places[i / Stencil::lanes]),
-          springs(matrix.group_places[i / Stencil::lanes + 1] - opening - 1),
+          springs(matrix.springs_of(i / Stencil::lanes)),
           first_slot(matrix.stencil.group_slots[i / Stencil::lanes]),
           slots(matrix.stencil.group_slots[i / Stencil::lanes + 1] - first_slot),
           lane(i % Stencil::lanes),
@@ -42,12 +42,15 @@ struct RingLanes {
     [[nodiscard]] HWY_INLINE Lanes stiffening_number(std::uint32_t place, std::uint32_t k) const {
         return load_lanes(stiffening + (std::size_t{place} * Rings::stiffening_count + k) * Stencil::lanes);
     }
+    /// The tension that the place's triangle adds to side a or b without stiffening: by the other side at the
+    /// particle and by the third.
+    [[nodiscard]] HWY_INLINE Lanes coupled(std::uint32_t place, bool is_a, Lanes other, Lanes third) const;
     [[nodiscard]] HWY_INLINE Lanes3 neighbours(const Vec4* rows, std::uint32_t slot) const {
         return gather_rows(rows, nodes + std::size_t{slot} * Stencil::lanes);
     }
-    /// Where a slot's halves lie in the matrix; see SpringMatrix::halves().
+    /// The first half of a slot in the matrix; see SpringMatrix::halves().
     [[nodiscard]] HWY_INLINE std::size_t halves_of(std::uint32_t slot) const {
-        return first_half + Stencil::lanes * (slot < springs ? 4 * slot : 3 * springs + slot);
+        return first_half + Stencil::lanes * SpringMatrix::halves_before(slot, springs);
     }
     /// The address of number k of a place in a list of halves that has `count` numbers a place.
     template <class Halves>
@@ -67,6 +70,21 @@ struct RingLanes {
 /// s a + t b. The two ends of a spring compute the products in either order, so none is fused into the sum.
 HWY_INLINE Lanes sum_of_products(Lanes s, Lanes a, Lanes t, Lanes b) {
     return hn::Add(hn::Mul(s, a), hn::Mul(t, b));
+}
+
+HWY_INLINE Lanes RingLanes::coupled(std::uint32_t place, bool is_a, Lanes other, Lanes third) const {
+    return sum_of_products(number(place, Rings::other), other,
+                           number(place, is_a ? Rings::third_a : Rings::third_b), third);
+}
+
+/// The stiffening law of a strain, lane by lane; see stiffened().
+struct StiffenedLanes {
+    Lanes reached;  ///< c, half of the slope
+    Lanes tension;  ///< g
+};
+HWY_INLINE StiffenedLanes stiffened(Lanes strain) {
+    const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
+    return {c, hn::Mul(c, hn::Sub(hn::Add(strain, strain), c))};
 }
 
 /// `yes` in the lanes whose bit is set, which are the lowest.
@@ -107,7 +125,7 @@ struct AxisOfSide {
     [[nodiscard]] HWY_INLINE Lanes strain(Lanes own_length, Lanes other_length, Lanes third_length) const {
         return hn::MulAdd(own, own_length, sum_of_products(other, other_length, third, third_length));
     }
-    /// What bounds the slope of the side's tension where its axis has reached so much.
+    /// The bound of the slope of the side's tension at a clamped strain of its axis.
     [[nodiscard]] HWY_INLINE Lanes own_slope(Lanes reached) const {
         const Lanes size = hn::Abs(own), sum = hn::Add(size, hn::Add(hn::Abs(other), hn::Abs(third)));
         const Lanes bound = hn::Mul(size, hn::Max(size, hn::Mul(set(static_cast<float>(least_bound)), sum)));

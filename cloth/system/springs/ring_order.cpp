@@ -38,8 +38,8 @@ class Fan {
     void look_at(std::uint32_t particle, const CutEdges& cut);
     /// Appends the particle's ring to the places and returns its opening.
     std::uint32_t list(std::vector<RingPlace>& places);
-    /// Cuts closed rings of the particle, unless there is one and nothing else. Returns whether it cut any.
-    bool cut_open(std::uint32_t particle, CutEdges& cut);
+    /// Cuts closed rings of the particle, unless there is one and nothing else.
+    void cut_open(std::uint32_t particle, CutEdges& cut);
 
   private:
     [[nodiscard]] std::uint32_t copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
@@ -47,12 +47,15 @@ class Fan {
     /// Appends the neighbours that unused triangles connect to the first one. Returns the triangle that leads
     /// back to the first, or none.
     std::uint32_t follow(std::uint32_t first, std::vector<RingPlace>& places);
+    /// Appends all chains, and then all closed rings.
+    void follow_all(std::vector<RingPlace>& places);
     [[nodiscard]] Corner* next_corner(const Neighbour& from);
 
     const ClothModel& model_;
     std::vector<Neighbour> neighbours_;
     std::vector<Corner> corners_;
-    std::vector<RingPlace> scratch_;
+    std::uint32_t chains_ = 0, opening_ = none;  // the last closed ring's
+    std::vector<std::uint32_t> closed_;          // the neighbour at which each closed ring begins
 };
 
 Edge edge_between(std::uint32_t i, std::uint32_t j) {
@@ -88,8 +91,7 @@ void Fan::look_at(std::uint32_t particle, const CutEdges& cut) {
     for (std::uint32_t c = model_.corner_offsets[particle]; c < model_.corner_offsets[particle + 1]; ++c) {
         const std::uint32_t t = model_.corner_triangles[c];
         const Triangle& triangle = model_.triangles[t];
-        std::size_t k = 0;
-        while (triangle[k] != particle) ++k;
+        const std::uint32_t k = corner_at(triangle, particle);
         const auto corner = static_cast<std::uint32_t>(corners_.size());
         corners_.push_back({t,
                             {copy_for(particle, triangle[(k + 1) % 3], cut, corner),
@@ -116,36 +118,35 @@ std::uint32_t Fan::follow(std::uint32_t first, std::vector<RingPlace>& places) {
     return none;
 }
 
-std::uint32_t Fan::list(std::vector<RingPlace>& places) {
+void Fan::follow_all(std::vector<RingPlace>& places) {
     const auto count = static_cast<std::uint32_t>(neighbours_.size());
-    for (std::uint32_t k = 0; k < count; ++k)
-        if (neighbours_[k].is_end() && next_corner(neighbours_[k]) != nullptr) follow(k, places);
-    std::uint32_t opening = none;
-    for (std::uint32_t k = 0; k < count; ++k)
-        if (next_corner(neighbours_[k]) != nullptr) opening = follow(k, places);
-    for (const Neighbour& neighbour : neighbours_)
-        if (neighbour.corners[0] == none) places.push_back({neighbour.half_edge, neighbour.copy});
-    return opening;
-}
-
-bool Fan::cut_open(std::uint32_t particle, CutEdges& cut) {
-    scratch_.clear();
-    std::uint32_t chains = 0;
-    std::vector<std::uint32_t> closed;
-    const auto count = static_cast<std::uint32_t>(neighbours_.size());
+    chains_ = 0;
+    closed_.clear();
+    opening_ = none;
     for (std::uint32_t k = 0; k < count; ++k) {
         if (!neighbours_[k].is_end() || next_corner(neighbours_[k]) == nullptr) continue;
-        follow(k, scratch_);
-        ++chains;
+        follow(k, places);
+        ++chains_;
     }
     for (std::uint32_t k = 0; k < count; ++k) {
         if (next_corner(neighbours_[k]) == nullptr) continue;
-        follow(k, scratch_);
-        closed.push_back(model_.neighbours[neighbours_[k].half_edge]);
+        opening_ = follow(k, places);
+        closed_.push_back(model_.neighbours[neighbours_[k].half_edge]);
     }
-    if (closed.empty() || chains + closed.size() == 1) return false;
-    for (const std::uint32_t neighbour : closed) cut.insert(edge_between(particle, neighbour));
-    return true;
+}
+
+std::uint32_t Fan::list(std::vector<RingPlace>& places) {
+    follow_all(places);
+    for (const Neighbour& neighbour : neighbours_)
+        if (neighbour.corners[0] == none) places.push_back({neighbour.half_edge, neighbour.copy});
+    return opening_;
+}
+
+void Fan::cut_open(std::uint32_t particle, CutEdges& cut) {
+    std::vector<RingPlace> unused;
+    follow_all(unused);
+    if (chains_ + closed_.size() == 1) return;
+    for (const std::uint32_t neighbour : closed_) cut.insert(edge_between(particle, neighbour));
 }
 
 }  // namespace

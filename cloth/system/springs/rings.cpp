@@ -41,8 +41,7 @@ Rings::Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix
                           std::uint32_t place) {
         if (triangle == RingPlace::none) return;
         const Triangle& corners = model.triangles[triangle];
-        std::uint32_t k = 0;
-        while (corners[k] != particle) ++k;
+        const std::uint32_t k = corner_at(corners, particle);
         const bool starts_with_b = corners[(k + 1) % 3] != model.neighbours[a.half_edge];
         corners_[std::size_t{3} * triangle + k] = 2 * (place * lanes + particle % lanes) + starts_with_b;
     };
@@ -113,21 +112,21 @@ void Rings::set_triangles(const ClothModel& model, const SpringMatrix& matrix,
             number(corner / 2, third_a) = static_cast<float>(membrane.shared[a][third]);
             number(corner / 2, third_b) = static_cast<float>(membrane.shared[b][third]);
         }
-        if (stiffening_.size() > 0) extra = std::max(extra, set_stiffening(model, t, fabric));
+        if (stiffening_.size() > 0) extra = std::max(extra, set_stiffening(model, t, membrane, fabric));
     }
     stiffest_ += 2 * extra;  // a spring is a side of two triangles
 }
 
-float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) noexcept {
+float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, const TriangleMembrane& membrane,
+                            const Fabric& fabric) noexcept {
     const TriangleStiffening stiffening = triangle_stiffening(model, triangle, fabric);
-    const std::array<double, 3> lengths = triangle_membrane(model, triangle, fabric).rest_lengths;
     std::array<double, 3> pulled{};  // by strains at the end of the law, both axes at once
     for (std::uint32_t axis = 0; axis < 2; ++axis) {
         const std::array<double, 3>& v = stiffening.strains[axis];
         double sum = 0, offset = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             sum += std::abs(v[k]);
-            offset -= v[k] * lengths[k];
+            offset -= v[k] * membrane.rest_lengths[k];
         }
         for (std::uint32_t k = 0; k < 3; ++k) {
             pulled[k] += stiffening.moduli[axis] * 2 * last_stiffening_strain *
@@ -146,12 +145,11 @@ float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, con
 }
 
 void Rings::set_cells(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
-    for_each_spring_part(model, fabric,
-                         [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {
-                             const std::uint32_t i = model.neighbours[back], j = model.neighbours[forth];
-                             for (const std::uint32_t place : {matrix.place(i, forth), matrix.place(j, back)})
-                                 number(place, stiffness) += static_cast<float>(part);
-                         });
+    for_each_spring_part(model, fabric, [&](std::uint32_t forth, std::uint32_t back, double part) {
+        const std::uint32_t i = model.neighbours[back], j = model.neighbours[forth];
+        for (const std::uint32_t place : {matrix.place(i, forth), matrix.place(j, back)})
+            number(place, stiffness) += static_cast<float>(part);
+    });
     if (stiffening_.size() > 0) {
         const auto add = [&](std::uint32_t i, std::uint32_t j, double q) {
             const std::uint32_t forth = half_edge_between(model, i, j), back = half_edge_between(model, j, i);

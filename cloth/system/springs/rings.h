@@ -7,6 +7,7 @@
 #include <span>
 
 #include "cloth/mesh/cook.h"
+#include "cloth/system/springs/membrane.h"
 #include "cloth/system/springs/ring_order.h"
 #include "cloth/system/springs/spring_matrix.h"
 #include "engine/memory/aligned_buffer.h"
@@ -110,7 +111,8 @@ class Rings {
     void set_triangles(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     void set_cells(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     /// Returns the greatest stiffness that stiffening adds to a side [N/m].
-    float set_stiffening(const ClothModel& model, std::uint32_t triangle, const Fabric& fabric) noexcept;
+    float set_stiffening(const ClothModel& model, std::uint32_t triangle, const TriangleMembrane& membrane,
+                         const Fabric& fabric) noexcept;
 
     SharedBuffer<float> springs_, stiffening_, bending_;
     SharedBuffer<std::uint32_t> last_;

@@ -21,8 +21,9 @@ struct EntryLanes {
     Lanes rest_length, stiffness, bending;
 };
 
-/// Where a table has its springs. A kernel's own: through the state they would be looked up anew after each
-/// store. `stiffens` is known beforehand, for other springs not to pay for it.
+/// TableLanes holds the addresses of a table's lists. A kernel has a copy of its own: after each store the
+/// compiler would load them from the state again. `stiffens` is a template's, so that other springs do not
+/// pay.
 template <bool stiffens>
 class TableLanes {
     using SlotKind = SpringTable::SlotKind;
@@ -180,7 +181,7 @@ class SpringsOfGrid {
                                          v};
         });
     }
-    /// In units of which a newton is so many.
+    /// The springs of a slot; forces are multiplied by `unit`.
     HWY_INLINE Springs springs_at(const Slot& slot, std::uint32_t i, const Ends& ends, float unit) const {
         const EntryLanes of = tables_.springs(slot.entry, ends.length);
         const Lanes stiffness = hn::Mul(set(unit), of.stiffness);

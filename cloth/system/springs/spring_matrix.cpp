@@ -117,7 +117,7 @@ HWY_INLINE Lanes3 sum_of_springs(const SpringMatrix& matrix, std::uint32_t i, co
     Lanes3 sum = zero3();
     const std::uint32_t group = i / Stencil::lanes, lane = i % Stencil::lanes;
     const std::uint32_t begin = x.stencil.group_slots[group], end = x.stencil.group_slots[group + 1];
-    const std::uint32_t bending = begin + matrix.group_places[group + 1] - matrix.group_places[group] - 1;
+    const std::uint32_t bending = begin + matrix.springs_of(group);
     const auto difference = [&](std::uint32_t s) HWY_ATTR {
         return x_i - gather_rows(x.rows, &x.stencil.neighbours[s * Stencil::lanes + lane]);
     };
@@ -195,8 +195,7 @@ SlotHalves halves_of(const SpringMatrix& matrix, std::uint32_t slot) {
     const std::uint16_t* const all = matrix.coefficients.data();
     if (!matrix.diagonals.empty()) return {all + std::size_t{4} * slot * Stencil::lanes, true};
     const std::uint32_t group = matrix.stencil.group_of(slot), first = matrix.stencil.group_slots[group];
-    const std::uint32_t springs = matrix.group_places[group + 1] - matrix.group_places[group] - 1;
-    return {all + matrix.halves(group, slot - first), slot - first < springs};
+    return {all + matrix.halves(group, slot - first), slot - first < matrix.springs_of(group)};
 }
 
 void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint32_t* slots, Vec4* blocks) {

@@ -26,7 +26,7 @@ namespace weft {
 /// stencil of rings, each spring at both ends; see Rings.
 struct SpringMatrix {
     SpringMatrix() = default;
-    /// Of rings and their places, or of a grid, whose stencil has no lists.
+    /// The matrix of rings and their places; or of a grid, whose stencil has no lists.
     SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid);
     SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid,
                  Unmade later);
@@ -40,16 +40,23 @@ struct SpringMatrix {
     [[nodiscard]] std::uint32_t place(std::uint32_t i, std::uint32_t e) const {
         const std::uint32_t group = i / Stencil::lanes, entry = stencil.entries[e];
         const std::uint32_t slot = entry / Stencil::lanes - stencil.group_slots[group];
-        // It is among the group's, but perhaps in a file that was made to mislead.
-        const std::uint32_t last = group_places[group + 1] - group_places[group] - 1;
-        return (group_places[group] + std::min(slot + 1, last)) * Stencil::lanes + entry % Stencil::lanes;
+        // The slot is one of the group's, unless a file was made to mislead.
+        return (group_places[group] + std::min(slot + 1, springs_of(group))) * Stencil::lanes +
+               entry % Stencil::lanes;
     }
-    /// Where the halves of a group's slot begin, for rings. Slots that only bend have but a.
+    /// Slots of a group that have springs, which are its first ones.
+    [[nodiscard]] std::uint32_t springs_of(std::uint32_t group) const {
+        return group_places[group + 1] - group_places[group] - 1;
+    }
+    /// The first half of a group's slot, for rings. A slot that only bends has a alone.
     [[nodiscard]] std::size_t halves(std::uint32_t group, std::uint32_t slot) const {
-        const std::uint32_t springs = group_places[group + 1] - group_places[group] - 1;
         const std::size_t before =
             stencil.group_slots[group] + std::size_t{3} * (group_places[group] - group);
-        return Stencil::lanes * (before + (slot < springs ? 4 * slot : 3 * springs + slot));
+        return Stencil::lanes * (before + halves_before(slot, springs_of(group)));
+    }
+    /// Arrays of 16 halves before a slot of a group with so many slots of springs.
+    [[nodiscard]] static constexpr std::uint32_t halves_before(std::uint32_t slot, std::uint32_t springs) {
+        return slot < springs ? 4 * slot : 3 * springs + slot;
     }
     [[nodiscard]] std::uint32_t places() const noexcept {
         return group_places.empty() ? 0 : group_places[stencil.groups()];

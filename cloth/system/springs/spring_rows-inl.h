@@ -60,7 +60,7 @@ struct Springs {
     Lanes stiffness;
 };
 
-/// Of the entries from one on, which are those of the lanes from particle `i` on.
+/// The springs of the entries from one on, which are those of the lanes from particle `i` on.
 HWY_INLINE Springs springs_between(const Ends& ends, Lanes tension, Lanes stiffness,
                                    const SpringMatrix& matrix, std::uint32_t entry, std::uint32_t i) {
     const auto apart = hn::Gt(ends.squared, set(1e-24f));
@@ -176,7 +176,7 @@ struct SpringPulls {
           rigidity(state.equation.rigidity),
           has_bending(rigidity > 0) {}
 
-    /// Of springs whose other ends move at v, relative to their own.
+    /// The pull of springs whose other ends move at v, relative to their own.
     HWY_INLINE Lanes3 of_springs(const Springs& springs, const Lanes3& v) const {
         Lanes pull = springs.tension;
         if (damping > 0)

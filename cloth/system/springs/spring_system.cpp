@@ -12,7 +12,7 @@ namespace weft {
 
 namespace {
 
-/// Of each group as many places as the longest ring has springs, and one for openings.
+/// A group gets a place for each spring of its longest ring, and one for openings.
 SharedBuffer<std::uint32_t> places_of(const RingOrder& order, std::uint32_t particles) {
     constexpr std::uint32_t lanes = Stencil::lanes;
     SharedBuffer<std::uint32_t> places(Stencil::whole_groups(particles) / lanes + 1);
@@ -180,7 +180,7 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                     });
 }
 
-// What triangles' sides do to one another: without it a pass would leave as much of that as it found.
+// The coupling of triangles' sides is no part of W. A pass that did not know it would leave all of it.
 Products SpringSystem::multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                              Vec4* product, GridWindow* window) const {
     if (coupling_ == 0) return multiply_rows(range, with, x, product, window);

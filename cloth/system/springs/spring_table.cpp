@@ -41,11 +41,10 @@ void SpringTable::make_own() {
 void SpringTable::set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept {
     if (empty()) return;
     std::ranges::fill(stiffness_.span(), 0.0f);
-    for_each_spring_part(model, fabric,
-                         [&](std::uint32_t forth, std::uint32_t back, double part, double /*length*/) {
-                             const auto [i, j] = std::minmax(model.neighbours[back], model.neighbours[forth]);
-                             stiffness_[matrix.diagonals.entry_between(i, j)] += static_cast<float>(part);
-                         });
+    for_each_spring_part(model, fabric, [&](std::uint32_t forth, std::uint32_t back, double part) {
+        const auto [i, j] = std::minmax(model.neighbours[back], model.neighbours[forth]);
+        stiffness_[matrix.diagonals.entry_between(i, j)] += static_cast<float>(part);
+    });
     stiffest_ = 0;
     for (float& stiffness : stiffness_.span()) {
         stiffness = std::max(stiffness, 0.0f);

@@ -1,5 +1,5 @@
 #pragma once
-// What a grid's springs and bending are at each entry of its matrix, once a fabric is set.
+// SpringTable holds the springs and the bending at each entry of a grid's matrix, for one fabric.
 
 #include <cstdint>
 

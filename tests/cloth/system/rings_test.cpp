@@ -99,7 +99,7 @@ std::vector<NamedMesh> all_meshes() {
     return meshes;
 }
 
-/// Of a particle's ring, the neighbours on both sides of each triangle.
+/// visit(triangle, the place before it, the place behind it) for the triangles of a particle's ring.
 template <class Visit>
 void for_each_triangle(const RingOrder& order, std::uint32_t i, const Visit& visit) {
     const std::uint32_t begin = order.offsets[i], end = order.end(i);
