@@ -117,6 +117,8 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
       state(model.particle_count, unmade),
       scratch_velocities(model.particle_count, unmade),
       side_buffers(model.particle_count),
+      rest_neighbours(std::move(saved.rest_neighbours)),
+      contact_mesh(std::move(saved.contact_mesh)),
       surface(std::move(saved.surface)),
       partial_counts(block_count(model.particle_count), unmade),
       partial_sums(block_count(model.particle_count), unmade),

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 

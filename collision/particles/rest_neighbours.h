@@ -5,6 +5,7 @@
 #include <span>
 
 #include "collision/particles/rest_filter.h"
+#include "engine/memory/list_checks.h"
 #include "engine/memory/shared_buffer.h"
 #include "weft/error.h"
 
@@ -30,6 +31,19 @@ class RestNeighbours {
     /// By a bounded search from each particle (Dijkstra 1959). Error: the distance is so large that lists
     /// would be longer than most_per_particle on average.
     [[nodiscard]] static Result<RestNeighbours> find(const RestGraph& graph, float distance);
+
+    /// visit(list) and visit.value(number) for all of it.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.distance_);
+        visit(self.offsets_);
+        visit(self.neighbours_);
+    }
+    /// Whether lists that were read name only what there is, for so many particles.
+    [[nodiscard]] bool is_sound(std::uint32_t particles) const {
+        return are_offsets(offsets_.span(), particles, neighbours_.size()) &&
+               are_below(neighbours_.span(), particles);
+    }
 
     [[nodiscard]] RestFilter filter() const noexcept { return {offsets_.span(), neighbours_.span()}; }
     /// The distance for which these were found [m].

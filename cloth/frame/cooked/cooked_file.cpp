@@ -1,5 +1,5 @@
-// A CookedCloth as bytes: a head, then the model's lists and the report's, those of its surface and of its
-// solver, packed as they are used: see engine/memory/packed_lists.h.
+// A CookedCloth as bytes: a head, then the model's lists and the report's, those of its surface, of its
+// solver and of its contact, packed as they are used: see engine/memory/packed_lists.h.
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@
 #include "cloth/frame/cooked/cooked_cloth.h"
 #include "cloth/frame/settings/validate.h"
 #include "cloth/mesh/coordinates.h"
-#include "cloth/mesh/list_checks.h"
 #include "cloth/mesh/mesh_limits.h"
+#include "engine/memory/list_checks.h"
 #include "engine/memory/packed_lists.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"
@@ -29,7 +29,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 7;
+constexpr std::uint32_t cooked_version = 8;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
 struct CookedHead {
@@ -37,7 +37,9 @@ struct CookedHead {
     std::uint32_t version = cooked_version;
     std::uint32_t particles = 0, rows = 0, columns = 0;
     std::uint32_t has_levels = 0;
-    std::array<std::uint32_t, 5> unused{};
+    std::uint32_t has_contact_mesh = 0, has_neighbours = 0;
+    std::uint32_t has_neighbours_of_features = 0;  ///< those by contact's rule rather than by avoidance's
+    std::array<std::uint32_t, 2> unused{};
     std::uint64_t bytes = 0;  ///< of all
     std::uint64_t hash = 0;   ///< of the head with 0 here, and of all behind it, in pieces
 };
@@ -239,6 +241,8 @@ void visit_saved(const Cloth& cloth, const CookReport& report, const std::option
     for_each_list(cloth.model, info, report, visit);
     TriangleGroups::for_each_list(cloth.surface.groups(), visit);
     if (levels) visit_lists(*levels, visit);
+    if (cloth.contact_mesh) ContactMesh::for_each_list(*cloth.contact_mesh, visit);
+    if (cloth.rest_neighbours) RestNeighbours::for_each_list(*cloth.rest_neighbours, visit);
 }
 
 /// What a CookedCloth is made of.
@@ -273,9 +277,24 @@ Result<ReadCloth> read(const CookedHead& head, const KeptBytes& bytes, const Clo
         levels = read_levels(reader, model);
         if (!levels) return refused("has levels that are not whole: cook the mesh again");
     }
-    if (!reader.fits()) return not_whole;
+    std::shared_ptr<ContactMesh> contact_mesh;
+    if (head.has_contact_mesh != 0) {
+        contact_mesh = std::make_shared<ContactMesh>();
+        ContactMesh::for_each_list(*contact_mesh, reader);
+    }
+    std::optional<RestNeighbours> neighbours;
+    if (head.has_neighbours != 0) RestNeighbours::for_each_list(neighbours.emplace(), reader);
+    if (!reader.fits() || (contact_mesh && !contact_mesh->is_sound(model.particle_count)) ||
+        (neighbours && !neighbours->is_sound(model.particle_count)))
+        return not_whole;
+    const bool by_features = head.has_neighbours_of_features != 0;
     if (levels && levels->kind != SystemKind(settings)) levels.reset();
-    return ReadCloth{std::move(model), std::move(report), {std::move(surface), std::move(levels)}};
+    if (!has_features(settings.self_collision)) contact_mesh.reset();
+    if (!settings.self_collision.enabled || has_features(settings.self_collision) != by_features)
+        neighbours.reset();
+    return ReadCloth{std::move(model),
+                     std::move(report),
+                     {std::move(surface), std::move(levels), std::move(contact_mesh), std::move(neighbours)}};
 }
 
 }  // namespace
@@ -295,7 +314,11 @@ Result<void> CookedCloth::save(std::span<std::byte> to) const {
                                                           std::to_string(bytes)};
         const ClothModel& model = impl_->cloth.model;
         CookedHead head{.particles = model.particle_count, .rows = model.rows, .columns = model.columns};
+        const Cloth& cloth = impl_->cloth;
         head.has_levels = impl_->levels ? 1 : 0;
+        head.has_contact_mesh = cloth.contact_mesh ? 1 : 0;
+        head.has_neighbours = cloth.rest_neighbours ? 1 : 0;
+        head.has_neighbours_of_features = has_features(cloth.settings.self_collision) ? 1 : 0;
         head.bytes = bytes;
         const std::span<std::byte> behind = to.subspan(sizeof head);
         PackedWriter writer(behind);

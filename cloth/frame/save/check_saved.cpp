@@ -12,7 +12,7 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "cloth/mesh/coordinates.h"
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 #include "collision/colliders/collider_contacts.h"
 
 namespace weft {

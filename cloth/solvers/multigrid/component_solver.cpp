@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 #include "engine/vector.h"
 
 namespace weft {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 #include "cloth/system/springs/membrane.h"
 
 namespace weft {

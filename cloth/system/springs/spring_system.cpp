@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 #include "cloth/system/sparse/vectors.h"
 #include "cloth/system/springs/spring_forces.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "cloth/mesh/list_checks.h"
+#include "engine/memory/list_checks.h"
 #include "cloth/system/springs/membrane.h"
 
 namespace weft {

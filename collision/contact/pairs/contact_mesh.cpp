@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "collision/contact/pairs/surface_order.h"
 #include "collision/search/patches.h"
+#include "engine/memory/list_checks.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -15,8 +18,12 @@ namespace {
 using Triangle = ContactMesh::Triangle;
 using Edge = ContactMesh::Edge;
 
-bool has_three_corners(const Triangle& t) {
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+std::vector<Triangle> with_three_corners(std::span<const Triangle> triangles) {
+    std::vector<Triangle> result;
+    result.reserve(triangles.size());
+    std::ranges::copy_if(triangles, std::back_inserter(result),
+                         [](const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
+    return result;
 }
 
 std::vector<Edge> unique_edges(std::span<const Triangle> triangles) {
@@ -30,7 +37,6 @@ std::vector<Edge> unique_edges(std::span<const Triangle> triangles) {
     std::ranges::sort(edges);
     const auto spare = std::ranges::unique(edges);
     edges.erase(spare.begin(), spare.end());
-    edges.shrink_to_fit();
     return edges;
 }
 
@@ -85,6 +91,11 @@ struct Shares {
     }
 };
 
+template <class T>
+SharedBuffer<T> shared(const std::vector<T>& values) {
+    return SharedBuffer<T>(std::span<const T>(values));
+}
+
 /// Slots of one kind while they are filled.
 template <std::uint32_t corner_count>
 class SlotFiller {
@@ -102,10 +113,7 @@ class SlotFiller {
     FeatureSlots<corner_count> finish() {
         begin();
         FeatureSlots<corner_count> slots;
-        for (std::uint32_t k = 0; k < corner_count; ++k) {
-            slots.corners[k] = AlignedBuffer<std::uint32_t>(corners_[k].size());
-            std::ranges::copy(corners_[k], slots.corners[k].data());
-        }
+        for (std::uint32_t k = 0; k < corner_count; ++k) slots.corners[k] = shared(corners_[k]);
         return slots;
     }
 
@@ -113,77 +121,21 @@ class SlotFiller {
     std::array<std::vector<std::uint32_t>, corner_count> corners_;
 };
 
-}  // namespace
-
-ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles)
-    : particles_(static_cast<std::uint32_t>(rest_positions.size())) {
-    std::ranges::copy_if(triangles, std::back_inserter(triangles_), has_three_corners);
-    edges_ = unique_edges(triangles_);
-    find_corners();
-
-    std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), triangles_);
-    const std::vector<Vec4> places = finite(rest_positions);
-    least_height_ = least_height_of(places, triangles_);
-    order_in_patches(vertices, places);
-    share_out(rest_positions, vertices);
-    if (flat_rest_.has_all_triangles()) return;
-    // Cloth that is folded or closed at rest has patches that lie together in space and not along it: soon
-    // they are spread wide, and meet many others.
-    order_along_surface(vertices, edges_, places);
-    share_out(rest_positions, vertices);
-}
-
-void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices) {
-    patches_.clear();
-    std::vector<std::uint32_t> cluster_of(rest_positions.size());
-    for (std::uint32_t k = 0; k < vertices.size(); ++k)
-        cluster_of[vertices[k]] = k / ContactPatch::most_vertices;
-    const auto clusters = static_cast<std::uint32_t>((vertices.size() + ContactPatch::most_vertices - 1) /
-                                                     ContactPatch::most_vertices);
-    const Shares shares_of_triangles(std::span<const Triangle>(triangles_), cluster_of, clusters);
-    const Shares shares_of_edges(std::span<const Edge>(edges_), cluster_of, clusters);
-
-    SlotFiller<1> vertex_slots;
-    SlotFiller<3> triangle_slots;
-    SlotFiller<2> edge_slots;
-    const auto begin_patch = [&] {
-        patches_.push_back({vertex_slots.begin(), triangle_slots.begin(), edge_slots.begin(), {}});
-    };
-    for (std::uint32_t c = 0; c < clusters; ++c) {
-        begin_patch();
-        const std::size_t end = std::min<std::size_t>(vertices.size(), (c + 1) * ContactPatch::most_vertices);
-        for (std::size_t k = c * ContactPatch::most_vertices; k < end; ++k)
-            vertex_slots.add(patches_.back().vertices, {vertices[k]});
-        // A cluster at a vertex of very many triangles takes several patches.
-        for (std::uint32_t k = shares_of_triangles.starts[c]; k < shares_of_triangles.starts[c + 1]; ++k) {
-            if (patches_.back().triangles.count == ContactPatch::most_triangles) begin_patch();
-            triangle_slots.add(patches_.back().triangles, triangles_[shares_of_triangles.order[k]]);
-        }
-        for (std::uint32_t k = shares_of_edges.starts[c]; k < shares_of_edges.starts[c + 1]; ++k) {
-            if (patches_.back().edges.count == ContactPatch::most_edges) begin_patch();
-            edge_slots.add(patches_.back().edges, edges_[shares_of_edges.order[k]]);
-        }
-    }
-    vertex_slots_ = vertex_slots.finish();
-    triangle_slots_ = triangle_slots.finish();
-    edge_slots_ = edge_slots.finish();
-    corner_slots_ = share_corners();
-    flat_rest_ = FlatRest({rest_positions, triangles_, patches_, corner_slots_, triangle_slots_});
-}
-
-FeatureSlots<1> ContactMesh::share_corners() {
+/// The corners of all features of each patch.
+FeatureSlots<1> share_corners(std::span<ContactPatch> patches, const FeatureSlots<1>& vertices,
+                              const FeatureSlots<3>& triangles, const FeatureSlots<2>& edges) {
     SlotFiller<1> slots;
     std::vector<std::uint32_t> corners;
-    for (ContactPatch& patch : patches_) {
+    for (ContactPatch& patch : patches) {
         const auto take = [&](const auto& features, const SlotSpan& span) {
             for (const auto& corner : features.corners)
                 corners.insert(corners.end(), corner.data() + span.first,
                                corner.data() + span.first + span.count);
         };
         corners.clear();
-        take(vertex_slots_, patch.vertices);
-        take(triangle_slots_, patch.triangles);
-        take(edge_slots_, patch.edges);
+        take(vertices, patch.vertices);
+        take(triangles, patch.triangles);
+        take(edges, patch.edges);
         std::ranges::sort(corners);
         const auto spare = std::ranges::unique(corners);
         corners.erase(spare.begin(), spare.end());
@@ -193,9 +145,68 @@ FeatureSlots<1> ContactMesh::share_corners() {
     return slots.finish();
 }
 
+}  // namespace
+
+ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles)
+    : particles_(static_cast<std::uint32_t>(rest_positions.size())) {
+    triangles_ = shared(with_three_corners(triangles));
+    edges_ = shared(unique_edges(this->triangles()));
+    find_corners();
+
+    std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), this->triangles());
+    const std::vector<Vec4> places = finite(rest_positions);
+    least_height_ = least_height_of(places, this->triangles());
+    order_in_patches(vertices, places);
+    share_out(rest_positions, vertices);
+    if (flat_rest_.has_all_triangles()) return;
+    // Cloth that is folded or closed at rest has patches that lie together in space and not along it: soon
+    // they are spread wide, and meet many others.
+    order_along_surface(vertices, edges(), places);
+    share_out(rest_positions, vertices);
+}
+
+void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices) {
+    std::vector<std::uint32_t> cluster_of(rest_positions.size());
+    for (std::uint32_t k = 0; k < vertices.size(); ++k)
+        cluster_of[vertices[k]] = k / ContactPatch::most_vertices;
+    const auto clusters = static_cast<std::uint32_t>((vertices.size() + ContactPatch::most_vertices - 1) /
+                                                     ContactPatch::most_vertices);
+    const Shares shares_of_triangles(triangles(), cluster_of, clusters);
+    const Shares shares_of_edges(edges(), cluster_of, clusters);
+
+    std::vector<ContactPatch> patches;
+    SlotFiller<1> vertex_slots;
+    SlotFiller<3> triangle_slots;
+    SlotFiller<2> edge_slots;
+    const auto begin_patch = [&] {
+        patches.push_back({vertex_slots.begin(), triangle_slots.begin(), edge_slots.begin(), {}});
+    };
+    for (std::uint32_t c = 0; c < clusters; ++c) {
+        begin_patch();
+        const std::size_t end = std::min<std::size_t>(vertices.size(), (c + 1) * ContactPatch::most_vertices);
+        for (std::size_t k = c * ContactPatch::most_vertices; k < end; ++k)
+            vertex_slots.add(patches.back().vertices, {vertices[k]});
+        // A cluster at a vertex of very many triangles takes several patches.
+        for (std::uint32_t k = shares_of_triangles.starts[c]; k < shares_of_triangles.starts[c + 1]; ++k) {
+            if (patches.back().triangles.count == ContactPatch::most_triangles) begin_patch();
+            triangle_slots.add(patches.back().triangles, triangles_[shares_of_triangles.order[k]]);
+        }
+        for (std::uint32_t k = shares_of_edges.starts[c]; k < shares_of_edges.starts[c + 1]; ++k) {
+            if (patches.back().edges.count == ContactPatch::most_edges) begin_patch();
+            edge_slots.add(patches.back().edges, edges_[shares_of_edges.order[k]]);
+        }
+    }
+    vertex_slots_ = vertex_slots.finish();
+    triangle_slots_ = triangle_slots.finish();
+    edge_slots_ = edge_slots.finish();
+    corner_slots_ = share_corners(patches, vertex_slots_, triangle_slots_, edge_slots_);
+    patches_ = shared(patches);
+    flat_rest_ = FlatRest({rest_positions, triangles(), patches, corner_slots_, triangle_slots_});
+}
+
 void ContactMesh::find_corners() {
-    corner_starts_.assign(particles_ + std::size_t{1}, 0);
-    corner_triangles_.resize(3 * triangles_.size());
+    corner_starts_ = SharedBuffer<std::uint32_t>(particles_ + std::size_t{1});
+    corner_triangles_ = SharedBuffer<std::uint32_t>(3 * triangles_.size());
     for (const Triangle& t : triangles_)
         for (const std::uint32_t i : t) ++corner_starts_[i + 1];
     for (std::uint32_t i = 0; i < particles_; ++i) corner_starts_[i + 1] += corner_starts_[i];
@@ -204,11 +215,54 @@ void ContactMesh::find_corners() {
         for (const std::uint32_t i : triangles_[t]) corner_triangles_[next[i]++] = t;
 }
 
+namespace {
+
+/// Numbers of particles, at corners of features.
+template <std::size_t count>
+std::span<const std::uint32_t> corners_of(const SharedBuffer<std::array<std::uint32_t, count>>& features) {
+    return {reinterpret_cast<const std::uint32_t*>(features.data()), count * features.size()};
+}
+
+template <std::uint32_t corner_count>
+bool are_sound(const FeatureSlots<corner_count>& slots, std::uint32_t particles) {
+    return std::ranges::all_of(slots.corners, [&](const SharedBuffer<std::uint32_t>& corner) {
+        return corner.size() == slots.corners[0].size() && corner.size() % 16 == 0 &&
+               are_below(corner.span(), particles);
+    });
+}
+
+/// Whether a patch's slots are there, and are not more than a patch can have.
+template <std::uint32_t corner_count>
+bool has(const FeatureSlots<corner_count>& slots, const SlotSpan& span, std::uint32_t most) {
+    return span.first % 16 == 0 && span.count <= most &&
+           std::uint64_t{span.first} + span.count <= slots.corners[0].size();
+}
+
+}  // namespace
+
+bool ContactMesh::is_sound(std::uint32_t particle_count) const {
+    const auto has_slots = [&](const ContactPatch& patch) {
+        return has(vertex_slots_, patch.vertices, ContactPatch::most_vertices) &&
+               has(triangle_slots_, patch.triangles, ContactPatch::most_triangles) &&
+               has(edge_slots_, patch.edges, ContactPatch::most_edges) &&
+               has(corner_slots_, patch.corners, particle_count);
+    };
+    return particles_ == particle_count && std::isfinite(least_height_) && least_height_ >= 0 &&
+           are_below(corners_of(triangles_), particle_count) &&
+           are_below(corners_of(edges_), particle_count) &&
+           corner_triangles_.size() == 3 * triangles_.size() &&
+           are_offsets(corner_starts_.span(), particle_count, corner_triangles_.size()) &&
+           are_below(corner_triangles_.span(), triangles_.size()) &&
+           are_sound(vertex_slots_, particle_count) && are_sound(triangle_slots_, particle_count) &&
+           are_sound(edge_slots_, particle_count) && are_sound(corner_slots_, particle_count) &&
+           std::ranges::all_of(patches_, has_slots) &&
+           flat_rest_.is_sound(patches_.size(), triangle_slots_.corners[0].size());
+}
+
 std::size_t ContactMesh::bytes() const noexcept {
-    return triangles_.size() * sizeof(Triangle) + edges_.size() * sizeof(Edge) +
-           (corner_starts_.size() + corner_triangles_.size()) * sizeof(std::uint32_t) +
-           patches_.size() * sizeof(ContactPatch) + vertex_slots_.bytes() + triangle_slots_.bytes() +
-           edge_slots_.bytes() + corner_slots_.bytes() + flat_rest_.bytes();
+    return triangles_.bytes() + edges_.bytes() + corner_starts_.bytes() + corner_triangles_.bytes() +
+           patches_.bytes() + vertex_slots_.bytes() + triangle_slots_.bytes() + edge_slots_.bytes() +
+           corner_slots_.bytes() + flat_rest_.bytes();
 }
 
 }  // namespace weft

@@ -5,10 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "collision/contact/response/flat_rest.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -17,7 +16,7 @@ namespace weft {
 /// Spare slots repeat a particle of the mesh.
 template <std::uint32_t corner_count>
 struct FeatureSlots {
-    std::array<AlignedBuffer<std::uint32_t>, corner_count> corners;
+    std::array<SharedBuffer<std::uint32_t>, corner_count> corners;
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return static_cast<std::uint32_t>(corners[0].size() / 16);
@@ -49,14 +48,38 @@ class ContactMesh {
     /// how long a search takes and nothing else.
     ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles);
 
+    /// An empty one, to be read into.
+    ContactMesh() = default;
+    /// visit(list) and visit.value(number) for all of it.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        visit.value(self.particles_);
+        visit.value(self.least_height_);
+        visit(self.triangles_);
+        visit(self.edges_);
+        visit(self.corner_starts_);
+        visit(self.corner_triangles_);
+        visit(self.patches_);
+        const auto visit_slots = [&](auto& slots) {
+            for (auto& corner : slots.corners) visit(corner);
+        };
+        visit_slots(self.vertex_slots_);
+        visit_slots(self.triangle_slots_);
+        visit_slots(self.edge_slots_);
+        visit_slots(self.corner_slots_);
+        FlatRest::for_each_list(self.flat_rest_, visit);
+    }
+    /// Whether lists that were read name only what there is, for so many particles.
+    [[nodiscard]] bool is_sound(std::uint32_t particle_count) const;
+
     [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
-    [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_; }
+    [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_.span(); }
     /// Each once, in ascending order.
-    [[nodiscard]] std::span<const Edge> edges() const noexcept { return edges_; }
+    [[nodiscard]] std::span<const Edge> edges() const noexcept { return edges_.span(); }
     /// The triangles that have the particle for a corner, by their places in triangles(), ascending.
     [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::uint32_t particle) const noexcept {
         const std::uint32_t begin = corner_starts_[particle];
-        return std::span(corner_triangles_).subspan(begin, corner_starts_[particle + 1] - begin);
+        return corner_triangles_.span().subspan(begin, corner_starts_[particle + 1] - begin);
     }
     /// The least height of a triangle at rest [m]: features of slivers are as near as that for ever.
     [[nodiscard]] float least_height() const noexcept { return least_height_; }
@@ -64,7 +87,7 @@ class ContactMesh {
 
     /// Every vertex of a triangle, every triangle and every edge belongs to one patch. Patches that follow
     /// one another lie together.
-    [[nodiscard]] std::span<const ContactPatch> patches() const noexcept { return patches_; }
+    [[nodiscard]] std::span<const ContactPatch> patches() const noexcept { return patches_.span(); }
     [[nodiscard]] const FeatureSlots<1>& vertex_slots() const noexcept { return vertex_slots_; }
     [[nodiscard]] const FeatureSlots<3>& triangle_slots() const noexcept { return triangle_slots_; }
     [[nodiscard]] const FeatureSlots<2>& edge_slots() const noexcept { return edge_slots_; }
@@ -74,15 +97,14 @@ class ContactMesh {
   private:
     /// Among patches, of vertices in this order.
     void share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices);
-    FeatureSlots<1> share_corners();
     void find_corners();
 
-    std::uint32_t particles_;
+    std::uint32_t particles_ = 0;
     float least_height_ = 0;
-    std::vector<Triangle> triangles_;
-    std::vector<Edge> edges_;
-    std::vector<std::uint32_t> corner_starts_, corner_triangles_;  // of particles
-    std::vector<ContactPatch> patches_;
+    SharedBuffer<Triangle> triangles_;
+    SharedBuffer<Edge> edges_;
+    SharedBuffer<std::uint32_t> corner_starts_, corner_triangles_;  // of particles
+    SharedBuffer<ContactPatch> patches_;
     FeatureSlots<1> vertex_slots_;
     FeatureSlots<3> triangle_slots_;
     FeatureSlots<2> edge_slots_;

@@ -7,8 +7,10 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 #include "collision/contact/pairs/contact_mesh.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 
@@ -230,7 +232,7 @@ FlatRest::FlatRest(const Features& features) {
     const Charts charts(features);
     if (charts.empty()) return;
     const auto& corners = features.triangle_slots.corners;
-    for (AlignedBuffer<float>& values : inverse_) values = AlignedBuffer<float>(corners[0].size());
+    for (SharedBuffer<float>& values : inverse_) values = SharedBuffer<float>(corners[0].size());
     for (std::uint32_t s = 0; s < corners[0].size(); ++s) {
         if (!charts.has(corners[0][s])) continue;
         Eigen::Matrix2d sides;
@@ -269,28 +271,44 @@ FlatRest::FlatRest(const Features& features) {
         return near;
     };
 
-    std::vector<std::uint32_t> seen_for(count);
+    std::vector<std::uint32_t> seen_for(count), covers, starts{0};
+    std::vector<PatchNeighbours> neighbours;
     std::uint32_t pair = 0;
-    starts_.push_back(0);
     for (std::uint32_t p = 0; p < count; ++p) {
         for (const std::uint32_t q : patches_near(p)) {
-            const auto begin = static_cast<std::uint32_t>(covers_.size());
+            const auto begin = static_cast<std::uint32_t>(covers.size());
             const Rectangle around = rectangles[p].joined(rectangles[q]);
             // Triangles under a convex region hang together: from patch to patch all are found.
             ++pair;
-            covers_.push_back(p);
+            covers.push_back(p);
             seen_for[p] = pair;
-            for (std::size_t k = begin; k < covers_.size(); ++k)
-                for (const std::uint32_t r : beside[covers_[k]]) {
+            for (std::size_t k = begin; k < covers.size(); ++k)
+                for (const std::uint32_t r : beside[covers[k]]) {
                     if (seen_for[r] == pair) continue;
                     seen_for[r] = pair;
-                    if (around.overlaps(rectangles[r], 1e-4 * charts.least)) covers_.push_back(r);
+                    if (around.overlaps(rectangles[r], 1e-4 * charts.least)) covers.push_back(r);
                 }
-            neighbours_.push_back({q, begin, static_cast<std::uint32_t>(covers_.size()),
-                                   static_cast<float>(std::min(heights[p], heights[q]))});
+            neighbours.push_back({q, begin, static_cast<std::uint32_t>(covers.size()),
+                                  static_cast<float>(std::min(heights[p], heights[q]))});
         }
-        starts_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
+        starts.push_back(static_cast<std::uint32_t>(neighbours.size()));
     }
+    starts_ = SharedBuffer<std::uint32_t>(std::span<const std::uint32_t>(starts));
+    neighbours_ = SharedBuffer<PatchNeighbours>(std::span<const PatchNeighbours>(neighbours));
+    covers_ = SharedBuffer<std::uint32_t>(std::span<const std::uint32_t>(covers));
+}
+
+bool FlatRest::is_sound(std::size_t patches, std::size_t triangle_slots) const {
+    const bool is_empty = starts_.empty() && neighbours_.empty() && covers_.empty();
+    const auto fits = [&](const SharedBuffer<float>& values) {
+        return values.size() == (is_empty ? 0 : triangle_slots);
+    };
+    const auto is_of_patches = [&](const PatchNeighbours& pair) {
+        return pair.other < patches && pair.begin <= pair.end && pair.end <= covers_.size();
+    };
+    return std::ranges::all_of(inverse_, fits) &&
+           (is_empty || are_offsets(starts_.span(), patches, neighbours_.size())) &&
+           std::ranges::all_of(neighbours_, is_of_patches) && are_below(covers_.span(), patches);
 }
 
 bool FlatRest::has_all_triangles() const noexcept {
@@ -335,8 +353,7 @@ bool FlatRest::keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, flo
     const float enough = 1.001f * (reach + spread) / (0.97f * pair.height);
     if (!(std::min(a.along, b.along) > enough)) return false;
 
-    const std::span<const std::uint32_t> cover =
-        std::span(covers_).subspan(pair.begin, pair.end - pair.begin);
+    const std::span<const std::uint32_t> cover = covers_.span().subspan(pair.begin, pair.end - pair.begin);
     Six sum = Six::Zero();
     for (const std::uint32_t q : cover) sum += Eigen::Map<const Six>(strains[q].frame.data());
     const ChartFrame frame = nearest_frame({sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]});
@@ -355,9 +372,8 @@ bool FlatRest::keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, flo
 }
 
 std::size_t FlatRest::bytes() const noexcept {
-    std::size_t sum = (starts_.size() + covers_.size()) * sizeof(std::uint32_t) +
-                      neighbours_.size() * sizeof(PatchNeighbours);
-    for (const AlignedBuffer<float>& values : inverse_) sum += values.bytes();
+    std::size_t sum = starts_.bytes() + covers_.bytes() + neighbours_.bytes();
+    for (const SharedBuffer<float>& values : inverse_) sum += values.bytes();
     return sum;
 }
 

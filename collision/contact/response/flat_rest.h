@@ -23,9 +23,8 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/shared_buffer.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -71,13 +70,23 @@ class FlatRest {
 
     FlatRest() = default;
     explicit FlatRest(const Features& features);
+    /// visit(list) for all of it.
+    template <class Self, class Visit>
+    static void for_each_list(Self& self, Visit& visit) {
+        for (auto& values : self.inverse_) visit(values);
+        visit(self.starts_);
+        visit(self.neighbours_);
+        visit(self.covers_);
+    }
+    /// Whether lists that were read name only what there is, for so many patches and slots of triangles.
+    [[nodiscard]] bool is_sound(std::size_t patches, std::size_t triangle_slots) const;
 
     [[nodiscard]] bool is_empty() const noexcept { return starts_.empty(); }
     /// Whether all triangles are within a chart.
     [[nodiscard]] bool has_all_triangles() const noexcept;
     /// By triangle slot, 0 outside charts: dx/dX = [x1 - x0, x2 - x0] times the matrix of rows (0, 1) and (2,
     /// 3).
-    [[nodiscard]] const AlignedBuffer<float>& inverse(std::size_t k) const noexcept { return inverse_[k]; }
+    [[nodiscard]] const SharedBuffer<float>& inverse(std::size_t k) const noexcept { return inverse_[k]; }
     static constexpr std::uint32_t none = ~0u;
     /// The number of a pair of neighbours; none if these are not, or one of them is not within a chart, where
     /// a patch is its own neighbour. Precondition: patch <= other.
@@ -102,10 +111,10 @@ class FlatRest {
     [[nodiscard]] bool keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, float reach,
                                    const PatchStrain* strains) const noexcept;
 
-    std::array<AlignedBuffer<float>, 4> inverse_;
-    std::vector<std::uint32_t> starts_;  // by patch, into neighbours_
-    std::vector<PatchNeighbours> neighbours_;
-    std::vector<std::uint32_t> covers_;
+    std::array<SharedBuffer<float>, 4> inverse_;
+    SharedBuffer<std::uint32_t> starts_;  // by patch, into neighbours_
+    SharedBuffer<PatchNeighbours> neighbours_;
+    SharedBuffer<std::uint32_t> covers_;
 };
 
 }  // namespace weft

@@ -224,13 +224,16 @@ TEST_P(CookedCase, TakesOtherSettingsThanThoseOfItsCooking) {
     const CookedCloth cooked = CookedCloth::create(mesh(0.6f), GetParam().settings).value();
     std::vector<std::byte> bytes(cooked.save_size());
     ASSERT_TRUE(cooked.save(bytes));
-    std::vector<ClothSettings> others(3, GetParam().settings);
+    std::vector<ClothSettings> others(6, GetParam().settings);
     others[0].fabric.warp *= 3;
     if (others[0].fabric.stiffening > 0) others[0].fabric.stiffening *= 2;
     others[0].fabric.areal_density *= 2;
     others[1] = {};
     others[2] = {};
     others[2].finite_elements.enabled = true;
+    if (others[3].self_collision.enabled) others[3].self_collision.distance = 0.03f;
+    others[4].self_collision = {.enabled = true};
+    others[5].self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
     for (const ClothSettings& settings : others) {
         World by_mesh = windy_world(), read = windy_world();
         ASSERT_TRUE(by_mesh.add_cloth(mesh(0.6f), settings));

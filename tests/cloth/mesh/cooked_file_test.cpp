@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,10 +18,10 @@
 namespace weft::test {
 namespace {
 
-std::vector<std::byte> saved_mesh() {
+std::vector<std::byte> saved_mesh(const ClothSettings& settings = {}) {
     Mesh mesh = make_sheet({.rows = 4, .columns = 5}).value();
     mesh.rows = mesh.columns = 0;
-    const CookedCloth cooked = CookedCloth::create(mesh).value();
+    const CookedCloth cooked = CookedCloth::create(mesh, settings).value();
     std::vector<std::byte> bytes(cooked.save_size());
     EXPECT_TRUE(cooked.save(bytes));
     return bytes;
@@ -46,8 +47,18 @@ TEST(CookedCloth, IsRefusedIfAnyByteIsCutOffOrAnother) {
 }
 
 // What names what is not there, though nothing says that it is damaged.
-TEST(CookedCloth, NamesNothingThatIsNotThere) {
-    const std::vector<std::byte> whole = saved_mesh();
+class AlteredCookedCloth : public testing::TestWithParam<SelfCollision> {};
+
+constexpr SelfCollision off{}, contact{.enabled = true},
+    avoidance{.enabled = true, .method = SelfCollisionMethod::avoidance};
+constexpr std::array<const char*, 3> names = {"Off", "Contact", "Avoidance"};
+
+INSTANTIATE_TEST_SUITE_P(All, AlteredCookedCloth, testing::Values(off, contact, avoidance),
+                         [](const auto& info) { return names[info.index]; });
+
+TEST_P(AlteredCookedCloth, NamesNothingThatIsNotThere) {
+    const ClothSettings settings{.self_collision = GetParam()};
+    const std::vector<std::byte> whole = saved_mesh(settings);
     std::vector<std::byte> sealed = whole;
     seal_cooked(sealed);
     ASSERT_EQ(sealed, whole) << "the test seals as saving does";
@@ -60,7 +71,7 @@ TEST(CookedCloth, NamesNothingThatIsNotThere) {
             std::memcpy(other.data() + at, &value, 4);
             seal_cooked(other);
             ++tried;
-            const auto loaded = CookedCloth::load(other);
+            const auto loaded = CookedCloth::load(other, settings);
             if (!loaded) ++refused;
             if (!loaded || tried % 5 != 0) continue;
             // What is taken may move as it likes, but reads and writes its own memory alone.
