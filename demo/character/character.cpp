@@ -42,6 +42,19 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     return dress;
 }
 
+/// A point that follows one limb is where another one bends into it: it is moved out of both, since what is
+/// pinned there cannot be.
+Vec3 outside(const std::vector<TaperedCapsule>& body, const Vec3& point) {
+    constexpr int rounds = 3;  // out of one limb it may come into the next
+    Vector3 moved = to_vector(point);
+    for (int round = 0; round < rounds; ++round)
+        for (const TaperedCapsule& limb : body) {
+            const SurfaceDistance to = distance_to(limb, moved);
+            if (to.distance < 0) moved -= to.distance * to.normal;
+        }
+    return to_vec3(moved);
+}
+
 }  // namespace
 
 /// Who comes with a skeleton, a motion and weights of their own, and stands as the file has them.
@@ -158,6 +171,8 @@ void Character::follow(double time) {
     const float growth = growth_at(time, fitting_);
     body_.place(pose_, fit_.girth * growth, capsules_);
     binding_.place(pose_, targets_);
+    if (settings_.surface == BodySurface::capsules)
+        for (Vec3& target : targets_) target = outside(capsules_, target);
     limits_.place(pose_, limit_places_);
     limits_.turn(limits_bound_, pose_, normals_, limit_normals_);
     if (skin_places_) skin_.place(pose_, capsules_, growth, *skin_places_);

@@ -195,11 +195,14 @@ void settle_features(Simulation& world, Worker& worker, FeatureContact& space, s
         space.project(worker.parallel);
         keep_in_own_space(world, worker, space, cloths);
     }
-    counts = space.cut(worker.parallel, touches_colliders(cloths));
-    if (space.uses_zones())
+    const bool is_pushed = touches_colliders(cloths);
+    counts = space.cut(worker.parallel, is_pushed);
+    if (space.uses_zones()) {
         keep_in_own_space(world, worker, space, cloths);
-    else
+    } else {
         keep_common_motion_out(world, worker, space, cloths, substep.h);
+        if (counts.truncated > 0) counts = space.go_on(worker.parallel, is_pushed);
+    }
     if constexpr (looks_for_new_crossings) counts.crossed = space.crosses_anew(worker.parallel);
     for (std::size_t k = 0; k < cloths.size(); ++k) {
         hand_back(world, worker, space, k, *cloths[k], substep.h);

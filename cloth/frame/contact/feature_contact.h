@@ -40,7 +40,6 @@ struct ExpectedMotion {
 struct FeatureCounts {
     std::uint32_t pairs = 0;       ///< of features, for which the equation has a row
     std::uint32_t truncated = 0;   ///< particles that went less far than was solved for
-    float lost = 0;                ///< part of the motion that truncation took
     TangleCounts tangles = {};     ///< what crossed at the start
     bool overflowed = false;       ///< there was no room for all pairs: nothing moved but in common
     std::uint64_t unresolved = 0;  ///< by zones: pairs that still collide; one more where the list was full
@@ -109,6 +108,10 @@ class FeatureContact {
     /// The same again, from the motion that was cut last: what is cut stands still, and goes with no common
     /// motion.
     FeatureCounts cut_without_common(Parallel& parallel, bool is_pushed);
+    /// Starts from where the last cut ended, for what it took of the motion: a cut lets each pair move along
+    /// one plane, that of its start, and what turns meanwhile stops before it would have to. Counts what is
+    /// still missing.
+    FeatureCounts go_on(Parallel& parallel, bool is_pushed);
     [[nodiscard]] bool had_common() const noexcept {
         return settler_.common().kind != CommonMotionKind::none;
     }
@@ -152,6 +155,7 @@ class FeatureContact {
     void find_for_cut(Parallel& parallel);
     /// Shortens the motion until there is room for its pairs, and finds these.
     void find_for_part_of_way(Parallel& parallel);
+    FeatureCounts cut_alone(Parallel& parallel, bool is_pushed);  ///< without a common motion
     [[nodiscard]] SettleResult cut_listed(Parallel& parallel, bool is_pushed);
     [[nodiscard]] FeatureCounts counts_of(Parallel& parallel, const SettleResult& result);
     FeatureCounts stand_still();

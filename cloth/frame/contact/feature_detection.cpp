@@ -175,9 +175,27 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
     for (const ParticleRange& range : ranges_.span())
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
+    return cut_alone(parallel, is_pushed);
+}
+
+FeatureCounts FeatureContact::cut_alone(Parallel& parallel, bool is_pushed) {
     settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
     find_of_motion(parallel);
     return counts_of(parallel, cut_listed(parallel, is_pushed));
+}
+
+FeatureCounts FeatureContact::go_on(Parallel& parallel, bool is_pushed) {
+    for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 start = xyz(start_[i]), here = start + xyz(displacements_[i]);
+            set_xyz(displacements_[i], start + xyz(searched_[i]) - here);
+            set_xyz(start_[i], here);
+        }
+    });
+    const bool was_uncertain = is_uncertain_;
+    FeatureCounts counts = cut_alone(parallel, is_pushed);
+    is_uncertain_ |= was_uncertain;
+    return counts;
 }
 
 SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
@@ -195,7 +213,6 @@ FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& 
     if (result.list_was_incomplete && crosses_anew(parallel)) return stand_still();
     return {.pairs = near_.pairs,
             .truncated = result.truncated,
-            .lost = result.motion_lost,
             .tangles = near_.tangles,
             .overflowed = near_.overflowed || result.list_was_incomplete};
 }
@@ -203,7 +220,6 @@ FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& 
 // Rounding can take the gap of a pair that is not listed, even where all move alike.
 FeatureCounts FeatureContact::stand_still() {
     FeatureCounts counts = near_;
-    counts.lost = 1;
     counts.overflowed = true;
     for (const ParticleRange& range : ranges_.span()) {
         std::ranges::fill(displacements_.span().subspan(range.first, range.count), Vec4{});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cloth/frame/contact/feature_contact.h"
@@ -178,6 +179,56 @@ TEST(NewCrossings, AreLookedForWhereRoundingMayHaveMadeThem) {
         scene.arrive(0);
         scene.space.cut(scene.parallel, false);
         EXPECT_EQ(scene.space.may_cross(), way > 1) << way;
+        scene.space.go_on(scene.parallel, false);
+        EXPECT_EQ(scene.space.may_cross(), way > 1) << "what was uncertain stays so";
+    }
+}
+
+// Two layers turn one way and, farther off, two more turn the other way, so that they have no motion in
+// common.
+TEST(Cut, GoesOnWithWhatTurns) {
+    constexpr float apart = 0.01f, angle = 0.7f, h = 0.01f;
+    std::vector<Vec4> start, end;
+    std::vector<ContactMesh::Triangle> corners;
+    for (const float side : {-1.0f, 1.0f})
+        for (const float height : {0.0f, apart}) {
+            const auto first = static_cast<std::uint32_t>(start.size());
+            for (const auto& [x, z] :
+                 {std::pair(0.0f, -0.1f), std::pair(-0.1f, 0.1f), std::pair(0.1f, 0.1f)}) {
+                const float c = std::cos(side * angle), s = std::sin(side * angle);
+                start.push_back({side + x, height, z, 1});
+                end.push_back({side + x, c * height - s * z, s * height + c * z, 1});
+            }
+            corners.push_back({first, first + 1, first + 2});
+        }
+    const ContactMesh mesh{start, corners};
+    const ContactCloth body{.mesh = &mesh, .radius = 0.02f, .floor = 1e-4f};
+    LaidOut<FeatureContact> space{std::span(&body, 1), no_zones};
+    Parallel parallel{1};
+    bool is_crowd = false;
+    const std::vector<Vec4> velocities(start.size());
+    space.place(parallel, 0, start, {.velocities = velocities, .h = h});
+    space.detect(parallel, is_crowd);
+    space.arrive(parallel, 0, end);
+    const auto missing = [&] {
+        float most = 0;
+        for (std::size_t i = 0; i < end.size(); ++i)
+            most = std::max(most,
+                            (xyz(space.starts(0)[i]) + xyz(space.displacements(0)[i]) - xyz(end[i])).norm());
+        return most;
+    };
+    space.cut(parallel, false);
+    const float after_cut = missing();
+    ASSERT_GT(after_cut, 0.01f);
+    space.go_on(parallel, false);
+    EXPECT_LT(missing(), 0.5f * after_cut);
+    EXPECT_FALSE(space.crosses_anew(parallel));
+
+    std::vector<Vec4> places = end, speeds(start.size());
+    space.hand_back(parallel, 0, h, places, speeds);
+    for (std::size_t i = 0; i < end.size(); ++i) {
+        EXPECT_LT((xyz(places[i]) - xyz(end[i])).norm(), 0.5f * after_cut);
+        EXPECT_LT((xyz(speeds[i]) - (xyz(places[i]) - xyz(end[i])) / h).norm(), 1e-2f);
     }
 }
 

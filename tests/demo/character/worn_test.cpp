@@ -78,6 +78,19 @@ TEST_P(Wardrobe, FitsAfterASecond) {
     EXPECT_EQ(worn.crossings, 0u);
 }
 
+// On somebody who runs, an arm bends into where the shirt is fixed, and legs go faster than the cloth of a
+// dress turns out of their way.
+TEST(Worn, StaysOutsideOfSomebodyWhoRuns) {
+    WEFT_NEEDS_DATA();
+    CharacterSettings settings = with_contact();
+    settings.motion = data_folder() / "motion" / "run.bvh";
+    settings.garment = data_folder() / "garments" / "tshirt-iso.obj";
+    EXPECT_EQ(wear(settings, 3, 2).frames_inside, 0u);
+    settings.garment.clear();
+    settings.speed = 2;
+    EXPECT_LE(wear(settings, 5, 2).frames_inside, 6u);  // of 180; of a single cut 9
+}
+
 INSTANTIATE_TEST_SUITE_P(Garments, Wardrobe,
                          testing::Values("tshirt-iso", "skirt-iso", "dress-victor-iso-draped"),
                          [](const auto& garment) {
