@@ -61,7 +61,10 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
     scratch.take(laws_, pairs);
     scratch.take(wanted_, pairs);
     scratch.take(nearest_faces_, particles);
-    scratch.take(partials_, block_count(static_cast<std::uint32_t>(particles)) + bodies.size());
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
+    scratch.take(partials_, blocks);
+    scratch.take(changes_, blocks);
+    scratch.take(marks_, particles);
     scratch.take(colliding_, uses_zones_ ? pairs : 0);
     rows_.lay_out_rows(scratch, particles, pairs);
     settler_.lay_out_split(scratch, particles, bodies.size());

@@ -153,9 +153,9 @@ class FeatureContact {
     void find_of_motion(Parallel& parallel);
     void turn_normals(Parallel& parallel, std::span<const Vec4> motions);
     void find_for_cut(Parallel& parallel);
+    void find_more(Parallel& parallel);
     /// Shortens the motion until there is room for its pairs, and finds these.
     void find_for_part_of_way(Parallel& parallel);
-    FeatureCounts cut_alone(Parallel& parallel, bool is_pushed);  ///< without a common motion
     [[nodiscard]] SettleResult cut_listed(Parallel& parallel, bool is_pushed);
     [[nodiscard]] FeatureCounts counts_of(Parallel& parallel, const SettleResult& result);
     FeatureCounts stand_still();
@@ -163,7 +163,11 @@ class FeatureContact {
     void find_for_zones(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint32_t> find_colliding_pairs();
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
-    struct Change;
+    /// From the motion that was searched for to the one that is to be cut.
+    struct Change {
+        float longest = 0;          ///< of the motions that are to be cut [m]; infinite if one is not finite
+        std::uint32_t strayed = 0;  ///< particles round which pairs may come within reach that are not listed
+    };
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] BodyGroup group() const { return {ranges_.span(), start_.span()}; }
 
@@ -204,6 +208,8 @@ class FeatureContact {
     ScratchArray<Vec4> start_, displacements_, base_;
     ScratchArray<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     ScratchArray<float> partials_;  // by block
+    ScratchArray<Change> changes_;  // by block
+    ScratchArray<std::uint8_t> marks_;       // by particle: see PairFinder::find_more()
     ScratchArray<std::uint32_t> colliding_;  // room for as many as pairs_; only by zones
 };
 

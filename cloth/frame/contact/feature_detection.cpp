@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cloth/frame/contact/feature_contact.h"
@@ -89,45 +90,45 @@ bool FeatureContact::part_touching(Parallel& parallel) {
     return any;
 }
 
-/// From the motion that was searched for to the one that is to be cut.
-struct FeatureContact::Change {
-    bool is_covered = true;  ///< no pair comes within reach that is not listed
-    float longest = 0;       ///< of the motions that are to be cut [m]
-};
-
-/// Whether each motion ends near the way that was searched: see PairNarrowing.
+/// Whether each motion ends near the way that was searched: see PairNarrowing. Else the particle is marked.
 FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
-    constexpr float with_rounding = 0.49f, never = -1;
+    constexpr float with_rounding = 0.49f, infinity = std::numeric_limits<float>::infinity();
     const auto find_block = [&](const BlockRange& range) {
         const float slack =
             with_rounding * (of_borders * cloths_[body_of(bodies_.span(), range.begin)].radius - reach);
-        float longest = 0;
+        Change change;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
-            const float length2 = way.squaredNorm();
+            const float length2 = way.squaredNorm(), length = end.norm();
             const float part = length2 > 0 ? std::clamp(way.dot(end) / length2, 0.0f, 1.0f) : 0.0f;
-            if (!((end - part * way).norm() <= slack)) return never;
-            longest = std::max(longest, end.norm());
+            marks_[i] = (end - part * way).norm() <= slack ? 0 : 1;
+            change.strayed += marks_[i];
+            change.longest = std::max(change.longest, std::isfinite(length) ? length : infinity);
         }
-        return longest;
+        return change;
     };
-    const auto add = [&](float a, float b) { return std::min(a, b) < 0 ? never : std::max(a, b); };
-    const float longest = reduce_ranges(parallel, ranges_.span(), partials_.span(), 0.0f, find_block, add);
-    return {longest >= 0, longest};
+    const auto add = [](const Change& a, const Change& b) {
+        return Change{std::max(a.longest, b.longest), a.strayed + b.strayed};
+    };
+    return reduce_ranges(parallel, ranges_.span(), changes_.span(), Change{}, find_block, add);
 }
 
-// Where cloth goes about as expected, what is near enough to be cut was found when the substep began.
+// Where cloth goes about as expected, what is near enough to be cut was found when the substep began. Where
+// some of it does not, that is searched once more.
 void FeatureContact::find_for_cut(Parallel& parallel) {
-    settler_.split(parallel, group(), displacements_.span());
+    constexpr std::uint32_t few = 8;  // of so many particles one
     if (std::exchange(has_all_near_, false)) {
+        settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);  // as that search
         float reach = 0;
         for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
         const Change change = change_of_motion(parallel, reach);
-        if (change.is_covered) {
+        if (std::isfinite(change.longest) && few * change.strayed <= start_.size()) {
             narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
+            if (change.strayed > 0) find_more(parallel);
             return;
         }
     }
+    settler_.split(parallel, group(), displacements_.span());
     if (can_look_again_) {
         set_reach(&ContactCloth::floor);
         finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(),
@@ -136,6 +137,14 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
     } else {
         find_of_motion(parallel);
     }
+}
+
+/// Adds the pairs near marked particles that the relative motion can bring too near.
+void FeatureContact::find_more(Parallel& parallel) {
+    can_look_again_ = false;
+    set_reach(&ContactCloth::floor);
+    finder_.find_more(parallel, bodies_.span(), start_.span(), settler_.relative(), marks_.span(), pairs_);
+    turn_normals(parallel, settler_.relative());
 }
 
 /// Finds the pairs that the whole of the relative motion can bring too near, for the cut.
@@ -175,10 +184,6 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
     for (const ParticleRange& range : ranges_.span())
         std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
-    return cut_alone(parallel, is_pushed);
-}
-
-FeatureCounts FeatureContact::cut_alone(Parallel& parallel, bool is_pushed) {
     settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
     find_of_motion(parallel);
     return counts_of(parallel, cut_listed(parallel, is_pushed));
@@ -188,12 +193,17 @@ FeatureCounts FeatureContact::go_on(Parallel& parallel, bool is_pushed) {
     for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vector3 start = xyz(start_[i]), here = start + xyz(displacements_[i]);
-            set_xyz(displacements_[i], start + xyz(searched_[i]) - here);
+            const Vector3 left = start + xyz(searched_[i]) - here;
+            set_xyz(displacements_[i], left);
             set_xyz(start_[i], here);
+            marks_[i] = left.isZero(0) ? 0 : 1;
         }
     });
     const bool was_uncertain = is_uncertain_;
-    FeatureCounts counts = cut_alone(parallel, is_pushed);
+    settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
+    pairs_.clear();
+    find_more(parallel);
+    const FeatureCounts counts = counts_of(parallel, cut_listed(parallel, is_pushed));
     is_uncertain_ |= was_uncertain;
     return counts;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/vector.h"
+
 namespace weft {
 
 namespace {
@@ -56,7 +58,7 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     scratch.take(kept_, kept_blocks);
     scratch.take(kept_reach_, room.looks_again ? room.bodies : 0);
     scratch.take(changes_, kept_blocks * PatchBlock::most);
-    scratch.take(beyond_, kept_blocks);
+    scratch.take(only_, blocks);
 }
 
 void PairFinder::choose(std::span<const ContactBody> bodies) {
@@ -91,7 +93,33 @@ PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* mo
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
                       float of_borders, FullList full) {
-    find_all(parallel, bodies, positions, motions, found, of_borders, false, full);
+    choose(bodies);
+    found.clear();
+    search(parallel, search_of(positions, motions.data(), of_borders), found, false, full);
+}
+
+std::uint16_t PairFinder::marked_patches(std::span<const std::uint8_t> marks, std::uint32_t block) const {
+    const PatchBlock& patches = blocks_[block];
+    const SearchedBody& body = bodies_[patches.body];
+    const std::span<const std::uint32_t> all = body.mesh->corner_slots().corners[0].span();
+    std::uint32_t marked = 0;
+    for (std::uint32_t p = 0; p < patches.patch_count; ++p) {
+        const SlotSpan& corners = body.mesh->patches()[patches.first_patch + p].corners;
+        std::uint8_t any = 0;
+        for (const std::uint32_t i : all.subspan(corners.first, corners.count)) any |= marks[body.first + i];
+        marked |= (any != 0 ? 1u : 0u) << p;
+    }
+    return static_cast<std::uint16_t>(marked);
+}
+
+void PairFinder::find_more(Parallel& parallel, std::span<const ContactBody> bodies,
+                           std::span<const Vec4> positions, std::span<const Vec4> motions,
+                           std::span<const std::uint8_t> marks, PairList& list) {
+    choose(bodies);
+    parallel.blocks(block_count_, [&](std::uint32_t block) { only_[block] = marked_patches(marks, block); });
+    PairSearch around_marks = search_of(positions, motions.data(), 1);
+    around_marks.only = only_.data();
+    search(parallel, around_marks, list, false, FullList::is_empty);
 }
 
 bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
@@ -104,18 +132,17 @@ bool PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactB
                                     std::span<const Vec4> positions, std::span<const Vec4> motions,
                                     PairList& found, float of_borders, FullList full) {
     const bool keeps = can_keep(bodies);
-    find_all(parallel, bodies, positions, motions, found, of_borders, keeps, full);
+    choose(bodies);
+    if (keeps) std::ranges::transform(bodies, kept_reach_.data(), &ContactBody::reach);
+    found.clear();
+    search(parallel, search_of(positions, motions.data(), of_borders), found, keeps, full);
     return keeps;
 }
 
-void PairFinder::find_all(Parallel& parallel, std::span<const ContactBody> bodies,
-                          std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                          float of_borders, bool keeps, FullList full) {
-    choose(bodies);
-    if (keeps) std::ranges::transform(bodies, kept_reach_.data(), &ContactBody::reach);
-    const PairSearch search = search_of(positions, motions.data(), of_borders);
+void PairFinder::search(Parallel& parallel, const PairSearch& search, PairList& found, bool keeps,
+                        FullList full) {
     place(parallel, search);
-    list(parallel, positions.data(), found, full, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
+    list(parallel, search.positions, found, full, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
         KeptBlock* const kept = keeps && is_first ? &kept_[block] : nullptr;
         if (kept != nullptr) kept->clear();
         if (is_calm_[block] == 0) find_pairs(search, block, pairs, kept);
@@ -132,9 +159,9 @@ bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& searc
             if (!kept_[block].is_whole()) changes[p].is_beyond = 1;
             beyond |= changes[p].is_beyond << p;
         }
-        beyond_[block] = static_cast<std::uint16_t>(beyond);
+        only_[block] = static_cast<std::uint16_t>(beyond);
     });
-    return std::ranges::any_of(beyond_.span().first(block_count_),
+    return std::ranges::any_of(only_.span().first(block_count_),
                                [](std::uint16_t bits) { return bits != 0; });
 }
 
@@ -144,9 +171,10 @@ void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bod
     choose(bodies);
     PairSearch search = search_of(positions, motions.data(), 1);
     if (find_patches_beyond(parallel, search, before)) {
-        search.only = beyond_.data();
+        search.only = only_.data();
         place(parallel, search);
     }
+    found.clear();
     list(parallel, positions.data(), found, FullList::is_empty,
          [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
              find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
@@ -156,7 +184,7 @@ void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bod
 template <class FindBlock>
 void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
                       const FindBlock& find_block) {
-    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()), full, find_block);
+    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()) - found.size, full, find_block);
     number(found);
     if (found.overflowed && full == FullList::is_empty) {
         found.size = found.vertex_triangle = 0;
@@ -232,8 +260,10 @@ FoundPairs PairFinder::room_of(std::uint32_t block) {
     return {{room.first(kept_vertex_triangle)}, {room.subspan(kept_vertex_triangle)}};
 }
 
+// Pairs of edges that are in the list already make room for those of vertices.
 void PairFinder::number(PairList& found) {
-    std::uint64_t count = 0;
+    const std::uint32_t had_vertex_triangle = found.vertex_triangle, had = found.size;
+    std::uint64_t count = had_vertex_triangle;
     const auto take = [&](std::uint32_t pairs) {
         const std::uint64_t first = std::min<std::uint64_t>(count, found.capacity());
         count += pairs;
@@ -241,11 +271,18 @@ void PairFinder::number(PairList& found) {
     };
     for (BlockPairs& block : block_pairs_.span().first(block_count_))
         block.first_vertex_triangle = take(block.vertex_triangle);
-    found.vertex_triangle = take(0);
+    found.vertex_triangle = take(had - had_vertex_triangle);
     for (BlockPairs& block : block_pairs_.span().first(block_count_))
         block.first_edge_edge = take(block.edge_edge);
     found.size = take(0);
     found.overflowed = count > found.capacity();
+    if (found.overflowed || had == had_vertex_triangle) return;
+    const std::uint32_t end = found.vertex_triangle + had - had_vertex_triangle;
+    const auto move = [&](auto* items) {
+        std::copy_backward(items + had_vertex_triangle, items + had, items + end);
+    };
+    move(found.pairs.data());
+    move(found.shapes.data());
 }
 
 template <class FindBlock>

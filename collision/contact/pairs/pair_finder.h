@@ -50,6 +50,12 @@ class PairFinder {
               std::span<const Vec4> motions, PairList& found, float of_borders = 1,
               FullList full = FullList::has_the_first);
 
+    /// Adds to the list what find() would list of pairs of patches of which at least one has a marked
+    /// particle (marks[i] != 0). Some of these may be in the list already, and then are so twice. A list that
+    /// would overflow is empty.
+    void find_more(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+                   std::span<const Vec4> motions, std::span<const std::uint8_t> marks, PairList& list);
+
     /// find(), and keeps what it looked at until the next such search. Returns whether it did: of meshes
     /// without FlatRest alone, since many pairs of patches are looked at of these.
     bool find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -97,12 +103,13 @@ class PairFinder {
     [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,
                                        float of_borders) const;
     [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;
-    void find_all(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-                  std::span<const Vec4> motions, PairList& found, float of_borders, bool keeps,
-                  FullList full);
+    void search(Parallel& parallel, const PairSearch& search, PairList& found, bool keeps, FullList full);
+    [[nodiscard]] std::uint16_t marked_patches(std::span<const std::uint8_t> marks,
+                                               std::uint32_t block) const;
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
-    /// find_block(block, pairs, is_first) finds those of a block; once more where it has many.
+    /// Adds to the list. find_block(block, pairs, is_first) finds the pairs of a block; once more where it
+    /// has many.
     template <class FindBlock>
     void list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
               const FindBlock& find_block);
@@ -126,10 +133,11 @@ class PairFinder {
     ScratchArray<Crossing> crossing_room_;
     ScratchArray<std::uint32_t> block_crossings_;
 
-    ScratchArray<KeptBlock> kept_;        // by block; of meshes without FlatRest, as what follows
-    ScratchArray<float> kept_reach_;      // by body
-    ScratchArray<PatchChange> changes_;   // of patches, sixteen to each block
-    ScratchArray<std::uint16_t> beyond_;  // by block: see PairSearch::only
+    ScratchArray<KeptBlock> kept_;       // by block; of meshes without FlatRest, as what follows
+    ScratchArray<float> kept_reach_;     // by body
+    ScratchArray<PatchChange> changes_;  // of patches, sixteen to each block
+
+    ScratchArray<std::uint16_t> only_;  // by block: see PairSearch::only
 };
 
 }  // namespace weft

@@ -50,6 +50,10 @@ struct PairList {
         scratch.take(pairs, capacity);
         scratch.take(shapes, capacity);
     }
+    void clear() noexcept {
+        size = vertex_triangle = 0;
+        overflowed = false;
+    }
     [[nodiscard]] std::size_t capacity() const noexcept { return pairs.size(); }
     /// How many of a pair's corners are side A: the first so many.
     [[nodiscard]] std::uint32_t corners_of_a(std::uint32_t pair) const noexcept {

@@ -296,5 +296,64 @@ TEST(PairNarrowing, OfAListWithoutPairsNothingIsLeft) {
     EXPECT_EQ(list.size, 0u);
 }
 
+/// Corners of the pairs of one kind, each once.
+std::set<std::array<std::uint32_t, 4>> corners_of(const PairList& list, bool vertex_triangle) {
+    std::set<std::array<std::uint32_t, 4>> all;
+    for (std::uint32_t k = vertex_triangle ? 0 : list.vertex_triangle;
+         k < (vertex_triangle ? list.vertex_triangle : list.size); ++k)
+        all.insert(list.pairs[k].corners);
+    return all;
+}
+
+// A list without the pairs of marked particles gets these again, and of their patches at most what find()
+// lists.
+TEST(PairFinder, FindsMoreWhereParticlesAreMarked) {
+    for (const bool moving : {false, true}) {
+        ContactScene scene = folded(30, 0.3f);
+        if (moving) scene.add_motions(random_vectors(scene.positions.size(), 0.1f * edge, 2));
+        const LaidOut<PairList> all = pairs_of(scene);
+        ASSERT_GT(all.vertex_triangle, 50u);
+        ASSERT_GT(all.size - all.vertex_triangle, 50u);
+        for (const std::uint32_t marked : {0u, 1u, 20u, 900u}) {
+            std::vector<std::uint8_t> marks(scene.positions.size());
+            for (std::uint32_t k = 0; k < marked; ++k) marks[(k * 619 + 17) % marks.size()] = 1;
+            LaidOut<PairList> list(1 << 18);
+            for (std::uint32_t k = 0; k < all.size; ++k) {
+                const auto& corners = all.pairs[k].corners;
+                if (std::ranges::any_of(corners, [&](std::uint32_t i) { return marks[i] != 0; })) continue;
+                list.vertex_triangle += k < all.vertex_triangle ? 1 : 0;
+                list.shapes[list.size] = all.shapes[k];
+                list.pairs[list.size++] = all.pairs[k];
+            }
+            const std::uint32_t left = list.size;
+            LaidOut<PairFinder> finder;
+            finder.reserve(scene.bodies);
+            Parallel parallel(1);
+            finder.find_more(parallel, scene.bodies, scene.positions, scene.motions, marks, list);
+            EXPECT_FALSE(list.overflowed);
+            EXPECT_EQ(corners_of(list, true), corners_of(all, true)) << marked;
+            EXPECT_EQ(corners_of(list, false), corners_of(all, false)) << marked;
+            if (marked == 0) {
+                EXPECT_EQ(list.size, left);
+            } else if (marked == 1) {
+                EXPECT_LT(list.size, all.size + all.size / 8) << "most is let alone";
+            }
+            for (std::uint32_t k = 0; k < list.size; ++k) {
+                PairShape shape;
+                shape_pairs(scene.positions.data(), k < list.vertex_triangle, {&list.pairs[k], 1}, &shape);
+                ASSERT_EQ(shape.normal.w, list.shapes[k].normal.w) << "shapes have gone with their pairs";
+            }
+        }
+        std::vector<std::uint8_t> every(scene.positions.size(), 1);
+        LaidOut<PairList> full(all.size - 1);
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies);
+        Parallel parallel(1);
+        finder.find_more(parallel, scene.bodies, scene.positions, scene.motions, every, full);
+        EXPECT_TRUE(full.overflowed);
+        EXPECT_EQ(full.size, 0u);
+    }
+}
+
 }  // namespace
 }  // namespace weft::test
