@@ -121,16 +121,16 @@ class WEFT_API CookedCloth {
     [[nodiscard]] const ClothInfo& info() const noexcept;
     [[nodiscard]] const CookReport& report() const noexcept;
 
-    /// What the mesh was made into, what its method has that is constant, coarse levels and all, and the
-    /// report, without the settings: little-endian, with its version and a checksum. As many bytes as save()
-    /// writes.
+    /// What the mesh was made into, what its method and its contact have that is constant, coarse levels and
+    /// all, and the report, without the settings: little-endian, with its version and a checksum. As many
+    /// bytes as save() writes.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Error: another size than save_size().
     Result<void> save(std::span<std::byte> to) const;
     /// The bytes may be at any address; they are copied, once. With settings that have the cooking's method
-    /// and force model, and its Fabric's warp, weft, shear and stiffening, nothing is made of them but
-    /// checks; the latter four cost up to a third of cooking where they differ, another method or force model
-    /// most of it. Errors: a setting out of range; what is no such save, of another version, cut short or
+    /// and force model, its Fabric's warp, weft, shear and stiffening, and its SelfCollision, nothing is made
+    /// of them but checks; of these, the Fabric's four cost up to a third of cooking where they differ,
+    /// another method or force model most of it. Errors: a setting out of range; what is no such save, of another version, cut short or
     /// damaged.
     [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
                                                   const ClothSettings& settings = {});
