@@ -54,7 +54,7 @@ void for_each_group(Simulation& world, const Schedule& schedule, const Work& wor
     const auto take = [&](Worker& worker, const Schedule::Group& group) {
         const auto timer = world.timed(Stage::cloths);
         const std::int64_t begin = world.clock();
-        worker.scratch = world.scratch.data() + group.scratch;
+        worker.make_room(world.scratch.data() + group.scratch, group.scratch_bytes);
         work(worker, group.cloths);
         share_out_time(group, world.clock() - begin);
     };

@@ -15,7 +15,16 @@ struct Worker {
     Parallel& parallel;                    ///< of all threads, or of this one alone
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
     ContactLog& contacts;                  ///< to be reported
-    std::byte* scratch = nullptr;          ///< of the group that it works on
+    std::byte* scratch = nullptr;          ///< for the group that it works on
+    std::size_t scratch_bytes = 0;
+
+    /// Another group's turn: it goes on in the memory of one before, which is in the cache, unless the
+    /// group's own is larger.
+    void make_room(std::byte* own, std::size_t bytes) {
+        if (bytes <= scratch_bytes) return;
+        scratch = own;
+        scratch_bytes = bytes;
+    }
 };
 
 /// One of the equal parts that a step is cut into.

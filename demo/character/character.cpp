@@ -42,15 +42,26 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     return dress;
 }
 
+/// Whether a point is outside of the ball about the limb's middle that holds the limb.
+bool is_beyond(const TaperedCapsule& limb, const Vector3& point) {
+    const Vector3 a = to_vector(limb.a), b = to_vector(limb.b), middle = 0.5f * (a + b);
+    const float radius = 0.5f * (b - a).norm() + std::max(limb.radius_a, limb.radius_b);
+    return (point - middle).squaredNorm() > radius * radius;
+}
+
 /// A point that follows one limb is where another one bends into it: it is moved out of both, since what is
 /// pinned there cannot be.
 Vec3 outside(const std::vector<TaperedCapsule>& body, const Vec3& point) {
     constexpr int rounds = 3;  // out of one limb it may come into the next
     Vector3 moved = to_vector(point);
-    for (int round = 0; round < rounds; ++round)
+    bool is_inside = true;
+    for (int round = 0; round < rounds && std::exchange(is_inside, false); ++round)
         for (const TaperedCapsule& limb : body) {
+            if (is_beyond(limb, moved)) continue;
             const SurfaceDistance to = distance_to(limb, moved);
-            if (to.distance < 0) moved -= to.distance * to.normal;
+            if (!(to.distance < 0)) continue;
+            moved -= to.distance * to.normal;
+            is_inside = true;
         }
     return to_vec3(moved);
 }

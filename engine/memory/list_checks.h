@@ -11,7 +11,16 @@
 #include <limits>
 #include <span>
 
+#include "engine/memory/shared_buffer.h"
+
 namespace weft {
+
+/// All numbers of a list, whose items are made of them.
+template <class Number, class Item>
+[[nodiscard]] std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
+    static_assert(sizeof(Item) % sizeof(Number) == 0);
+    return {reinterpret_cast<const Number*>(list.data()), list.size() * (sizeof(Item) / sizeof(Number))};
+}
 
 inline constexpr std::uint32_t first_bit = 1u << 31;
 

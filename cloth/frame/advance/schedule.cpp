@@ -61,13 +61,15 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
                     .work = 0,
                     .blocks = 0,
                     .scratch = scratch,
+                    .scratch_bytes = 0,
                     .is_whole = false};
         end = next_[i];
         for (const Cloth* cloth : group.cloths) {
             group.work += work_of(*cloth);
-            scratch += cloth->scratch_bytes;
+            group.scratch_bytes += cloth->scratch_bytes;
             group.blocks += block_count(cloth->model.particle_count);
         }
+        scratch += group.scratch_bytes;
         groups_.push_back(group);
     }
     share_out(threads);

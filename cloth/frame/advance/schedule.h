@@ -25,7 +25,7 @@ class Schedule {
         std::span<Cloth* const> cloths;
         std::uint64_t work;  // particles moved in a step
         std::uint32_t blocks;
-        std::size_t scratch;  // where its part of the World's begins
+        std::size_t scratch, scratch_bytes;  // where its part of the World's begins, and its size
         bool is_whole;
     };
     [[nodiscard]] std::span<const Group> groups() const { return groups_; }

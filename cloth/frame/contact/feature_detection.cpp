@@ -90,7 +90,8 @@ bool FeatureContact::part_touching(Parallel& parallel) {
     return any;
 }
 
-/// Whether each motion ends near the way that was searched: see PairNarrowing. Else the particle is marked.
+/// Marks particles whose motion ends farther from the way that was searched than the search looked round it:
+/// see PairNarrowing.
 FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
     constexpr float with_rounding = 0.49f, infinity = std::numeric_limits<float>::infinity();
     const auto find_block = [&](const BlockRange& range) {

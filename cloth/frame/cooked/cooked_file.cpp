@@ -134,13 +134,6 @@ Result<KeptBytes> keep(const CookedHead& head, KeptBytes saved) {
     return saved;
 }
 
-/// All numbers of a list, whose items are made of them.
-template <class Number, class Item>
-std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
-    static_assert(sizeof(Item) % sizeof(Number) == 0);
-    return {reinterpret_cast<const Number*>(list.data()), list.size() * (sizeof(Item) / sizeof(Number))};
-}
-
 /// Numbers that a mesh could have led to.
 bool are_sound(const ClothModel& model) {
     std::uint32_t bits = 0;

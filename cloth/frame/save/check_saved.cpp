@@ -12,8 +12,8 @@
 #include "cloth/frame/settings/validate.h"
 #include "cloth/frame/worn/moving_frame.h"
 #include "cloth/mesh/coordinates.h"
-#include "engine/memory/list_checks.h"
 #include "collision/colliders/collider_contacts.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 

@@ -121,9 +121,9 @@ class WEFT_API CookedCloth {
     [[nodiscard]] const ClothInfo& info() const noexcept;
     [[nodiscard]] const CookReport& report() const noexcept;
 
-    /// What the mesh was made into, what its method and its contact have that is constant, coarse levels and
-    /// all, and the report, without the settings: little-endian, with its version and a checksum. As many
-    /// bytes as save() writes.
+    /// How many bytes save() writes. They hold what the mesh was made into, the constant parts of its method
+    /// with all coarse levels, those of its contact, and the report; the settings they do not hold. They are
+    /// little-endian, with a version and a checksum.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Error: another size than save_size().
     Result<void> save(std::span<std::byte> to) const;

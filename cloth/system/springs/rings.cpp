@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/memory/list_checks.h"
 #include "cloth/system/springs/membrane.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 

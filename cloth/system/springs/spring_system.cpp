@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/memory/list_checks.h"
 #include "cloth/system/sparse/vectors.h"
 #include "cloth/system/springs/spring_forces.h"
+#include "engine/memory/list_checks.h"
 
 namespace weft {
 

@@ -91,11 +91,6 @@ struct Shares {
     }
 };
 
-template <class T>
-SharedBuffer<T> shared(const std::vector<T>& values) {
-    return SharedBuffer<T>(std::span<const T>(values));
-}
-
 /// Slots of one kind while they are filled.
 template <std::uint32_t corner_count>
 class SlotFiller {
@@ -113,7 +108,8 @@ class SlotFiller {
     FeatureSlots<corner_count> finish() {
         begin();
         FeatureSlots<corner_count> slots;
-        for (std::uint32_t k = 0; k < corner_count; ++k) slots.corners[k] = shared(corners_[k]);
+        for (std::uint32_t k = 0; k < corner_count; ++k)
+            slots.corners[k] = SharedBuffer<std::uint32_t>(corners_[k]);
         return slots;
     }
 
@@ -149,8 +145,8 @@ FeatureSlots<1> share_corners(std::span<ContactPatch> patches, const FeatureSlot
 
 ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles)
     : particles_(static_cast<std::uint32_t>(rest_positions.size())) {
-    triangles_ = shared(with_three_corners(triangles));
-    edges_ = shared(unique_edges(this->triangles()));
+    triangles_ = SharedBuffer<Triangle>(with_three_corners(triangles));
+    edges_ = SharedBuffer<Edge>(unique_edges(this->triangles()));
     find_corners();
 
     std::vector<std::uint32_t> vertices = vertices_of(rest_positions.size(), this->triangles());
@@ -200,7 +196,7 @@ void ContactMesh::share_out(std::span<const Vec4> rest_positions, std::span<cons
     triangle_slots_ = triangle_slots.finish();
     edge_slots_ = edge_slots.finish();
     corner_slots_ = share_corners(patches, vertex_slots_, triangle_slots_, edge_slots_);
-    patches_ = shared(patches);
+    patches_ = SharedBuffer<ContactPatch>(patches);
     flat_rest_ = FlatRest({rest_positions, triangles(), patches, corner_slots_, triangle_slots_});
 }
 
@@ -216,12 +212,6 @@ void ContactMesh::find_corners() {
 }
 
 namespace {
-
-/// Numbers of particles, at corners of features.
-template <std::size_t count>
-std::span<const std::uint32_t> corners_of(const SharedBuffer<std::array<std::uint32_t, count>>& features) {
-    return {reinterpret_cast<const std::uint32_t*>(features.data()), count * features.size()};
-}
 
 template <std::uint32_t corner_count>
 bool are_sound(const FeatureSlots<corner_count>& slots, std::uint32_t particles) {
@@ -248,8 +238,8 @@ bool ContactMesh::is_sound(std::uint32_t particle_count) const {
                has(corner_slots_, patch.corners, particle_count);
     };
     return particles_ == particle_count && std::isfinite(least_height_) && least_height_ >= 0 &&
-           are_below(corners_of(triangles_), particle_count) &&
-           are_below(corners_of(edges_), particle_count) &&
+           are_below(numbers_of<std::uint32_t>(triangles_), particle_count) &&
+           are_below(numbers_of<std::uint32_t>(edges_), particle_count) &&
            corner_triangles_.size() == 3 * triangles_.size() &&
            are_offsets(corner_starts_.span(), particle_count, corner_triangles_.size()) &&
            are_below(corner_triangles_.span(), triangles_.size()) &&

@@ -293,9 +293,9 @@ FlatRest::FlatRest(const Features& features) {
         }
         starts.push_back(static_cast<std::uint32_t>(neighbours.size()));
     }
-    starts_ = SharedBuffer<std::uint32_t>(std::span<const std::uint32_t>(starts));
-    neighbours_ = SharedBuffer<PatchNeighbours>(std::span<const PatchNeighbours>(neighbours));
-    covers_ = SharedBuffer<std::uint32_t>(std::span<const std::uint32_t>(covers));
+    starts_ = SharedBuffer<std::uint32_t>(starts);
+    neighbours_ = SharedBuffer<PatchNeighbours>(neighbours);
+    covers_ = SharedBuffer<std::uint32_t>(covers);
 }
 
 bool FlatRest::is_sound(std::size_t patches, std::size_t triangle_slots) const {
