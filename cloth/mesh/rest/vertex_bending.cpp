@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -21,33 +20,56 @@ using Tensor = Eigen::Vector3d;  // xx, yy, sqrt 2 xy
 /// Orthonormal columns: the moments that a fan can bear.
 using Bearing = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 
-/// Rotates a tensor by an angle.
-Eigen::Matrix3d turn(double angle) {
-    const double c = std::cos(angle), s = std::sin(angle), r = std::numbers::sqrt2;
-    Eigen::Matrix3d m;
-    m << c * c, s * s, -r * c * s,  //
-        s * s, c * c, r * c * s,    //
-        r * c * s, -r * c * s, c * c - s * s;
-    return m;
-}
+/// Turn rotates tensors by an angle, and before that may mirror them in the first axis.
+class Turn {
+  public:
+    Turn() = default;
+    explicit Turn(double angle, bool mirrors = false)
+        : cosine_(std::cos(2 * angle)), sine_(std::sin(2 * angle)), handedness_(mirrors ? -1 : 1) {}
+
+    Tensor operator*(const Tensor& v) const { return rotated({v.x(), v.y(), handedness_ * v.z()}, sine_); }
+    [[nodiscard]] Tensor back(const Tensor& v) const {
+        const Tensor turned = rotated(v, -sine_);
+        return {turned.x(), turned.y(), handedness_ * turned.z()};
+    }
+    /// Of a cross product of tensors.
+    [[nodiscard]] Eigen::Vector3d of_axis(const Eigen::Vector3d& v) const {
+        return handedness_ * (*this * v);
+    }
+    [[nodiscard]] Eigen::Vector3d axis_back(const Eigen::Vector3d& v) const { return handedness_ * back(v); }
+    [[nodiscard]] Eigen::Matrix3d matrix() const {
+        Eigen::Matrix3d m;
+        m << *this * Tensor::UnitX(), *this * Tensor::UnitY(), *this * Tensor::UnitZ();
+        return m;
+    }
+
+  private:
+    [[nodiscard]] Tensor rotated(const Tensor& v, double sine) const {
+        const double mean = (v.x() + v.y()) / 2, differs = (v.x() - v.y()) / 2;
+        const double shear = v.z() / std::numbers::sqrt2;
+        const double along = differs * cosine_ - shear * sine, aside = differs * sine + shear * cosine_;
+        return {mean + along, mean - along, std::numbers::sqrt2 * aside};
+    }
+    double cosine_ = 1, sine_ = 0, handedness_ = 1;
+};
 
 /// n n^T of the normal of an edge at that angle.
 Tensor across(double angle) {
-    return turn(angle) * Tensor(0, 1, 0);
+    return Turn(angle) * Tensor(0, 1, 0);
 }
 
 /// HingeEnd is one end of a hinge's edge, in the fan of triangles there.
 struct HingeEnd {
     std::uint32_t fan = none;
-    Eigen::Matrix3d to_fan = Eigen::Matrix3d::Identity();  ///< of tensors, from the hinge's frame
-    Tensor share = Tensor::Zero();                         ///< p, in the hinge's frame
+    Turn to_fan;                    ///< of tensors, from the hinge's frame
+    Tensor share = Tensor::Zero();  ///< p, in the hinge's frame
 };
 
 struct SharedEdge {
     std::array<HingeEnd, 2> ends;
-    Tensor f = Tensor::Zero();                                ///< in the hinge's frame
-    Eigen::Matrix3d exchanged = Eigen::Matrix3d::Identity();  ///< on what both ends can bear
-    Tensor passed = Tensor::Zero();                           ///< from the second end's share to the first's
+    Tensor f = Tensor::Zero();       ///< in the hinge's frame
+    Tensor passed = Tensor::Zero();  ///< from the second end's share to the first's
+    std::uint32_t exchange = none;   ///< at a border, in Plate::exchanges_: what both ends can bear
 };
 
 /// A fan is a set of triangles at a particle that share edges there, laid flat.
@@ -60,6 +82,7 @@ struct Fan {
         std::uint32_t particle;
         double angle, radius;  ///< [m]
     };
+    std::uint32_t middle = none;
     std::vector<End> ends;
     std::vector<Polar> around;
     double angle = 0;  ///< of all its triangles
@@ -81,17 +104,86 @@ struct Corner {
 };
 
 /// Distance of two neighbours in the fan, laid flat [m].
-double distance_in(const Fan& fan, std::uint32_t i, std::uint32_t j) {
-    const auto at = [&](std::uint32_t particle) {
-        return std::ranges::find(fan.around, particle, &Fan::Polar::particle);
-    };
-    const auto one = at(i), other = at(j);
-    if (one == fan.around.end()) return other->radius;
-    if (other == fan.around.end()) return one->radius;
-    double between = std::abs(one->angle - other->angle);
+double distance_in(const Fan& fan, const Fan::Polar& one, const Fan::Polar& other) {
+    double between = std::abs(one.angle - other.angle);
     if (fan.is_closed) between = std::min(between, fan.angle - between);
-    return std::hypot(one->radius - other->radius * std::cos(std::min(between, std::numbers::pi)),
-                      other->radius * std::sin(std::min(between, std::numbers::pi)));
+    between = std::min(between, std::numbers::pi);
+    const double x = one.radius - other.radius * std::cos(between), y = other.radius * std::sin(between);
+    return std::sqrt(x * x + y * y);
+}
+
+/// The c_i of a fan's three elements, in this order: of the particle in its middle, and of those around it.
+using ElementsOfFan = std::vector<Eigen::Vector3d>;
+
+/// Sums up what joins particles.
+class PairSums {
+  public:
+    explicit PairSums(std::uint32_t particles)
+        : first_(particles, none), own_(particles), excess_(particles) {}
+
+    void add(const Fan& fan, const ElementsOfFan& c);
+    /// Ascending, without those whose terms cancel.
+    [[nodiscard]] std::vector<BendingPair> pairs() const;
+    [[nodiscard]] std::vector<double>&& excess() { return std::move(excess_); }
+
+  private:
+    struct Sum {
+        BendingPair pair;
+        std::uint32_t next;  // of the same i
+    };
+    void add(const BendingPair& term);
+
+    std::vector<Sum> sums_;
+    std::vector<std::uint32_t> first_;  // by i, in sums_
+    std::vector<double> own_;           // by particle: sum of c_i^2
+    std::vector<double> excess_;
+};
+
+void PairSums::add(const BendingPair& term) {
+    std::uint32_t* at = &first_[term.i];
+    while (*at != none && sums_[*at].pair.j != term.j) at = &sums_[*at].next;
+    if (*at == none) {
+        *at = static_cast<std::uint32_t>(sums_.size());
+        sums_.push_back({term, none});
+        return;
+    }
+    BendingPair& sum = sums_[*at].pair;
+    sum.weight += term.weight;
+    sum.length = std::min(sum.length, term.length);
+}
+
+void PairSums::add(const Fan& fan, const ElementsOfFan& c) {
+    Eigen::Array3d positive = Eigen::Array3d::Zero();
+    for (const Eigen::Vector3d& of_i : c) positive += of_i.array().max(0);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+        const std::uint32_t i = k == 0 ? fan.middle : fan.around[k - 1].particle;
+        const Eigen::Array3d size = c[k].array().abs();
+        own_[i] += c[k].squaredNorm();
+        excess_[i] += (size * (positive - size).max(0)).sum();
+        for (std::size_t m = k + 1; m < c.size(); ++m) {
+            const Fan::Polar& other = fan.around[m - 1];
+            add({.i = std::min(i, other.particle),
+                 .j = std::max(i, other.particle),
+                 .weight = -c[k].dot(c[m]),
+                 .length = k == 0 ? other.radius : distance_in(fan, fan.around[k - 1], other)});
+        }
+    }
+}
+
+std::vector<BendingPair> PairSums::pairs() const {
+    constexpr double rounding = 3e-7;  // of q, which are floats
+    std::vector<BendingPair> pairs;
+    pairs.reserve(sums_.size());
+    for (const std::uint32_t first : first_) {
+        const std::size_t begin = pairs.size();
+        for (std::uint32_t k = first; k != none; k = sums_[k].next) {
+            const BendingPair& sum = sums_[k].pair;
+            if (std::abs(sum.weight) > rounding * std::sqrt(own_[sum.i] * own_[sum.j])) pairs.push_back(sum);
+        }
+        std::ranges::sort(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), {},
+                          &BendingPair::j);
+    }
+    return pairs;
 }
 
 class Plate {
@@ -99,6 +191,7 @@ class Plate {
     explicit Plate(const ClothModel& model) : model_(model), bending_(bending_elements(model)) {}
 
     VertexBending operator()() {
+        fans_.reserve(model_.particle_count);
         edges_.resize(bending_.hinges.size());
         for (std::size_t h = 0; h < edges_.size(); ++h) edges_[h].f = curvature_of(bending_.hinges[h]);
         for (std::uint32_t i = 0; i < model_.particle_count; ++i) find_fans(i);
@@ -124,16 +217,13 @@ class Plate {
     void meet(std::uint32_t hinge, std::uint32_t particle, double angle, bool apex_0_is_before);
     void share_out();
     void balance();
-    using Element = std::vector<std::pair<std::uint32_t, double>>;  // c_i by particles
-    [[nodiscard]] Element element_of(const Fan& fan, const Eigen::VectorXd& parts) const;
-    void add(const Fan& fan, const Element& c, VertexBending& to);
-    void add_elements(const Fan& fan, VertexBending& to);
-    [[nodiscard]] std::vector<BendingPair> merged(std::vector<BendingPair> terms) const;
-    VertexBending sum_up();
+    std::uint32_t find_elements(const Fan& fan, ElementsOfFan& c) const;
+    [[nodiscard]] VertexBending sum_up() const;
 
+    static bool bears_all(const Fan& fan) { return fan.bears.cols() == 3; }
     /// Projects the axis of an antisymmetric tensor onto the moments that the fan can bear.
     static Eigen::Vector3d within(const Fan& fan, const Eigen::Vector3d& axis) {
-        if (fan.bears.cols() == 3) return axis;
+        if (bears_all(fan)) return axis;
         if (fan.bears.cols() < 2) return Eigen::Vector3d::Zero();
         const Eigen::Vector3d normal =
             Eigen::Vector3d(fan.bears.col(0)).cross(Eigen::Vector3d(fan.bears.col(1)));
@@ -146,9 +236,9 @@ class Plate {
     const ClothModel& model_;
     Bending bending_;
     std::vector<SharedEdge> edges_;
+    std::vector<Eigen::Matrix3d> exchanges_;
     std::vector<Fan> fans_;
     std::vector<Corner> corners_;
-    std::vector<double> own_;  // sum of c_i^2 of each particle
 };
 
 void Plate::list_corners(std::uint32_t particle) {
@@ -183,17 +273,16 @@ void Plate::find_fans(std::uint32_t particle) {
 /// hinge's first apex is in the triangle before the edge, or in that behind it.
 void Plate::meet(std::uint32_t hinge, std::uint32_t particle, double angle, bool apex_0_is_before) {
     const std::uint32_t end = bending_.hinges[hinge].particles[0] == particle ? 0 : 1;
-    Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
-    if ((end == 0) == apex_0_is_before) mirror(2, 2) = -1;
     HingeEnd& here = edges_[hinge].ends[end];
     here.fan = static_cast<std::uint32_t>(fans_.size()) - 1;
-    here.to_fan = turn(angle) * mirror;
+    here.to_fan = Turn(angle, (end == 0) == apex_0_is_before);
     fans_.back().ends.push_back({hinge, end});
 }
 
 /// Goes from triangle to triangle, beginning at a border if there is one.
 void Plate::walk(std::uint32_t particle, std::size_t first, bool is_closed) {
     Fan& fan = fans_.emplace_back();
+    fan.middle = particle;
     fan.is_closed = is_closed;
     struct Met {
         std::uint32_t hinge;
@@ -246,20 +335,25 @@ void Plate::walk(std::uint32_t particle, std::size_t first, bool is_closed) {
 void Plate::share_out() {
     const Tensor all(0, 1, 0);
     for (SharedEdge& edge : edges_) {
+        if (std::ranges::all_of(edge.ends, [&](const HingeEnd& end) { return bears_all(fans_[end.fan]); })) {
+            for (HingeEnd& end : edge.ends) end.share = 0.5 * all;
+            continue;
+        }
         std::array<Eigen::Matrix3d, 2> bears;
         for (std::size_t k = 0; k < 2; ++k) {
             const HingeEnd& end = edge.ends[k];
             const Bearing& of_fan = fans_[end.fan].bears;
-            bears[k] = end.to_fan.transpose() * (of_fan * of_fan.transpose()) * end.to_fan;
+            const Eigen::Matrix3d to_fan = end.to_fan.matrix();
+            bears[k] = to_fan.transpose() * (of_fan * of_fan.transpose()) * to_fan;
         }
         for (std::size_t k = 0; k < 2; ++k)
             edge.ends[k].share = bears[k] * (0.5 * all + 0.5 * (all - bears[1 - k] * all));
-        if (fans_[edge.ends[0].fan].bears.cols() == 3 && fans_[edge.ends[1].fan].bears.cols() == 3) continue;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> both(bears[0] + bears[1]);
-        edge.exchanged.setZero();
+        edge.exchange = static_cast<std::uint32_t>(exchanges_.size());
+        Eigen::Matrix3d& exchange = exchanges_.emplace_back(Eigen::Matrix3d::Zero());
         for (Eigen::Index z = 0; z < 3; ++z)
             if (both.eigenvalues()[z] > 1.999)
-                edge.exchanged += both.eigenvectors().col(z) * both.eigenvectors().col(z).transpose();
+                exchange += both.eigenvectors().col(z) * both.eigenvectors().col(z).transpose();
     }
     for (Fan& fan : fans_) {
         double squares = 0;
@@ -268,36 +362,31 @@ void Plate::share_out() {
     }
 }
 
-/// The antisymmetric part that each fan's A gains if each edge passes so much from one end to the other.
+/// What each fan's A gains that is antisymmetric if each edge passes so much from one end to the other: the
+/// sum of f x p, which turns as tensors do.
 Plate::Axes Plate::twist_of(const std::vector<Tensor>& passed) const {
-    Axes axes(fans_.size());
-    for (std::size_t n = 0; n < fans_.size(); ++n) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const auto& [hinge, end] : fans_[n].ends) {
-            const SharedEdge& edge = edges_[hinge];
-            const Eigen::Vector3d axis =
-                (edge.ends[end].to_fan * edge.f).cross(edge.ends[end].to_fan * passed[hinge]);
-            sum += end == 0 ? axis : Eigen::Vector3d(-axis);
-        }
-        axes[n] = fans_[n].scale * within(fans_[n], sum);
+    Axes axes(fans_.size(), Eigen::Vector3d::Zero());
+    for (std::size_t h = 0; h < edges_.size(); ++h) {
+        const Eigen::Vector3d axis = edges_[h].f.cross(passed[h]);
+        const auto& [first, second] = edges_[h].ends;
+        axes[first.fan] += first.to_fan.of_axis(axis);
+        axes[second.fan] -= second.to_fan.of_axis(axis);
     }
+    for (std::size_t n = 0; n < fans_.size(); ++n) axes[n] = fans_[n].scale * within(fans_[n], axes[n]);
     return axes;
 }
 
 /// The transpose of twist_of().
 std::vector<Tensor> Plate::pull_back(const Axes& axes) const {
+    Axes of_fans(fans_.size());
+    for (std::size_t n = 0; n < fans_.size(); ++n) of_fans[n] = fans_[n].scale * within(fans_[n], axes[n]);
     std::vector<Tensor> passed(edges_.size());
     for (std::size_t h = 0; h < edges_.size(); ++h) {
-        const SharedEdge& edge = edges_[h];
-        Tensor sum = Tensor::Zero();
-        for (std::size_t k = 0; k < 2; ++k) {
-            const HingeEnd& end = edge.ends[k];
-            const Fan& fan = fans_[end.fan];
-            const Eigen::Vector3d axis = fan.scale * within(fan, axes[end.fan]);
-            const Tensor back = end.to_fan.transpose() * axis.cross(end.to_fan * edge.f);
-            sum += k == 0 ? back : Tensor(-back);
-        }
-        passed[h] = edge.exchanged * sum;
+        const auto& [first, second] = edges_[h].ends;
+        const Eigen::Vector3d axis =
+            first.to_fan.axis_back(of_fans[first.fan]) - second.to_fan.axis_back(of_fans[second.fan]);
+        passed[h] = axis.cross(edges_[h].f);
+        if (edges_[h].exchange != none) passed[h] = exchanges_[edges_[h].exchange] * passed[h];
     }
     return passed;
 }
@@ -317,7 +406,7 @@ void Plate::balance() {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const auto& [hinge, end] : fans_[n].ends) {
             const HingeEnd& of = edges_[hinge].ends[end];
-            sum -= (of.to_fan * edges_[hinge].f).cross(of.to_fan * of.share);
+            sum -= of.to_fan.of_axis(edges_[hinge].f.cross(of.share));
         }
         left[n] = fans_[n].scale * within(fans_[n], sum);
     }
@@ -343,83 +432,49 @@ void Plate::balance() {
     }
 }
 
-/// The c_i of one element: of the hinges' phi times their parts.
-Plate::Element Plate::element_of(const Fan& fan, const Eigen::VectorXd& parts) const {
-    Element c;
-    for (std::size_t e = 0; e < fan.ends.size(); ++e) {
-        const Hinge& hinge = bending_.hinges[fan.ends[e].hinge];
-        const double part = parts[static_cast<Eigen::Index>(e)] * static_cast<double>(hinge.softening);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const std::uint32_t i = hinge.particles[k];
-            const double more = part * static_cast<double>(hinge.q[k]);
-            const auto found = std::ranges::find(c, i, &Element::value_type::first);
-            if (found != c.end())
-                found->second += more;
-            else
-                c.emplace_back(i, more);
-        }
-    }
-    return c;
-}
-
-void Plate::add(const Fan& fan, const Element& c, VertexBending& to) {
-    ++to.elements;
-    double positive = 0;
-    for (const auto& [i, of_i] : c) positive += std::max(of_i, 0.0);
-    for (const auto& [i, of_i] : c) {
-        own_[i] += of_i * of_i;
-        to.excess[i] += std::abs(of_i) * std::max(positive - std::abs(of_i), 0.0);
-        for (const auto& [j, of_j] : c)
-            if (i < j) to.pairs.push_back({i, j, -of_i * of_j, distance_in(fan, i, j)});
-    }
-}
-
-/// Adds up to three elements.
-void Plate::add_elements(const Fan& fan, VertexBending& to) {
+/// The c_i of up to three elements, and how many these are; those of others are 0.
+std::uint32_t Plate::find_elements(const Fan& fan, ElementsOfFan& c) const {
     constexpr double least = 0.05;  // eigenvalue of A, of the fan's area: else its inverse is too stiff
-    const Eigen::Index moments = fan.bears.cols(), count = static_cast<Eigen::Index>(fan.ends.size());
-    if (moments == 0 || count == 0) return;
-    Eigen::MatrixXd f(count, moments), p(count, moments);
-    for (Eigen::Index e = 0; e < count; ++e) {
-        const auto& [hinge, end] = fan.ends[static_cast<std::size_t>(e)];
+    c.assign(fan.around.size() + 1, Eigen::Vector3d::Zero());
+    const Eigen::Matrix3d bears = fan.bears * fan.bears.transpose();
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    for (const auto& [hinge, end] : fan.ends) {
         const HingeEnd& of = edges_[hinge].ends[end];
-        f.row(e) = (of.to_fan * edges_[hinge].f).transpose() * fan.bears;
-        p.row(e) = (of.to_fan * of.share).transpose() * fan.bears;
+        a += (bears * (of.to_fan * edges_[hinge].f)) * (bears * (of.to_fan * of.share)).transpose();
     }
-    const Eigen::MatrixXd a = f.transpose() * p;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes((a + a.transpose()) / 2);
-    const Eigen::MatrixXd along = p * axes.eigenvectors();
-    for (Eigen::Index z = 0; z < moments; ++z) {
-        if (along.col(z).squaredNorm() < 1e-10) continue;
-        const double scale = 1 / std::sqrt(std::max(axes.eigenvalues()[z], least * fan.area));
-        add(fan, element_of(fan, scale * along.col(z)), to);
-    }
-}
-
-/// Sums the terms of each pair, and leaves out pairs whose terms cancel.
-std::vector<BendingPair> Plate::merged(std::vector<BendingPair> terms) const {
-    constexpr double rounding = 3e-7;  // of q, which are floats
-    std::vector<BendingPair> pairs;
-    std::ranges::stable_sort(terms, [](const BendingPair& l, const BendingPair& r) {
-        return std::tie(l.i, l.j) < std::tie(r.i, r.j);
-    });
-    for (std::size_t first = 0; first < terms.size();) {
-        BendingPair sum{terms[first].i, terms[first].j, 0, terms[first].length};
-        for (; first < terms.size() && terms[first].i == sum.i && terms[first].j == sum.j; ++first) {
-            sum.weight += terms[first].weight;
-            sum.length = std::min(sum.length, terms[first].length);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes((a + a.transpose()) / 2);
+    const Eigen::Vector3d scale = axes.eigenvalues().cwiseMax(least * fan.area).cwiseSqrt().cwiseInverse();
+    const Eigen::Matrix3d to_parts = axes.eigenvectors().transpose() * bears;
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    for (const auto& [hinge, end] : fan.ends) {
+        const HingeEnd& of = edges_[hinge].ends[end];
+        const Eigen::Vector3d along = to_parts * (of.to_fan * of.share);
+        squares += along.cwiseAbs2();
+        const Hinge& here = bending_.hinges[hinge];
+        const Eigen::Vector3d parts = static_cast<double>(here.softening) * scale.cwiseProduct(along);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto at = std::ranges::find(fan.around, here.particles[k], &Fan::Polar::particle);
+            const bool is_middle = here.particles[k] == fan.middle;
+            c[is_middle ? 0 : static_cast<std::size_t>(at - fan.around.begin()) + 1] +=
+                static_cast<double>(here.q[k]) * parts;
         }
-        if (std::abs(sum.weight) > rounding * std::sqrt(own_[sum.i] * own_[sum.j])) pairs.push_back(sum);
     }
-    return pairs;
+    const Eigen::Array3d are_any = (squares.array() >= 1e-10).cast<double>();
+    for (Eigen::Vector3d& of_i : c) of_i.array() *= are_any;
+    return static_cast<std::uint32_t>(are_any.sum());
 }
 
-VertexBending Plate::sum_up() {
+VertexBending Plate::sum_up() const {
     VertexBending result;
-    result.excess.resize(model_.particle_count);
-    own_.assign(model_.particle_count, 0);
-    for (const Fan& fan : fans_) add_elements(fan, result);
-    result.pairs = merged(std::move(result.pairs));
+    PairSums sums(model_.particle_count);
+    ElementsOfFan c;
+    for (const Fan& fan : fans_) {
+        const std::uint32_t elements = find_elements(fan, c);
+        if (elements > 0) sums.add(fan, c);
+        result.elements += elements;
+    }
+    result.pairs = sums.pairs();
+    result.excess = sums.excess();
     return result;
 }
 
