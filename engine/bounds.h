@@ -1,10 +1,15 @@
 #pragma once
 // Boxes along the axes.
 
+#include <limits>
+
 #include "engine/vector.h"
 #include "weft/types.h"
 
 namespace weft {
+
+inline constexpr float endless = std::numeric_limits<float>::infinity();
+inline constexpr Bounds everywhere{{-endless, -endless, -endless}, {endless, endless, endless}};
 
 inline Bounds grown(const Bounds& box, float by) {
     const Vector3 margin = Vector3::Constant(by);
@@ -14,6 +19,12 @@ inline Bounds grown(const Bounds& box, float by) {
 [[nodiscard]] inline bool overlap(const Bounds& a, const Bounds& b) {
     return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
            b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+
+/// Whether no point is in both. What is not a number is clear of nothing.
+[[nodiscard]] inline bool are_apart(const Bounds& a, const Bounds& b) {
+    return a.lower.x > b.upper.x || b.lower.x > a.upper.x || a.lower.y > b.upper.y || b.lower.y > a.upper.y ||
+           a.lower.z > b.upper.z || b.lower.z > a.upper.z;
 }
 
 }  // namespace weft

@@ -2,6 +2,7 @@
 // A part of a step, and what a thread has to itself while it works on it.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "cloth/frame/contact/contact_log.h"
@@ -9,23 +10,6 @@
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
-
-/// What a thread has to itself while it works on a cloth.
-struct Worker {
-    Parallel& parallel;                    ///< of all threads, or of this one alone
-    std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
-    ContactLog& contacts;                  ///< to be reported
-    std::byte* scratch = nullptr;          ///< for the group that it works on
-    std::size_t scratch_bytes = 0;
-
-    /// Another group's turn: it goes on in the memory of one before, which is in the cache, unless the
-    /// group's own is larger.
-    void make_room(std::byte* own, std::size_t bytes) {
-        if (bytes <= scratch_bytes) return;
-        scratch = own;
-        scratch_bytes = bytes;
-    }
-};
 
 /// One of the equal parts that a step is cut into.
 struct Substep {
@@ -44,6 +28,27 @@ struct Substep {
     /// Where it begins and ends, as parts of the step.
     [[nodiscard]] float begin() const { return static_cast<float>(index) / static_cast<float>(count); }
     [[nodiscard]] float end() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
+    bool operator==(const Substep&) const = default;
+};
+
+/// What a thread has to itself while it works on a cloth.
+struct Worker {
+    Parallel& parallel;                    ///< of all threads, or of this one alone
+    std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
+    ContactLog& contacts;                  ///< to be reported
+    std::byte* scratch = nullptr;          ///< for the group that it works on
+    std::size_t scratch_bytes = 0;
+    /// What the motions are of: colliders of these layers, which no body carries, over this substep.
+    std::uint32_t seen_layers = 0;
+    Substep seen_over{0, 0, 0};
+
+    /// Another group's turn: it goes on in the memory of one before, which is in the cache, unless the
+    /// group's own is larger.
+    void make_room(std::byte* own, std::size_t bytes) {
+        if (bytes <= scratch_bytes) return;
+        scratch = own;
+        scratch_bytes = bytes;
+    }
 };
 
 }  // namespace weft

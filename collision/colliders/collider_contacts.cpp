@@ -25,7 +25,7 @@ FoundDepth found_depth(const ColliderMotion& motion) {
 template <class Use>
 void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, float beyond,
              const BlockPaths& paths, const Use& use) {
-    if (!cloth.meets(motion.end)) return;
+    if (!cloth.meets(motion.end) || !may_be_near(motion, cloth.most_thickness + beyond, paths)) return;
     const Pace pace{h, motion.fastest};
     const Reach reach{thickness_of(motion, cloth), beyond};
     with_shapes(motion, [&](const auto& start, const auto& end) {
@@ -237,31 +237,39 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
                             const ClothSide& cloth, float h, std::uint32_t most,
                             std::span<const Vec4> positions, std::span<const Vec4> velocities,
                             std::span<std::uint32_t> block_partials) {
-    std::uint32_t parts = 1;
-    for (const ColliderMotion& motion : colliders) {
-        const Sweeping fast = with_shapes(motion, [&](const auto& start, const auto& end) {
+    const auto sweep_of = [&](const ColliderMotion& motion) {
+        return with_shapes(motion, [&](const auto& start, const auto& end) {
             return sweeping(start, end, {h, motion.fastest}, thickness_of(motion, cloth));
         });
-        if (!(fast.way > fast.thin_as_a_whole)) continue;
-        const auto block = [&](const BlockRange& range) {
-            const std::uint32_t size = range.end - range.begin;
-            const std::span<const Vec4> starts = positions.subspan(range.begin, size);
-            NearSurfaces near;
-            if (!find_near_surfaces({&motion, 1}, cloth.part(range.begin, size), h, 0, starts, starts, h,
-                                    velocities.subspan(range.begin, size), near))
-                return 1u;
-            float longest = 0;
-            for (std::uint32_t i = range.begin; i < range.end; ++i)
-                if (positions[i].w > 0)
-                    longest = std::max(longest, (h * xyz(velocities[i]) - fast.travel).squaredNorm());
-            const float wanted = std::ceil(std::sqrt(longest) / (2 * fast.thin_as_a_whole));
-            return wanted < static_cast<float>(most) ? std::max(static_cast<std::uint32_t>(wanted), 1u)
-                                                     : most;
-        };
-        parts = parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, parts, block,
-                                [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
-    }
-    return parts;
+    };
+    const auto is_fast = [](const Sweeping& sweep) { return sweep.way > sweep.thin_as_a_whole; };
+    if (std::ranges::none_of(colliders, is_fast, sweep_of)) return 1;
+    const auto parts_for = [&](const BlockRange& range, const Sweeping& fast) {
+        float longest = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            if (positions[i].w > 0)
+                longest = std::max(longest, (h * xyz(velocities[i]) - fast.travel).squaredNorm());
+        const float wanted = std::ceil(std::sqrt(longest) / (2 * fast.thin_as_a_whole));
+        return wanted < static_cast<float>(most) ? std::max(static_cast<std::uint32_t>(wanted), 1u) : most;
+    };
+    const auto block = [&](const BlockRange& range) {
+        const std::uint32_t size = range.end - range.begin;
+        const std::span<const Vec4> starts = positions.subspan(range.begin, size);
+        const ClothSide side = cloth.part(range.begin, size);
+        NearSurfaces near;
+        const BlockPaths paths = place(starts, starts, h, velocities.subspan(range.begin, size), near.points);
+        std::uint32_t parts = 1;
+        for (const ColliderMotion& motion : colliders) {
+            if (!may_be_near(motion, cloth.most_thickness, paths)) continue;
+            const Sweeping sweep = sweep_of(motion);
+            if (is_fast(sweep) &&
+                find_nearest_of({&motion, 1}, side, h, 0, starts, paths, size, Told::friction, near))
+                parts = std::max(parts, parts_for(range, sweep));
+        }
+        return parts;
+    };
+    return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 1u, block,
+                           [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
 }
 
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,

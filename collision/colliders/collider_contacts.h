@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/bounds.h"
 #include "engine/memory/aligned_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
@@ -29,6 +30,8 @@ struct ColliderMotion {
     std::int32_t body = -1;  ///< the number of the body that carries it; -1: none
     /// Of the body at the end [m], [m/s], [rad/s]: a ball's ends have no spin.
     Vector3 centre = Vector3::Zero(), velocity = Vector3::Zero(), spin = Vector3::Zero();
+    /// Around all that it fills on its way, with its own thickness: what is far off is told by this alone.
+    Bounds filled = everywhere;
 };
 
 /// Error: a value outside its range in collider.h.

@@ -150,7 +150,41 @@ Capsule widest(const TaperedCapsule& shape) {
     return {shape.a, shape.b, std::max(shape.radius_a, shape.radius_b)};
 }
 
+/// Around two capsules and what is between them, by `thickness` and more than rounding.
+Bounds around(const Capsule& start, const Capsule& end, float thickness) {
+    Eigen::AlignedBox3f box(to_vector(start.a));
+    for (const Vec3& point : {start.b, end.a, end.b}) box.extend(to_vector(point));
+    const float farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    const float margin = std::max(start.radius, end.radius) + thickness + 0x1p-20f * farthest;
+    return grown({to_vec3(box.min()), to_vec3(box.max())}, 1.001f * margin);
+}
+
+// One for each kind of shape; see filled_by().
+Bounds filled(const Capsule& start, const Capsule& end, float thickness) {
+    return around(start, end, thickness);
+}
+Bounds filled(const TaperedCapsule& start, const TaperedCapsule& end, float thickness) {
+    return around(widest(start), widest(end), thickness);
+}
+Bounds filled(const Plane&, const Plane&, float) {
+    return everywhere;
+}
+Bounds filled(const Box& start, const Box& end, float thickness) {
+    const float radius = std::max(to_vector(start.half_extents).norm(), to_vector(end.half_extents).norm());
+    return around({start.center, start.center, radius}, {end.center, end.center, radius}, thickness);
+}
+Bounds filled(const HeldInstance& start, const HeldInstance& end, float thickness) {
+    const float radius = radius_of(end.shape.box());
+    const Vec3 &from = start.place.position, &to = end.place.position;
+    return around({from, from, radius}, {to, to, radius}, thickness);
+}
+
 }  // namespace
+
+Bounds filled_by(const ColliderMotion& motion) {
+    return with_shapes(
+        motion, [&](const auto& start, const auto& end) { return filled(start, end, motion.end.thickness); });
+}
 
 UnitPlane unit(const Plane& plane) {
     return {to_vector(plane.normal).stableNormalized(), plane.offset};

@@ -125,6 +125,14 @@ struct Meeting {
 [[nodiscard]] std::optional<Meeting> may_meet(const HeldInstance& start, const HeldInstance& end,
                                               const Pace& pace, const Reach& reach, const BlockPaths& paths);
 
+/// Where a collider may be met, by ColliderMotion::filled: false only where may_meet() has nothing.
+[[nodiscard]] inline bool may_be_near(const ColliderMotion& motion, float reach_of_cloth,
+                                      const BlockPaths& paths) {
+    return !are_apart(motion.filled, grown(paths.ends, paths.longest + reach_of_cloth));
+}
+/// ColliderMotion::filled of the ends as they are; everywhere, if the shape has no end.
+[[nodiscard]] Bounds filled_by(const ColliderMotion& motion);
+
 [[nodiscard]] MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace);
 [[nodiscard]] MovingTaperedCapsule moving(const TaperedCapsule& start, const TaperedCapsule& end,
                                           const Pace& pace);

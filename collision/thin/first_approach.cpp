@@ -51,6 +51,22 @@ Nearest nearest_of_triangle(const Core& core, const std::array<Vector3, 3>& x) {
     return nearest;
 }
 
+/// Whether a plane across the way from the core to the middle of the corners lies between these, which go
+/// straight, and the core grown by so much: mostly so, and soon seen.
+bool is_clear(const Core& core, float by, const CornerPaths& paths, std::size_t corners) {
+    Vector3 middle = Vector3::Zero();
+    for (std::size_t k = 0; k < corners; ++k) middle += paths.from[k];
+    middle /= static_cast<float>(corners);
+    const float s = clamp_to_one(quotient(core.axis.dot(middle - core.a), core.axis.squaredNorm()));
+    const Vector3 out = middle - core.at(s);
+    const float first = out.dot(core.a), last = out.dot(core.at(1));
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < corners; ++k)
+        least = std::min({least, out.dot(paths.from[k]), out.dot(paths.to[k])});
+    const float radius = std::max(core.radius, core.radius_at(1)) + by;
+    return least - std::max(first, last) > radius * out.norm();
+}
+
 }  // namespace
 
 std::optional<Approach> first_approach(const Cores& cores, const Core& core, const CornerPaths& paths,
@@ -59,6 +75,7 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
     constexpr int most_steps = 64;
     constexpr float least_part = 1.0f / 128;  // of the way
     const std::size_t corners = core.is_point() ? 3 : 2;
+    if (is_clear(core, 1.06f * gap, paths, corners)) return std::nullopt;
     const std::array<Vector3, 3>&from = paths.from, &to = paths.to;
     std::array<Vector3, 3> x = from;
     float t = 0;

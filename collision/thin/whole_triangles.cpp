@@ -37,8 +37,8 @@ float longest_way(const CornerPaths& corners) {
     return std::sqrt(squared);
 }
 
-std::optional<weft::Meeting> may_be_near(const ColliderMotion& motion, float h, float thickness,
-                                         const BlockPaths& paths) {
+std::optional<weft::Meeting> meeting_with(const ColliderMotion& motion, float h, float thickness,
+                                          const BlockPaths& paths) {
     return with_shapes(motion, [&](const auto& start, const auto& end) {
         return may_meet(start, end, {h, motion.fastest}, {thickness, 0}, paths);
     });
@@ -182,12 +182,13 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
     BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
+        if (has_paths && !may_be_near(motion, cloth.most_thickness, all)) continue;
         const float thickness = thickness_of(motion, cloth);
         const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
         if (thinness == Thinness::thick) continue;
         if (!has_paths) all = find_paths(parallel, particles);
         has_paths = true;
-        if (!may_be_near(motion, h, thickness, all)) continue;
+        if (!meeting_with(motion, h, thickness, all)) continue;
         const Cores cores(motion, h);
         if (cores.empty()) continue;
         const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness};
@@ -250,7 +251,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const ParticleSpan& span = spans_[range.block];
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.widest_gap();
-    const auto may = may_be_near(meeting.motion, meeting.h, meeting.thickness(), paths);
+    const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
     if (!may || (meeting.only_fast() && may->thin == 0)) return;
     const float least_way = meeting.only_fast() ? may->thin : -1;
     const Vector3 margin = Vector3::Constant(gap);
@@ -290,15 +291,16 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     const Triangle& corners = triangles_[triangle];
     const float gap = meeting.gap(corners);
     bool any = false;
-    const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& paths) {
-        const auto approach = first_approach(meeting.cores, core, paths, {gap, meeting.only_from_outside()});
+    CornerPaths paths = meeting.paths(corners);
+    const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& way) {
+        const auto approach = first_approach(meeting.cores, core, way, {gap, meeting.only_from_outside()});
         if (!approach) return;
         meeting.push(of, *approach);
+        paths = meeting.paths(corners);
         any |= approach->depth > 0.02f * gap;
     };
     const Vector3 margin = Vector3::Constant(gap);
     for (const Core& core : meeting.cores.list()) {
-        const CornerPaths paths = meeting.paths(corners);
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(paths.from[k]).extend(paths.to[k]);
         if (!Eigen::AlignedBox3f(box.min() - margin, box.max() + margin).intersects(core.box)) continue;
@@ -306,10 +308,12 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
             push(core, corners, paths);
             continue;
         }
-        for (std::uint32_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             if ((owned_[triangle] & (1u << k)) == 0) continue;
-            const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
-            push(core, {i, j, i}, meeting.paths({i, j, i}));
+            const std::size_t next = (k + 1) % 3;
+            push(core, {corners[k], corners[next], corners[k]},
+                 {{paths.from[k], paths.from[next], paths.from[k]},
+                  {paths.to[k], paths.to[next], paths.to[k]}});
         }
     }
     return any;

@@ -7,6 +7,7 @@
 #include "cloth/frame/bodies/step_bodies.h"
 #include "cloth/frame/worn/worn_step.h"
 #include "cloth/mesh/coordinates.h"
+#include "collision/shapes/moving_shapes.h"
 
 namespace weft {
 
@@ -70,6 +71,7 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
         motion.held = world.held_by(slot.target);
         if (motion.held != nullptr && motion.held->deforms_in(world.state.steps))
             motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+        motion.filled = filled_by(motion);
     });
 }
 
@@ -111,12 +113,17 @@ void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* con
         mask |= cloth->settings.collider_mask;
         with_bodies = with_bodies || cloth->meets_bodies;
     }
-    fill_motions(world, worker.motions, mask, substep, nullptr);
+    if (worker.seen_layers != mask || worker.seen_over != substep)
+        fill_motions(world, worker.motions, mask, substep, nullptr);
+    worker.seen_layers = mask;
+    worker.seen_over = substep;
     for (Cloth* cloth : set)
         if (cloth->carried)
             fill_motions(world, cloth->seen_colliders, cloth->settings.collider_mask, substep,
                          &*cloth->carried);
-    if (with_bodies) add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
+    if (!with_bodies) return;
+    add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
+    worker.seen_over = {0, 0, 0};
 }
 
 void begin_contacts(const Worker& worker, Cloth& cloth, const ClothSide& side, const Substep& part) {

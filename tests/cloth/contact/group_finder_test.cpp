@@ -8,15 +8,10 @@
 #include <numeric>
 #include <random>
 
+#include "engine/bounds.h"
+
 namespace weft::test {
 namespace {
-
-bool overlap(const Bounds& a, const Bounds& b) {
-    const auto along = [](float a0, float a1, float b0, float b1) { return a0 <= b1 && b0 <= a1; };
-    return along(a.lower.x, a.upper.x, b.lower.x, b.upper.x) &&
-           along(a.lower.y, a.upper.y, b.lower.y, b.upper.y) &&
-           along(a.lower.z, a.upper.z, b.lower.z, b.upper.z);
-}
 
 /// Labels spread from pair to pair until none changes.
 template <class MayTouch>
