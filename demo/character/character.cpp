@@ -42,11 +42,12 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     return dress;
 }
 
-/// Whether a point is outside of the ball about the limb's middle that holds the limb.
+/// Whether a point is outside of a ball about the limb's middle that holds the limb. Its radius is at least
+/// half the limb's length and its thicker end's radius together, since (l + r)^2 <= 2 l^2 + 2 r^2.
 bool is_beyond(const TaperedCapsule& limb, const Vector3& point) {
-    const Vector3 a = to_vector(limb.a), b = to_vector(limb.b), middle = 0.5f * (a + b);
-    const float radius = 0.5f * (b - a).norm() + std::max(limb.radius_a, limb.radius_b);
-    return (point - middle).squaredNorm() > radius * radius;
+    const Vector3 a = to_vector(limb.a), b = to_vector(limb.b);
+    const float radius = std::max(limb.radius_a, limb.radius_b);
+    return (point - 0.5f * (a + b)).squaredNorm() > 0.5f * (b - a).squaredNorm() + 2 * radius * radius;
 }
 
 /// A point that follows one limb is where another one bends into it: it is moved out of both, since what is
