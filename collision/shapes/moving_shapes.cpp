@@ -159,7 +159,7 @@ Bounds around(const Capsule& start, const Capsule& end, float thickness) {
     return grown({to_vec3(box.min()), to_vec3(box.max())}, 1.001f * margin);
 }
 
-// One for each kind of shape; see filled_by().
+// There is one of these for each kind of shape; see filled_by().
 Bounds filled(const Capsule& start, const Capsule& end, float thickness) {
     return around(start, end, thickness);
 }

@@ -189,9 +189,8 @@ class FeatureContact {
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
-    FeatureCounts near_;           // what of it was detected
-    bool has_all_near_ = false;    // pairs_ has all within the radius, over the motions in searched_
-    bool can_look_again_ = false;  // at what the finder kept of that search
+    FeatureCounts near_;         // what of it was detected
+    bool has_all_near_ = false;  // pairs_ has all within the radius, over the motions in searched_
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;

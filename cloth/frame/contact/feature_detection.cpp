@@ -52,12 +52,9 @@ void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
 // searched first, and there the list is the same.
 void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
     const auto search = [&](FullList full) {
-        set_reach(&ContactCloth::radius);
-        const bool is_kept = finder_.find_to_look_again(parallel, bodies_.span(), start_.span(),
-                                                        searched_.span(), pairs_, of_borders, full);
+        find(parallel, searched_.span(), {&ContactCloth::radius, of_borders}, full);
         turn_normals(parallel, searched_.span());
         has_all_near_ = !pairs_.overflowed;
-        can_look_again_ = is_kept && has_all_near_;
     };
     const auto search_standing = [&] {
         std::ranges::fill(searched_.span(), Vec4{});
@@ -130,19 +127,11 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
         }
     }
     settler_.split(parallel, group(), displacements_.span());
-    if (can_look_again_) {
-        set_reach(&ContactCloth::floor);
-        finder_.find_again(parallel, bodies_.span(), start_.span(), settler_.relative(), searched_.span(),
-                           pairs_);
-        turn_normals(parallel, settler_.relative());
-    } else {
-        find_of_motion(parallel);
-    }
+    find_of_motion(parallel);
 }
 
 /// Adds the pairs near marked particles that the relative motion can bring too near.
 void FeatureContact::find_more(Parallel& parallel) {
-    can_look_again_ = false;
     set_reach(&ContactCloth::floor);
     finder_.find_more(parallel, bodies_.span(), start_.span(), settler_.relative(), marks_.span(), pairs_);
     turn_normals(parallel, settler_.relative());
@@ -175,7 +164,6 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_.span(), memory_.span());
     find_for_part_of_way(parallel);
-    can_look_again_ = false;  // the first search's motions make room
     for (const ParticleRange& range : ranges_.span())
         std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
     const SettleResult result = cut_listed(parallel, is_pushed);

@@ -252,41 +252,6 @@ void place_wanted(const PairSearch& search, std::uint32_t block, FeatureBoxes& b
             });
 }
 
-/// Boxes over another motion are within those over the motion before, grown as they were: then these
-/// features' boxes are, whose corners these are. Where a coordinate is not finite they count as beyond.
-HWY_INLINE hn::Mask<Tag> is_within(Lanes x, Lanes motion, Lanes before, Lanes slack) {
-    const Lanes now = hn::Add(x, motion), then = hn::Add(x, before);
-    const Lanes by = hn::NegMulAdd(set(0x1p-20f), hn::Max(hn::Abs(x), hn::Abs(then)), slack);
-    return hn::And(hn::Ge(now, hn::Sub(hn::Min(x, then), by)), hn::Le(now, hn::Add(hn::Max(x, then), by)));
-}
-
-void changes_of(const PairSearch& search, std::uint32_t block, const Vec4* before, float reach,
-                PatchChange* changes) {
-    const PatchBlock& patches = search.blocks[block];
-    const SearchedBody& body = search.bodies[patches.body];
-    const Moving moving = moving_of(search, body);
-    const Lanes slack = set(0.499f * (reach - body.reach));
-    for (std::uint32_t p = 0; p < patches.patch_count; ++p) {
-        const SlotSpan& span = body.mesh->patches()[patches.first_patch + p].corners;
-        auto all_within = hn::FirstN(Tag(), part_lanes);
-        Lanes longest2 = set(0);
-        for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
-            const std::uint32_t* const particles = &body.mesh->corner_slots().corners[0][span.first + k];
-            const Lanes3 x = gather_rows(moving.positions, particles);
-            const Lanes3 motion = gather_rows(moving.motions, particles);
-            const Lanes3 was = gather_rows(before + body.first, particles);
-            const auto within = hn::And(
-                is_within(x.x, motion.x, was.x, slack),
-                hn::And(is_within(x.y, motion.y, was.y, slack), is_within(x.z, motion.z, was.z, slack)));
-            const auto unused = hn::Not(hn::FirstN(Tag(), span.count - k));
-            all_within = hn::And(all_within, hn::Or(within, unused));
-            longest2 = hn::Max(longest2, hn::IfThenZeroElse(unused, dot(motion, motion)));
-        }
-        changes[p] = {std::sqrt(hn::GetLane(hn::MaxOfLanes(Tag(), longest2))),
-                      hn::AllTrue(Tag(), all_within) ? 0u : 1u};
-    }
-}
-
 }  // namespace
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -297,7 +262,6 @@ namespace weft {
 HWY_EXPORT(place_around);
 HWY_EXPORT(want);
 HWY_EXPORT(place_wanted);
-HWY_EXPORT(changes_of);
 
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     return HWY_DYNAMIC_DISPATCH(place_around)(search, block, boxes);
@@ -309,11 +273,6 @@ bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
 
 void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     HWY_DYNAMIC_DISPATCH(place_wanted)(search, block, boxes);
-}
-
-void find_changes(const PairSearch& search, std::uint32_t block, const Vec4* before, float reach,
-                  PatchChange* changes) {
-    HWY_DYNAMIC_DISPATCH(changes_of)(search, block, before, reach, changes);
 }
 
 }  // namespace weft

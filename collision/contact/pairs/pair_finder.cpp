@@ -31,7 +31,6 @@ void PairFinder::Room::add(const ContactMesh& mesh) {
     edges += mesh.edge_slots().groups();
     neighbours += mesh.flat_rest().pairs();
     blocks += (patches + PatchBlock::most - 1) / PatchBlock::most;
-    looks_again = looks_again || mesh.flat_rest().is_empty();
 }
 
 void PairFinder::lay_out(Scratch& scratch, const Room& room) {
@@ -54,10 +53,6 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     fill_.lay_out(scratch, blocks);
     scratch.take(crossing_room_, blocks * kept_crossings);
     scratch.take(block_crossings_, blocks);
-    const std::size_t kept_blocks = room.looks_again ? blocks : 0;
-    scratch.take(kept_, kept_blocks);
-    scratch.take(kept_reach_, room.looks_again ? room.bodies : 0);
-    scratch.take(changes_, kept_blocks * PatchBlock::most);
     scratch.take(only_, blocks);
 }
 
@@ -95,7 +90,7 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       float of_borders, FullList full) {
     choose(bodies);
     found.clear();
-    search(parallel, search_of(positions, motions.data(), of_borders), found, false, full);
+    search(parallel, search_of(positions, motions.data(), of_borders), found, full);
 }
 
 std::uint16_t PairFinder::marked_patches(std::span<const std::uint8_t> marks, std::uint32_t block) const {
@@ -119,89 +114,32 @@ void PairFinder::find_more(Parallel& parallel, std::span<const ContactBody> bodi
     parallel.blocks(block_count_, [&](std::uint32_t block) { only_[block] = marked_patches(marks, block); });
     PairSearch around_marks = search_of(positions, motions.data(), 1);
     around_marks.only = only_.data();
-    search(parallel, around_marks, list, false, FullList::is_empty);
+    search(parallel, around_marks, list, FullList::is_empty);
 }
 
-bool PairFinder::can_keep(std::span<const ContactBody> bodies) const noexcept {
-    return kept_.size() > 0 && std::ranges::all_of(bodies, [](const ContactBody& body) {
-               return body.mesh->flat_rest().is_empty();
-           });
-}
-
-bool PairFinder::find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
-                                    std::span<const Vec4> positions, std::span<const Vec4> motions,
-                                    PairList& found, float of_borders, FullList full) {
-    const bool keeps = can_keep(bodies);
-    choose(bodies);
-    if (keeps) std::ranges::transform(bodies, kept_reach_.data(), &ContactBody::reach);
-    found.clear();
-    search(parallel, search_of(positions, motions.data(), of_borders), found, keeps, full);
-    return keeps;
-}
-
-void PairFinder::search(Parallel& parallel, const PairSearch& search, PairList& found, bool keeps,
-                        FullList full) {
+void PairFinder::search(Parallel& parallel, const PairSearch& search, PairList& found, FullList full) {
     place(parallel, search);
-    list(parallel, search.positions, found, full, [&](std::uint32_t block, FoundPairs& pairs, bool is_first) {
-        KeptBlock* const kept = keeps && is_first ? &kept_[block] : nullptr;
-        if (kept != nullptr) kept->clear();
-        if (is_calm_[block] == 0) find_pairs(search, block, pairs, kept);
-    });
-}
-
-bool PairFinder::find_patches_beyond(Parallel& parallel, const PairSearch& search,
-                                     std::span<const Vec4> before) {
-    parallel.blocks(block_count_, [&](std::uint32_t block) {
-        PatchChange* const changes = &changes_[std::size_t{block} * PatchBlock::most];
-        find_changes(search, block, before.data(), kept_reach_[blocks_[block].body], changes);
-        std::uint32_t beyond = 0;
-        for (std::uint32_t p = 0; p < blocks_[block].patch_count; ++p) {
-            if (!kept_[block].is_whole()) changes[p].is_beyond = 1;
-            beyond |= changes[p].is_beyond << p;
-        }
-        only_[block] = static_cast<std::uint16_t>(beyond);
-    });
-    return std::ranges::any_of(only_.span().first(block_count_),
-                               [](std::uint16_t bits) { return bits != 0; });
-}
-
-void PairFinder::find_again(Parallel& parallel, std::span<const ContactBody> bodies,
-                            std::span<const Vec4> positions, std::span<const Vec4> motions,
-                            std::span<const Vec4> before, PairList& found) {
-    choose(bodies);
-    PairSearch search = search_of(positions, motions.data(), 1);
-    if (find_patches_beyond(parallel, search, before)) {
-        search.only = only_.data();
-        place(parallel, search);
-    }
-    found.clear();
-    list(parallel, positions.data(), found, FullList::is_empty,
-         [&](std::uint32_t block, FoundPairs& pairs, bool /*is_first*/) {
-             find_pairs_again(search, block, kept_[block], changes_.data(), pairs);
-         });
-}
-
-template <class FindBlock>
-void PairFinder::list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
-                      const FindBlock& find_block) {
-    count_pairs(parallel, static_cast<std::uint32_t>(found.capacity()) - found.size, full, find_block);
+    count_pairs(parallel, search, static_cast<std::uint32_t>(found.capacity()) - found.size, full);
     number(found);
     if (found.overflowed && full == FullList::is_empty) {
         found.size = found.vertex_triangle = 0;
         return;
     }
-    parallel.blocks(block_count_, [&](std::uint32_t block) { write(positions, block, found, find_block); });
+    parallel.blocks(block_count_, [&](std::uint32_t block) { write(search, block, found); });
 }
 
-template <class FindBlock>
-void PairFinder::count_pairs(Parallel& parallel, std::uint32_t capacity, FullList full,
-                             const FindBlock& find_block) {
+void PairFinder::find_block(const PairSearch& search, std::uint32_t block, FoundPairs& pairs) const {
+    if (is_calm_[block] == 0) find_pairs(search, block, pairs);
+}
+
+void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity,
+                             FullList full) {
     fill_.begin(block_count_, capacity, full);
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         FoundPairs pairs = room_of(block);
         pairs.fill = &fill_;
         pairs.block = block;
-        find_block(block, pairs, true);
+        find_block(search, block, pairs);
         block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
     });
 }
@@ -285,9 +223,7 @@ void PairFinder::number(PairList& found) {
     move(found.shapes.data());
 }
 
-template <class FindBlock>
-void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& found,
-                       const FindBlock& find_block) {
+void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {
     const BlockPairs& here = block_pairs_[block];
     const std::span<FeaturePair> vertex_triangle =
         part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
@@ -296,14 +232,14 @@ void PairFinder::write(const Vec4* positions, std::uint32_t block, PairList& fou
     if (vertex_triangle.size() > kept_vertex_triangle || edge_edge.size() > kept_edge_edge) {
         FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
                          {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
-        find_block(block, pairs, false);
+        find_block(search, block, pairs);
     } else {
         const FoundPairs pairs = room_of(block);
         std::copy_n(pairs.vertex_triangle.room.begin(), vertex_triangle.size(), vertex_triangle.begin());
         std::copy_n(pairs.edge_edge.room.begin(), edge_edge.size(), edge_edge.begin());
     }
-    shape_pairs(positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
-    shape_pairs(positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
+    shape_pairs(search.positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
+    shape_pairs(search.positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
 }
 
 }  // namespace weft

@@ -56,22 +56,6 @@ class PairFinder {
     void find_more(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                    std::span<const Vec4> motions, std::span<const std::uint8_t> marks, PairList& list);
 
-    /// find(), and keeps what it looked at until the next such search. Returns whether it did: of meshes
-    /// without FlatRest alone, since many pairs of patches are looked at of these.
-    bool find_to_look_again(Parallel& parallel, std::span<const ContactBody> bodies,
-                            std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                            float of_borders, FullList full = FullList::has_the_first);
-
-    /// find() with other motions and another reach, but of the same bodies at the same positions as the last
-    /// find_to_look_again(), which had motions `before`: lists the same pairs, in another order, or none
-    /// where they are more than there is room for. Where features stay within the boxes they had, it looks
-    /// among what was kept.
-    ///
-    /// Preconditions: that search kept what it looked at, its list did not overflow, and no reach was less
-    /// than it is now.
-    void find_again(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
-                    std::span<const Vec4> motions, std::span<const Vec4> before, PairList& found);
-
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
     /// edge's ends are strictly on different sides of the triangle's plane, and the line through them meets
     /// the triangle. Exact: no rounding adds or hides a crossing. An edge that ends on the triangle or lies
@@ -94,7 +78,6 @@ class PairFinder {
     /// blocks.
     struct Room {
         std::size_t bodies = 0, vertices = 0, triangles = 0, edges = 0, neighbours = 0, blocks = 0;
-        bool looks_again = false;
         void add(const ContactMesh& mesh);
     };
     void lay_out(Scratch& scratch, const Room& room);
@@ -102,24 +85,16 @@ class PairFinder {
     /// A search of the bodies that were chosen.
     [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,
                                        float of_borders) const;
-    [[nodiscard]] bool can_keep(std::span<const ContactBody> bodies) const noexcept;
-    void search(Parallel& parallel, const PairSearch& search, PairList& found, bool keeps, FullList full);
+    void search(Parallel& parallel, const PairSearch& search, PairList& found, FullList full);
     [[nodiscard]] std::uint16_t marked_patches(std::span<const std::uint8_t> marks,
                                                std::uint32_t block) const;
     void place(Parallel& parallel, const PairSearch& search);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
-    /// Adds to the list. find_block(block, pairs, is_first) finds the pairs of a block; once more where it
-    /// has many.
-    template <class FindBlock>
-    void list(Parallel& parallel, const Vec4* positions, PairList& found, FullList full,
-              const FindBlock& find_block);
-    template <class FindBlock>
-    void count_pairs(Parallel& parallel, std::uint32_t capacity, FullList full, const FindBlock& find_block);
+    void find_block(const PairSearch& search, std::uint32_t block, FoundPairs& pairs) const;
+    void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity, FullList full);
     void number(PairList& found);
-    template <class FindBlock>
-    void write(const Vec4* positions, std::uint32_t block, PairList& found, const FindBlock& find_block);
-    /// Returns whether any patch goes beyond.
-    bool find_patches_beyond(Parallel& parallel, const PairSearch& search, std::span<const Vec4> before);
+    /// Adds a block's pairs to the list; they are searched once more where they are many.
+    void write(const PairSearch& search, std::uint32_t block, PairList& found);
 
     std::size_t body_count_ = 0;     // that were chosen
     std::uint32_t block_count_ = 0;  // theirs
@@ -132,10 +107,6 @@ class PairFinder {
     ListFill fill_;
     ScratchArray<Crossing> crossing_room_;
     ScratchArray<std::uint32_t> block_crossings_;
-
-    ScratchArray<KeptBlock> kept_;       // by block; of meshes without FlatRest, as what follows
-    ScratchArray<float> kept_reach_;     // by body
-    ScratchArray<PatchChange> changes_;  // of patches, sixteen to each block
 
     ScratchArray<std::uint16_t> only_;  // by block: see PairSearch::only
 };

@@ -34,23 +34,10 @@ HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairRea
                    placed_box(search, of.corners, of_a, 4, first, reach.half_of_b));
 }
 
-/// Adds the candidates from `first` on, as many as a register has lanes.
-HWY_INLINE void keep(const Candidates& of, std::uint32_t first, Lanes gaps, KeptCandidates& kept) {
-    const std::uint32_t count = std::min(part_lanes, of.count - first);
-    if (kept.count + count > KeptCandidates::most) {
-        kept.count = KeptCandidates::most + 1;
-        return;
-    }
-    for (std::uint32_t c = 0; c < 4; ++c)
-        hn::StoreU(hn::LoadU(IndexTag(), of.corners[c] + first), IndexTag(), kept.corners[c] + kept.count);
-    hn::StoreU(gaps, Tag(), kept.gaps + kept.count);
-    kept.count += count;
-}
-
-/// Passes on, of the candidates, those that come within reach; keeps all, unless `kept` is null.
+/// Passes on, of the candidates, those that come within reach.
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
-                                  Found<FeaturePair>& found, KeptCandidates* kept) {
+                                  Found<FeaturePair>& found) {
     if (found.has_enough()) {
         candidates.count = 0;
         return;
@@ -59,7 +46,6 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& rea
     for (std::uint32_t k = 0; k < candidates.count; k += part_lanes) {
         const ShapeLanes shape =
             shape_of<of_a>(gather_corners(search.positions, search.motions, candidates, k));
-        if (kept != nullptr) keep(candidates, k, shape.gap, *kept);
         const Lanes within = hn::IfThenElse(is_at_border<of_a>(shape.weights),
                                             set(reach.mean * search.of_borders), set(reach.mean));
         auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
@@ -117,7 +103,6 @@ HWY_INLINE IndexMask mask_of(std::uint16_t bits) {
 struct PairCollector {
     const PairSearch& search;
     FoundPairs& found;
-    KeptBlock* kept;
     PairReach reach;  // of the candidates
     Candidates vertex_triangle, edge_edge;
     NearVertices vertices;
@@ -125,19 +110,16 @@ struct PairCollector {
     NearEdges edges, other_edges;
     BoxHits hits;
 
-    HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f, KeptBlock* k)
-        : search(s), found(f), kept(k) {}
+    HWY_INLINE PairCollector(const PairSearch& s, FoundPairs& f) : search(s), found(f) {}
 
     HWY_INLINE void test_vertex_triangle() {
         if (vertex_triangle.count == 0) return;
-        test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle,
-                                             kept != nullptr ? &kept->vertex_triangle : nullptr);
+        test_candidates<vertex_and_triangle>(search, reach, vertex_triangle, found.vertex_triangle);
         found.update_fill();
     }
     HWY_INLINE void test_edge_edge() {
         if (edge_edge.count == 0) return;
-        test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge,
-                                       kept != nullptr ? &kept->edge_edge : nullptr);
+        test_candidates<edge_and_edge>(search, reach, edge_edge, found.edge_edge);
         found.update_fill();
     }
     void test_all() {
@@ -177,27 +159,6 @@ struct PairCollector {
         }
     }
 
-    HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
-        pair(a, b, is_same);
-        if (kept != nullptr) close(a, b);
-    }
-
-    /// What a search before kept of these patches, `too_far` apart before any motion at most.
-    HWY_INLINE void look_again(const KeptCandidates& before, std::uint32_t first, std::uint32_t end,
-                               float too_far, Candidates& to) {
-        const IndexTag d;
-        for (std::uint32_t k = first; k < end; k += part_lanes) {
-            const auto far = hn::Gt(hn::LoadU(Tag(), before.gaps + k), set(too_far));
-            const auto near = hn::AndNot(far, hn::FirstN(Tag(), end - k));
-            if (hn::AllFalse(Tag(), near)) continue;
-            const Kept of_these(hn::RebindMask(d, near));
-            for (std::uint32_t c = 0; c < 4; ++c)
-                hn::StoreU(of_these.of(hn::LoadU(d, before.corners[c] + k)), d, to.corners[c] + to.count);
-            to.count += of_these.count();
-            if (HWY_UNLIKELY(to.count >= Candidates::full)) test_all();
-        }
-    }
-
     /// The next candidates are features of a and of b.
     HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
         const PairReach next(a, b);
@@ -206,8 +167,7 @@ struct PairCollector {
         reach = next;
     }
 
-  private:
-    HWY_INLINE void pair(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
+    HWY_INLINE void visit(const SearchedPatch& a, const SearchedPatch& b, bool is_same) {
         if (found.vertex_triangle.has_enough() && found.edge_edge.has_enough()) return;
         const FeatureBoxes& boxes = *search.boxes;
         const CoarsePlaces places(a.box, b.box);
@@ -231,19 +191,7 @@ struct PairCollector {
         }
     }
 
-    /// All candidates of these patches have been found.
-    HWY_INLINE void close(const SearchedPatch& a, const SearchedPatch& b) {
-        const std::uint32_t vertex_triangles = kept->vertex_triangle.count + vertex_triangle.count;
-        const std::uint32_t edge_edges = kept->edge_edge.count + edge_edge.count;
-        std::uint32_t& count = kept->pairs_of_patches;
-        if (count < KeptBlock::most_pairs_of_patches)
-            kept->patches[count] = {number_of(a), number_of(b), vertex_triangles, edge_edges};
-        ++count;
-    }
-    static std::uint32_t number_of(const SearchedPatch& patch) {
-        return PatchBlock::most * patch.body.first_block + patch.number;
-    }
-
+  private:
     /// The first `of_a` corners are the same in all lanes.
     template <std::uint32_t of_a>
     HWY_INLINE static void append(Candidates& to, IndexMask near, const Indices (&corners)[4]) {
@@ -261,36 +209,10 @@ HWY_INLINE void visit_near_patches(const PairSearch& search, std::uint32_t block
                             HWY_ATTR { collector.visit(a, b, is_same); });
 }
 
-void find(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
+void find(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
     found.update_fill();  // what other blocks have found may be enough
-    PairCollector collector(search, found, kept);
+    PairCollector collector(search, found);
     visit_near_patches(search, block, collector);
-    collector.test_all();
-}
-
-void find_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
-                const PatchChange* changes, FoundPairs& found) {
-    constexpr float with_rounding = 1.001f;
-    found.update_fill();
-    PairCollector collector(search, found, nullptr);
-    KeptBlock::OfPatches from{};
-    const std::uint32_t count = kept.is_whole() ? kept.pairs_of_patches : 0;
-    for (const KeptBlock::OfPatches& patches : std::span(kept.patches).first(count)) {
-        const PatchChange &a = changes[patches.a], &b = changes[patches.b];
-        if ((a.is_beyond | b.is_beyond) == 0) {
-            const auto body_of = [&](std::uint32_t patch) -> const SearchedBody& {
-                return search.bodies[search.blocks[patch / PatchBlock::most].body];
-            };
-            collector.look_for(body_of(patches.a), body_of(patches.b));
-            const float too_far = with_rounding * (collector.reach.mean + a.longest + b.longest);
-            collector.look_again(kept.vertex_triangle, from.end_of_vertex_triangle,
-                                 patches.end_of_vertex_triangle, too_far, collector.vertex_triangle);
-            collector.look_again(kept.edge_edge, from.end_of_edge_edge, patches.end_of_edge_edge, too_far,
-                                 collector.edge_edge);
-        }
-        from = patches;
-    }
-    if (search.only != nullptr) visit_near_patches(search, block, collector);
     collector.test_all();
 }
 
@@ -358,17 +280,11 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(find);
-HWY_EXPORT(find_again);
 HWY_EXPORT(shapes);
 HWY_EXPORT(moving_shapes);
 
-void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept) {
-    HWY_DYNAMIC_DISPATCH(find)(search, block, found, kept);
-}
-
-void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
-                      const PatchChange* changes, FoundPairs& found) {
-    HWY_DYNAMIC_DISPATCH(find_again)(search, block, kept, changes, found);
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
+    HWY_DYNAMIC_DISPATCH(find)(search, block, found);
 }
 
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,

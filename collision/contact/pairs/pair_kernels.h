@@ -95,40 +95,6 @@ struct FoundPairs {
     }
 };
 
-/// Pairs of features of one kind whose boxes overlapped in a search.
-struct KeptCandidates {
-    static constexpr std::uint32_t most = 4096, room = most + 16;
-
-    std::uint32_t corners[4][room];
-    float gaps[room];     ///< along their normals, before any motion [m]
-    std::uint32_t count;  ///< above `most` where there was no room for more
-};
-
-/// All of a block's, those of two patches one after the other.
-struct KeptBlock {
-    struct OfPatches {
-        std::uint32_t a, b;  ///< sixteen to each block of bodies
-        std::uint32_t end_of_vertex_triangle, end_of_edge_edge;
-    };
-    static constexpr std::uint32_t most_pairs_of_patches = 768;
-
-    KeptCandidates vertex_triangle, edge_edge;
-    OfPatches patches[most_pairs_of_patches];
-    std::uint32_t pairs_of_patches;  ///< likewise
-
-    void clear() noexcept { vertex_triangle.count = edge_edge.count = pairs_of_patches = 0; }
-    [[nodiscard]] bool is_whole() const noexcept {
-        return vertex_triangle.count <= KeptCandidates::most && edge_edge.count <= KeptCandidates::most &&
-               pairs_of_patches <= most_pairs_of_patches;
-    }
-};
-
-/// How patches go, beside how they went in a search before.
-struct PatchChange {
-    float longest;            ///< motion [m]
-    std::uint32_t is_beyond;  ///< 1: boxes of features may not be within those of that search
-};
-
 /// Fills the boxes and strains of a block's patches, wants none of their features, and returns its own box.
 /// Features that are not finite, now or after their motion, are in no box.
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
@@ -140,17 +106,8 @@ bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
 /// Fills the boxes of a block's wanted features.
 void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
-/// The pairs of a block with itself and with the blocks after it; `kept`, unless null, has nothing yet and
-/// gets all that was looked at.
-void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found, KeptBlock* kept);
-
-/// Likewise, of what a search before looked at, and `search.only` besides.
-void find_pairs_again(const PairSearch& search, std::uint32_t block, const KeptBlock& kept,
-                      const PatchChange* changes, FoundPairs& found);
-
-/// Of a block's patches; `before`: the motions of the search before, `reach` its reach.
-void find_changes(const PairSearch& search, std::uint32_t block, const Vec4* before, float reach,
-                  PatchChange* changes);
+/// The pairs of a block with itself and with the blocks after it.
+void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found);
 
 /// The edges and triangles that cross, of a block with itself and with the blocks after it.
 void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found);
