@@ -181,6 +181,12 @@ Bounds filled(const HeldInstance& start, const HeldInstance& end, float thicknes
 
 }  // namespace
 
+bool has_jumped(const ColliderMotion& motion, float h) {
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        return sweeping(start, end, {h, motion.fastest}, 0).travel.norm() > motion.fastest * h;
+    });
+}
+
 Bounds filled_by(const ColliderMotion& motion) {
     return with_shapes(
         motion, [&](const auto& start, const auto& end) { return filled(start, end, motion.end.thickness); });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/thin/first_approach.h"
+
 namespace weft {
 
 namespace {
@@ -90,9 +92,7 @@ bool Skewer::take_off(const Triangle& corners, float h, std::span<Vec4> position
     const bool forwards = over_last_ && (!over_first_ || to_last < to_first);
     const float length = std::min(forwards ? to_last : to_first, speed * h);
     const Vector3 way = cores_->in_world({forwards ? length : -length, 0, 0});
-    float yields = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        yields += found->weights[k] * found->weights[k] * positions[corners[k]].w;
+    const float yields = yielding(found->weights, [&](std::size_t k) { return positions[corners[k]].w; });
     if (!(yields > 0)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
         Vec4& position = positions[corners[k]];

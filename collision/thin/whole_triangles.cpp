@@ -102,17 +102,17 @@ struct WholeTriangles::Meeting {
 // Bridson, Fedkiw, Anderson 2002, equation 7 and section 7.3: by masses and weights; friction by Coulomb's
 // law, of positions too, as in collide().
 void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& approach) const {
-    float yields = 0, rubs = 0;
+    const auto inverse_mass = [&](std::size_t k) { return particles.positions[corners[k]].w; };
+    const float yields = yielding(approach.weights, inverse_mass);
+    if (!(yields > 0)) return;
+    float rubs = 0;
     Vector3 velocity = -cores.velocity_at(approach.core);
     for (std::size_t k = 0; k < 3; ++k) {
         const float weight = approach.weights[k];
-        const std::uint32_t i = corners[k];
         if (weight == 0) continue;
-        yields += weight * weight * particles.positions[i].w;
-        velocity += weight * xyz(particles.velocities[i]);
-        rubs += weight * cloth.friction[i];
+        velocity += weight * xyz(particles.velocities[corners[k]]);
+        rubs += weight * cloth.friction[corners[k]];
     }
-    if (!(yields > 0)) return;
     const Vector3 normal = cores.in_world(approach.normal);
     const float along = normal.dot(velocity), arrives = std::max(-along, 0.0f);
     const float taken =

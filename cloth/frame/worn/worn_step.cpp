@@ -65,10 +65,16 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
         if (world.body_stage && world.state.bodies.find(slot.body) != nullptr) return;
         const Collider from =
             carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
-        ColliderMotion& motion = motions.emplace_back(
-            ColliderMotion{blend(from, slot.target, substep.begin()), blend(from, slot.target, substep.end()),
-                           world.settings.max_speed});
+        ColliderMotion& motion =
+            motions.emplace_back(ColliderMotion{from, slot.target, world.settings.max_speed});
         motion.held = world.held_by(slot.target);
+        // What jumps does so as the step begins: half way there nobody expects it.
+        if (!has_jumped(motion, substep.h * static_cast<float>(substep.count))) {
+            motion.start = blend(from, slot.target, substep.begin());
+            motion.end = blend(from, slot.target, substep.end());
+        } else if (!substep.is_first()) {
+            motion.start = slot.target;
+        }
         if (motion.held != nullptr && motion.held->deforms_in(world.state.steps))
             motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
         motion.filled = filled_by(motion);

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "struck_sheet.h"
 
@@ -36,6 +39,43 @@ TEST(FastColliders, PartsOfAStepMeetCollidersOnTheirWay) {
     for (const int substeps : {2, 3})
         for (const int k : {0, 5})
             EXPECT_EQ(strike({Striker::Kind::ball, 50, 0.1f}, 32, phase_of(k), substeps).carried, 1);
+}
+
+/// How far a hung sheet's particles go at most within three steps, in the first of which something jumps
+/// through it, or not [m].
+float moved_by_jump(const Collider& from, const Collider& to, int world_substeps, int cloth_substeps) {
+    World world = World::create({.substeps = world_substeps, .threads = 1}).value();
+    const Mesh mesh = make_sheet({.rows = 17, .columns = 17}).value();
+    const ClothId cloth = world.add_cloth(mesh, {.substeps = cloth_substeps}).value();
+    for (const std::uint32_t corner : {0u, 16u}) EXPECT_TRUE(world.pin(cloth, corner));
+    const ColliderId collider = world.add_collider(from).value();
+    world.step(1.0f / 60);
+    const auto positions = world.cloth(cloth).value().positions;
+    const std::vector<Vec4> were(positions.begin(), positions.end());
+    EXPECT_TRUE(world.move_collider(collider, to));
+    for (int k = 0; k < 3; ++k) world.step(1.0f / 60);
+    float way = 0;
+    for (std::size_t i = 0; i < were.size(); ++i)
+        way = std::max(way, (xyz(world.cloth(cloth).value().positions[i]) - xyz(were[i])).norm());
+    return way;
+}
+
+// Half way, where a step in two halves would have it, it would be in the cloth.
+TEST(FastColliders, WhatJumpsMeetsNothingOnTheWayInAnyNumberOfParts) {
+    const auto at = [](float x) {
+        return std::array<Collider, 3>{
+            Collider{.shape = Sphere{{x, 0, 0}, 0.3f}},
+            Collider{.shape = Capsule{{x, 0, -1}, {x, 0, 1}, 0.2f}},
+            Collider{.shape = Box{.center = {x, 0, 0}, .half_extents = {.3f, .3f, .3f}}}};
+    };
+    for (std::size_t kind = 0; kind < 3; ++kind)
+        for (const int world_substeps : {1, 2, 4})
+            for (const int cloth_substeps : {1, 2}) {
+                const Collider far = at(-400)[kind], beyond = at(400)[kind];
+                EXPECT_EQ(moved_by_jump(far, beyond, world_substeps, cloth_substeps),
+                          moved_by_jump(far, far, world_substeps, cloth_substeps))
+                    << kind << ", " << world_substeps << " x " << cloth_substeps;
+            }
 }
 
 // WEFT_STRIKE_TABLE=1: how often, of 20 phases of the step, the sheet is carried; for MEASUREMENTS.md.

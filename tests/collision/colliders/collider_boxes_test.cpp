@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -184,6 +186,32 @@ TEST(FirstApproach, MissesNoEdgeThatComesIntoTheGap) {
     }
     EXPECT_GT(near, 20);
     EXPECT_GT(far, 40);
+}
+
+TEST(FirstApproach, NoCornerGoesMuchFartherThanWhatIsPushed) {
+    Random random(4);
+    for (int trial = 0; trial < 1000; ++trial) {
+        std::array<float, 3> weights{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+        if (trial % 2 == 0) weights[2] = 0;
+        const float sum = weights[0] + weights[1] + weights[2];
+        std::array<float, 3> masses{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            weights[k] /= sum;
+            masses[k] = trial % 3 == 0 ? 1.0f : std::exp(random.uniform(-9, 9));
+        }
+        if (trial % 5 == 0) masses[static_cast<std::size_t>(trial) % 2] = 0;  // it is pinned
+        const float yields = yielding(weights, [&](std::size_t k) { return masses[k]; });
+        float point = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float share = weights[k] * masses[k] / yields;
+            EXPECT_LT(share, 2.1f);
+            point += weights[k] * share;
+        }
+        EXPECT_LT(point, 1 + 1e-5f);
+        if (trial % 3 == 0 && trial % 5 != 0) {
+            EXPECT_NEAR(point, 1, 1e-5f);
+        }
+    }
 }
 
 }  // namespace
