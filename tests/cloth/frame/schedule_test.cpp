@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "cloth/frame/substep.h"
 #include "engine/platform.h"
 #include "tests/cloth/fixtures.h"
 
@@ -206,6 +207,22 @@ TEST(ManyCloths, MoveAsEachDoesAlone) {
         ASSERT_EQ(actual.size(), expected.size());
         EXPECT_EQ(std::memcmp(actual.data(), expected.data(), actual.size_bytes()), 0) << sides[i];
     }
+}
+
+TEST(Worker, GoesOnInTheScratchOfAGroupBeforeUnlessItsOwnIsLarger) {
+    Parallel parallel(1);
+    std::vector<ColliderMotion> motions;
+    ContactLog log;
+    Worker worker{parallel, motions, log};
+    std::array<std::byte, 4> own{};
+    const auto place_of = [&](std::size_t group, std::size_t bytes) {
+        worker.make_room(&own[group], bytes);
+        return worker.scratch - own.data();
+    };
+    EXPECT_EQ(place_of(0, 100), 0);
+    EXPECT_EQ(place_of(1, 100), 0);
+    EXPECT_EQ(place_of(2, 101), 2);
+    EXPECT_EQ(place_of(3, 50), 2);
 }
 
 }  // namespace
