@@ -23,11 +23,12 @@ class Turn {
         : cosine_(std::cos(2 * angle)), sine_(std::sin(2 * angle)), handedness_(mirrors ? -1 : 1) {}
 
     Tensor operator*(const Tensor& v) const { return rotated({v.x(), v.y(), handedness_ * v.z()}, sine_); }
+    /// Undoes it.
     [[nodiscard]] Tensor back(const Tensor& v) const {
         const Tensor turned = rotated(v, -sine_);
         return {turned.x(), turned.y(), handedness_ * turned.z()};
     }
-    /// Of a cross product of tensors.
+    /// These turn a cross product of two tensors, which a mirror turns over, and turn it back.
     [[nodiscard]] Eigen::Vector3d of_axis(const Eigen::Vector3d& v) const {
         return handedness_ * (*this * v);
     }
@@ -82,6 +83,7 @@ struct Fan {
     double scale = 0;  ///< 1 / norm of its f
 };
 
+/// All fans of a mesh, and where its hinges lie in them.
 struct Fans {
     std::vector<Fan> list;
     std::vector<std::array<HingeEnd, 2>> ends;  ///< of the edges of hinges
