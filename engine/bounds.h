@@ -8,8 +8,10 @@
 
 namespace weft {
 
-inline constexpr float endless = std::numeric_limits<float>::infinity();
-inline constexpr Bounds everywhere{{-endless, -endless, -endless}, {endless, endless, endless}};
+inline constexpr Bounds everywhere = [] {
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    return Bounds{{-endless, -endless, -endless}, {endless, endless, endless}};
+}();
 
 inline Bounds grown(const Bounds& box, float by) {
     const Vector3 margin = Vector3::Constant(by);
@@ -21,7 +23,8 @@ inline Bounds grown(const Bounds& box, float by) {
            b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
-/// Whether no point is in both. What is not a number is clear of nothing.
+/// Two boxes are apart if no point is in both. One with a coordinate that is not a number is apart from none
+/// along that axis.
 [[nodiscard]] inline bool are_apart(const Bounds& a, const Bounds& b) {
     return a.lower.x > b.upper.x || b.lower.x > a.upper.x || a.lower.y > b.upper.y || b.lower.y > a.upper.y ||
            a.lower.z > b.upper.z || b.lower.z > a.upper.z;

@@ -31,19 +31,19 @@ struct Substep {
     bool operator==(const Substep&) const = default;
 };
 
-/// What a thread has to itself while it works on a cloth.
+/// A worker is a thread with what it has to itself while it works on one group of cloths after the other.
 struct Worker {
     Parallel& parallel;                    ///< of all threads, or of this one alone
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
     ContactLog& contacts;                  ///< to be reported
     std::byte* scratch = nullptr;          ///< for the group that it works on
     std::size_t scratch_bytes = 0;
-    /// What the motions are of: colliders of these layers, which no body carries, over this substep.
+    /// The motions are of colliders that have one of these layers and that no body carries, over this
+    /// substep; of a substep of no length while they are of anything else.
     std::uint32_t seen_layers = 0;
     Substep seen_over{0, 0, 0};
 
-    /// Another group's turn: it goes on in the memory of one before, which is in the cache, unless the
-    /// group's own is larger.
+    /// A group lies in the memory of one before it, which is in the cache, unless its own is larger.
     void make_room(std::byte* own, std::size_t bytes) {
         if (bytes <= scratch_bytes) return;
         scratch = own;

@@ -125,8 +125,8 @@ struct Meeting {
 [[nodiscard]] std::optional<Meeting> may_meet(const HeldInstance& start, const HeldInstance& end,
                                               const Pace& pace, const Reach& reach, const BlockPaths& paths);
 
-/// Whether the collider's middle goes faster within h seconds than anything may: then it jumps. A plane, which
-/// has none, never does.
+/// Whether the collider's middle goes faster within h seconds than anything may: then it jumps. A plane,
+/// which has none, never does.
 [[nodiscard]] bool has_jumped(const ColliderMotion& motion, float h);
 
 /// Where a collider may be met, by ColliderMotion::filled: false only where may_meet() has nothing.

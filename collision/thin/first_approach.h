@@ -1,7 +1,6 @@
 #pragma once
 // Where a triangle on its way first comes near a core.
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -29,21 +28,6 @@ struct Kept {
     /// let it out, and to hold it would keep it in.
     bool only_from_outside = false;
 };
-
-/// By how much a point of a triangle gives way to a push that its corners share by weights and inverse
-/// masses. Each corner counts as at most three times as heavy as the lightest: beside a pinned one, or a very
-/// heavy one, a free corner would go by a lever as long as one likes. So none goes farther than twice the
-/// push, and what the others bear is left. 0: no corner that has a weight is free.
-template <class InverseMass>
-[[nodiscard]] float yielding(const std::array<float, 3>& weights, const InverseMass& inverse_mass) {
-    constexpr float least_part = 1.0f / 3;
-    float lightest = 0, yields = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (weights[k] != 0) lightest = std::max(lightest, inverse_mass(k));
-    for (std::size_t k = 0; k < 3; ++k)
-        yields += weights[k] * weights[k] * std::max(inverse_mass(k), least_part * lightest);
-    return lightest > 0 ? yields : 0;
-}
 
 /// Conservative advancement (Mirtich 1996): of an edge against a core that is a segment, or of a triangle
 /// against one that is a point. Nothing where the path keeps to its side of the plane in which the two first

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/thin/first_approach.h"
+#include "collision/thin/yielding.h"
 
 namespace weft {
 

@@ -12,6 +12,7 @@
 #include "collision/thin/cores.h"
 #include "collision/thin/first_approach.h"
 #include "collision/thin/skewer.h"
+#include "collision/thin/yielding.h"
 #include "engine/bounds.h"
 
 namespace weft {

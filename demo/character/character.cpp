@@ -42,8 +42,8 @@ Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& 
     return dress;
 }
 
-/// Whether a point is outside of a ball about the limb's middle that holds the limb. Its radius is at least
-/// half the limb's length and its thicker end's radius together, since (l + r)^2 <= 2 l^2 + 2 r^2.
+/// A point is beyond a limb if it is outside of a ball about the limb's middle that holds all of it. For half
+/// its length l and its greater radius r the ball has sqrt(2 l^2 + 2 r^2), which is at least l + r.
 bool is_beyond(const TaperedCapsule& limb, const Vector3& point) {
     const Vector3 a = to_vector(limb.a), b = to_vector(limb.b);
     const float radius = std::max(limb.radius_a, limb.radius_b);

@@ -51,7 +51,6 @@ ExpectedWay way_of(const Cloth& cloth, float h) {
 
 /// How far the collider pushes what it meets in the box at most [m].
 float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, const Bounds& box) {
-    if (!may_be_near(motion, thickness, {box, 0})) return 0;
     const Reach reach{thickness + motion.end.thickness, 0};
     return with_shapes(motion, [&](const auto& start, const auto& end) {
         if (!may_meet(start, end, pace, reach, BlockPaths{box, 0})) return 0.0f;
@@ -136,7 +135,6 @@ void expect(const Simulation& world, Cloth& cloth, float h) {
         if (slot.target.is_trigger || (slot.target.layers & cloth.settings.collider_mask) == 0) return;
         ColliderMotion motion{slot.current, slot.target, world.settings.max_speed};
         motion.held = world.held_by(slot.target);
-        motion.filled = filled_by(motion);
         push = std::max(push, push_of(motion, {h, world.settings.max_speed}, cloth.settings.thickness,
                                       cloth.expected.box));
     });

@@ -68,7 +68,8 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
         ColliderMotion& motion =
             motions.emplace_back(ColliderMotion{from, slot.target, world.settings.max_speed});
         motion.held = world.held_by(slot.target);
-        // What jumps does so as the step begins: half way there nobody expects it.
+        // A collider that jumps is at its target from the first substep on: half way it would meet what lies
+        // there.
         if (!has_jumped(motion, substep.h * static_cast<float>(substep.count))) {
             motion.start = blend(from, slot.target, substep.begin());
             motion.end = blend(from, slot.target, substep.end());

@@ -88,7 +88,7 @@ struct Fans {
     std::vector<Fan> list;
     std::vector<std::array<HingeEnd, 2>> ends;  ///< of the edges of hinges
 };
-/// Where triangles at a particle share edges by hinges they are one fan.
+/// Triangles at a particle are one fan where hinges join them.
 [[nodiscard]] Fans find_fans(const ClothModel& model, const Bending& bending);
 
 }  // namespace weft

@@ -189,8 +189,8 @@ void Plate::share_out() {
     }
 }
 
-/// What each fan's A gains that is antisymmetric if each edge passes so much from one end to the other: the
-/// sum of f x p, which turns as tensors do.
+/// The twist of a fan is the antisymmetric part that its A gains if each edge passes so much from one end to
+/// the other. It is the sum of f x p, which turns as tensors do.
 Plate::Axes Plate::twist_of(const std::vector<Tensor>& passed) const {
     Axes axes(fans_.size(), Eigen::Vector3d::Zero());
     for (std::size_t h = 0; h < edges_.size(); ++h) {

@@ -203,16 +203,12 @@ struct PairCollector {
     }
 };
 
-HWY_INLINE void visit_near_patches(const PairSearch& search, std::uint32_t block, PairCollector& collector) {
-    for_each_near_patch(search, block,
-                        [&](const SearchedPatch& a, const SearchedPatch& b, bool is_same)
-                            HWY_ATTR { collector.visit(a, b, is_same); });
-}
-
 void find(const PairSearch& search, std::uint32_t block, FoundPairs& found) {
     found.update_fill();  // what other blocks have found may be enough
     PairCollector collector(search, found);
-    visit_near_patches(search, block, collector);
+    for_each_near_patch(search, block,
+                        [&](const SearchedPatch& a, const SearchedPatch& b, bool is_same)
+                            HWY_ATTR { collector.visit(a, b, is_same); });
     collector.test_all();
 }
 

@@ -1,4 +1,4 @@
-// What is passed over since it is far off: by the boxes of colliders, and by planes beside cores.
+// Boxes of colliders and planes beside cores pass over what is far off, and nothing else.
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "collision/colliders/collider_kernels.h"
 #include "collision/shapes/moving_shapes.h"
 #include "collision/thin/first_approach.h"
+#include "collision/thin/yielding.h"
 #include "tests/collision/particle_cloud.h"
 
 namespace weft::test {

@@ -1,0 +1,25 @@
+#pragma once
+// How a push is shared among the corners of a triangle.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace weft {
+
+/// A push moves corner k by weights[k] inverse_mass(k) / yielding(). The masses are the corners' own, but
+/// each counts as at most three times as heavy as the lightest: beside a pinned corner, or a very heavy one,
+/// a free one would go by a lever as long as one likes. So no corner goes farther than twice the push, and
+/// what the heavy ones bear is left. 0: no corner that has a weight is free.
+template <class InverseMass>
+[[nodiscard]] float yielding(const std::array<float, 3>& weights, const InverseMass& inverse_mass) {
+    constexpr float least_part = 1.0f / 3;
+    float lightest = 0, yields = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (weights[k] != 0) lightest = std::max(lightest, inverse_mass(k));
+    for (std::size_t k = 0; k < 3; ++k)
+        yields += weights[k] * weights[k] * std::max(inverse_mass(k), least_part * lightest);
+    return lightest > 0 ? yields : 0;
+}
+
+}  // namespace weft
