@@ -94,7 +94,7 @@ Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& s
 }
 
 Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, const Progress& progress)
-    : model(std::move(cooked)),
+    : model(with_bending_ratio(std::move(cooked), initial.fabric.bending_ratio)),
       settings(initial),
       state(model.particle_count),
       scratch_velocities(model.particle_count),
@@ -147,13 +147,22 @@ bool Cloth::is_second_order(const ClothSettings& of, const Solver& with) const {
 
 /// Null if the present one serves.
 std::unique_ptr<Solver> Cloth::solver_for(const ClothSettings& changed) const {
-    if (solver->serves(changed)) return nullptr;
+    if (solver->serves(changed) && changed.fabric.bending_ratio == settings.fabric.bending_ratio)
+        return nullptr;
     std::unique_ptr<Solver> made = make_solver(model, changed, state.positions.span());
     made->reserve_pins(state.pins.size());
     return made;
 }
 
 void Cloth::apply(const ClothSettings& changed) {
+    if (changed.fabric.bending_ratio == model.bending_ratio) return apply_to_model(changed);
+    ClothModel other = with_bending_ratio(model, changed.fabric.bending_ratio);
+    std::swap(model, other);
+    or_undo([&] { apply_to_model(changed); }, [&] { std::swap(model, other); });
+    bending_per_area = find_bending_per_area(model);
+}
+
+void Cloth::apply_to_model(const ClothSettings& changed) {
     std::unique_ptr<Solver> other_solver = solver_for(changed);
     const Solver& with = other_solver ? *other_solver : *solver;
     const bool second_order = is_second_order(changed, with);
@@ -174,8 +183,9 @@ void Cloth::apply(const ClothSettings& changed) {
     std::optional<RestNeighbours> new_rest_neighbours;
     const float distance = distance_of(self_collision);
     const bool same_method = self_collision.method == settings.self_collision.method;
+    const bool same_springs = changed.fabric.bending_ratio == settings.fabric.bending_ratio;
     if (self_collision.enabled &&
-        (!rest_neighbours || rest_neighbours->distance() != distance || !same_method)) {
+        (!rest_neighbours || rest_neighbours->distance() != distance || !same_method || !same_springs)) {
         Result<RestNeighbours> found = find_rest_neighbours(model, self_collision);
         if (!found) refuse(found.error());
         new_rest_neighbours = std::move(found).value();

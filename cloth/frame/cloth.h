@@ -316,6 +316,8 @@ struct Cloth {
     std::unique_ptr<ShownCloth> shown;  ///< only where steps are taken apart
 
   private:
+    /// For a model with the bending of these settings.
+    void apply_to_model(const ClothSettings& changed);
     bool has_colliders_ = false;
     std::size_t shared_bytes_ = 0;  ///< with all others of one CookedCloth
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "cloth/mesh/ordering.h"
 #include "cloth/mesh/rest/linear_bending.h"
@@ -316,9 +317,27 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
     return {};
 }
 
+/// Stores bending with its weights. `springs` are those of the membrane; of a grid, all.
+void store_bending_among(std::vector<Spring> springs, ClothModel& cloth) {
+    if (cloth.rows > 0) {
+        store_springs(springs, cloth);
+        const std::vector<BendingElement> bending = linear_bending(cloth);
+        cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
+        store_bending(bending, cloth);
+        return;
+    }
+    const VertexBending bending = vertex_bending(cloth);
+    for (const BendingPair& pair : bending.pairs)
+        springs.push_back(make_spring(pair.i, pair.j, SpringKind::bending, pair.length));
+    keep_one_per_pair(springs);
+    store_springs(springs, cloth);
+    cloth.info.bending_elements = bending.elements;
+    store_bending(bending, cloth);
+}
+
 }  // namespace
 
-Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& progress) {
+Result<ClothModel> cook(const Mesh& mesh, float bending_ratio, CookReport* report, const Progress& progress) {
     Result<Topology> built = build_topology(mesh);
     if (!built) return built.error();
     progress.reach(Progress::welded);
@@ -338,6 +357,7 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     cloth.particle_count = topology.particle_count();
     cloth.rows = mesh.rows;
     cloth.columns = mesh.columns;
+    cloth.bending_ratio = bending_ratio;
     cloth.info = make_info(mesh, topology);
     count_springs(springs, cloth.info);
     store_positions(mesh, topology, cloth);
@@ -353,23 +373,22 @@ Result<ClothModel> cook(const Mesh& mesh, CookReport* report, const Progress& pr
     cloth.info.softened_triangles = static_cast<std::uint32_t>(softened.size());
     if (report != nullptr) report->softened = softened;
     progress.reach(Progress::stored);
-    if (is_grid(mesh)) {
-        store_springs(springs, cloth);
-        const std::vector<BendingElement> bending = linear_bending(cloth);
-        cloth.info.bending_elements = static_cast<std::uint32_t>(bending.size());
-        store_bending(bending, cloth);
-    } else {
-        const VertexBending bending = vertex_bending(cloth);
-        for (const BendingPair& pair : bending.pairs)
-            springs.push_back(make_spring(pair.i, pair.j, SpringKind::bending, pair.length));
-        keep_one_per_pair(springs);
-        store_springs(springs, cloth);
-        cloth.info.bending_elements = bending.elements;
-        store_bending(bending, cloth);
-    }
+    store_bending_among(std::move(springs), cloth);
     cloth.fingerprint = fingerprint_of(cloth);
     progress.reach(Progress::modelled);
     return cloth;
+}
+
+ClothModel with_bending_ratio(ClothModel model, float bending_ratio) {
+    if (model.bending_ratio == bending_ratio) return model;
+    model.bending_ratio = bending_ratio;
+    std::vector<Spring> springs;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i)
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e)
+            if (i < model.neighbours[e] && (model.rows > 0 || model.kinds[e] != SpringKind::bending))
+                springs.push_back({i, model.neighbours[e], model.kinds[e], model.rest_lengths[e]});
+    store_bending_among(std::move(springs), model);
+    return model;
 }
 
 std::uint32_t fingerprint_of(const ClothModel& model) {

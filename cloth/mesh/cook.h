@@ -17,6 +17,8 @@ namespace weft {
 /// alone.
 enum class SpringKind : std::uint8_t { structural, shear, bending };
 
+constexpr float least_bending_ratio = 0.01f, greatest_bending_ratio = 100;
+
 /// The rest model of a cloth: copies share all of it. Never changes after cooking, but for maps. Lists are in
 /// compressed rows: those of particle i are [offsets[i], offsets[i + 1]), in ascending order of what they
 /// name, which is the order in which they are summed.
@@ -34,6 +36,7 @@ struct ClothModel {
     SharedBuffer<std::uint32_t> neighbours;
     SharedBuffer<float> rest_lengths;  ///< [m]; the same float at both ends
     SharedBuffer<SpringKind> kinds;
+    float bending_ratio = 1;  ///< Fabric::bending_ratio that `bending` is made for
     /// Linear bending of rigidity 1 N m: the force on i is the sum of weights times (x_j - x_i) [1/m^2].
     SharedBuffer<float> bending;
     /// What bending's diagonal in relaxation has beyond the sum of its weights, so that it bounds half of the
@@ -76,7 +79,10 @@ struct ClothModel {
 
 /// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. `report`, if
 /// there is one, is filled. `progress` is told of the first part of cooking, up to `modelled`.
-[[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, CookReport* report = nullptr,
+[[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, float bending_ratio = 1, CookReport* report = nullptr,
                                       const Progress& progress = {});
+
+/// The model as cooked with that ratio. It shares all lists that do not depend on it.
+[[nodiscard]] ClothModel with_bending_ratio(ClothModel model, float bending_ratio);
 
 }  // namespace weft

@@ -5,7 +5,7 @@
 //      "wind": {"velocity": [6, 0, 1], "gusts": 0.5, "swirl_size": 0.8},
 //      "substeps": 4, "budget": 0,
 //      "material": {"areal_density": 0.12, "warp": 400, "weft": 400, "shear": 100, "bending": 5e-6,
-//                   "damping": 2e-4, "stiffening": 0},
+//                   "damping": 2e-4, "stiffening": 0, "bending_ratio": 1},
 //      "method": "multilevel", "iterations": 3, "cloth_substeps": 1,
 //      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005, "friction":
 //      1}

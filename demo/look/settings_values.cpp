@@ -68,6 +68,7 @@ const std::vector<Number>& fabric_numbers() {
                                          of_fabric("weft", 0, 1e9, &Fabric::weft),
                                          of_fabric("shear", 0, 1e9, &Fabric::shear),
                                          of_fabric("bending", 0, 1e4, &Fabric::bending),
+                                         of_fabric("bending_ratio", 0.01, 100, &Fabric::bending_ratio),
                                          of_fabric("damping", 0, 100, &Fabric::damping),
                                          of_fabric("stiffening", 0, 1000, &Fabric::stiffening)};
     return all;

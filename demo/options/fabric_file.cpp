@@ -24,13 +24,14 @@ struct Field {
 };
 
 // The ranges of settings.h.
-constexpr std::array<Field, 7> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
+constexpr std::array<Field, 8> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
                                        {"warp", &Fabric::warp, 0, 1e9, "N/m"},
                                        {"weft", &Fabric::weft, 0, 1e9, "N/m"},
                                        {"shear", &Fabric::shear, 0, 1e9, "N/m"},
                                        {"bending", &Fabric::bending, 0, 1e4, "N m"},
                                        {"damping", &Fabric::damping, 0, 100, "s"},
-                                       {"stiffening", &Fabric::stiffening, 0, 1000, "per strain"}}};
+                                       {"stiffening", &Fabric::stiffening, 0, 1000, "per strain"},
+                                       {"bending_ratio", &Fabric::bending_ratio, 0.01, 100, "(no unit)"}}};
 
 std::string range_text(const Field& field) {
     return "a number from " + Json(field.least).dump() + " to " + Json(field.most).dump() + " " + field.unit;

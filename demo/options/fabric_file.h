@@ -13,7 +13,7 @@ namespace weft::demo {
 /// Weft's own has the fields of Fabric, in their units; those left out have Fabric's defaults:
 ///
 ///     {"areal_density": 0.2, "warp": 400, "weft": 400, "shear": 100, "bending": 2e-5, "damping": 2e-4,
-///      "stiffening": 0}
+///      "stiffening": 0, "bending_ratio": 1}
 ///
 /// Those of Wang, O'Brien and Ramamoorthi ("Data-Driven Elastic Models for Cloth", SIGGRAPH 2011) have
 /// "density" [kg/m^2], "stretching": six samples of c11, c12, c22, c33 [N/m], and "bending": five curvatures

@@ -89,6 +89,9 @@ bool further_sliders(ClothSettings& settings) {
                       "Stiffness along the columns alone: how little it stretches down.", by_factors);
     changed |= slider("shear", fabric.shear, 2, 3000, "%.0f N/m",
                       "How hard squares become diamonds: low drapes round shapes, high creases.", by_factors);
+    changed |= slider("weft bends", fabric.bending_ratio, 0.05f, 20, "%.2f times warp",
+                      "How hard the columns are to fold, over the rows: at 10 it rolls up one way only.",
+                      by_factors);
     if (can_stiffen(settings))
         changed |= slider("stiffening", fabric.stiffening, 0, 120, fabric.stiffening > 0 ? "%.1f" : "none",
                           "How much stiffer it is when stretched: wovens 2, knits up to 116.", by_factors);

@@ -94,8 +94,9 @@ std::string text_of(const Collider& collider) {
 }
 
 static std::string text_of(const Fabric& f) {
-    return braced("Fabric", {text_of(f.areal_density), text_of(f.warp), text_of(f.weft), text_of(f.shear),
-                             text_of(f.bending), text_of(f.damping), text_of(f.stiffening)});
+    return braced("Fabric",
+                  {text_of(f.areal_density), text_of(f.warp), text_of(f.weft), text_of(f.shear),
+                   text_of(f.bending), text_of(f.bending_ratio), text_of(f.damping), text_of(f.stiffening)});
 }
 static std::string text_of(const FiniteElements& f) {
     return braced("FiniteElements",

@@ -37,7 +37,7 @@ Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& s
         if (const auto valid = validate(settings); !valid) return valid.error();
         const Progress progress(to_host);
         CookReport report;
-        auto model = cook(mesh, &report, progress);
+        auto model = cook(mesh, settings.fabric.bending_ratio, &report, progress);
         if (!model) return model.error();
         if (auto valid = validate_neighbours(*model, settings); !valid) return valid.error();
         CookedCloth cooked(

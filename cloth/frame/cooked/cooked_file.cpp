@@ -29,7 +29,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 8;
+constexpr std::uint32_t cooked_version = 9;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
 struct CookedHead {
@@ -39,7 +39,8 @@ struct CookedHead {
     std::uint32_t has_levels = 0;
     std::uint32_t has_contact_mesh = 0, has_neighbours = 0;
     std::uint32_t has_neighbours_of_features = 0;  ///< those by contact's rule rather than by avoidance's
-    std::array<std::uint32_t, 2> unused{};
+    std::uint32_t bending_ratio = 0;               ///< the float's bits
+    std::uint32_t unused = 0;
     std::uint64_t bytes = 0;  ///< of all
     std::uint64_t hash = 0;   ///< of the head with 0 here, and of all behind it, in pieces
 };
@@ -138,7 +139,9 @@ Result<KeptBytes> keep(const CookedHead& head, KeptBytes saved) {
 bool are_sound(const ClothModel& model) {
     std::uint32_t bits = 0;
     for (const Vec4& p : model.positions) bits |= std::bit_cast<std::uint32_t>(p.w);
-    return bits == 0 && are_from_zero(model.rest_area.span()) && are_from_zero(model.rest_lengths.span()) &&
+    return bits == 0 && model.bending_ratio >= least_bending_ratio &&
+           model.bending_ratio <= greatest_bending_ratio && are_from_zero(model.rest_area.span()) &&
+           are_from_zero(model.rest_lengths.span()) &&
            are_within(model.rest_lengths.span(), 4 * runaway_distance) && are_within(model.bending.span()) &&
            are_within(model.bending_excess.span()) && are_within(numbers_of<float>(model.texcoords)) &&
            are_within(numbers_of<float>(model.positions), runaway_distance) &&
@@ -251,6 +254,7 @@ Result<ReadCloth> read(const CookedHead& head, const KeptBytes& bytes, const Clo
     model.particle_count = head.particles;
     model.rows = head.rows;
     model.columns = head.columns;
+    model.bending_ratio = std::bit_cast<float>(head.bending_ratio);
     std::vector<ClothInfo> info;
     CookReport report;
     for_each_list(model, info, report, reader);
@@ -281,9 +285,12 @@ Result<ReadCloth> read(const CookedHead& head, const KeptBytes& bytes, const Clo
         (neighbours && !neighbours->is_sound(model.particle_count)))
         return not_whole;
     const bool by_features = head.has_neighbours_of_features != 0;
-    if (levels && levels->kind != SystemKind(settings)) levels.reset();
+    const bool has_its_bending = model.bending_ratio == settings.fabric.bending_ratio;
+    if (!has_its_bending) model = with_bending_ratio(std::move(model), settings.fabric.bending_ratio);
+    if (!has_its_bending || (levels && levels->kind != SystemKind(settings))) levels.reset();
     if (!has_features(settings.self_collision)) contact_mesh.reset();
-    if (!settings.self_collision.enabled || has_features(settings.self_collision) != by_features)
+    if (!has_its_bending || !settings.self_collision.enabled ||
+        has_features(settings.self_collision) != by_features)
         neighbours.reset();
     return ReadCloth{std::move(model),
                      std::move(report),
@@ -308,6 +315,7 @@ Result<void> CookedCloth::save(std::span<std::byte> to) const {
         const ClothModel& model = impl_->cloth.model;
         CookedHead head{.particles = model.particle_count, .rows = model.rows, .columns = model.columns};
         const Cloth& cloth = impl_->cloth;
+        head.bending_ratio = std::bit_cast<std::uint32_t>(model.bending_ratio);
         head.has_levels = impl_->levels ? 1 : 0;
         head.has_contact_mesh = cloth.contact_mesh ? 1 : 0;
         head.has_neighbours = cloth.rest_neighbours ? 1 : 0;

@@ -87,7 +87,7 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
     return impl_->change(Call::recut_cloth, id, mesh, from)([&] {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
             Simulation& simulation = impl_->simulation;
-            auto model = cook(mesh);
+            auto model = cook(mesh, cloth.settings.fabric.bending_ratio);
             if (!model) return model.error();
             const auto sources = sources_of(cloth, *model, from);
             if (!sources) return sources.error();

@@ -42,6 +42,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("weft", a.weft, b.weft);
     way("shear", a.shear, b.shear);
     way("bending", a.bending, b.bending);
+    way("bending_ratio", a.bending_ratio, b.bending_ratio);
     way("damping", a.damping, b.damping);
     way("stiffening", a.stiffening, b.stiffening);
 }

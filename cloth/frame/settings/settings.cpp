@@ -114,6 +114,8 @@ void check(Checks& checks, const Fabric& fabric) {
     checks.between("Fabric::weft", fabric.weft, 0, most_stiffness);
     checks.between("Fabric::shear", fabric.shear, 0, most_stiffness);
     checks.between("Fabric::bending", fabric.bending, 0, 1e4f);
+    checks.between("Fabric::bending_ratio", fabric.bending_ratio, least_bending_ratio,
+                   greatest_bending_ratio);
     checks.between("Fabric::damping", fabric.damping, 0, 100);
     checks.between("Fabric::stiffening", fabric.stiffening, 0, 1000);
     // Where the law is steepest: beyond last_stiffening_strain.

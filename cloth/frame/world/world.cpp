@@ -22,7 +22,7 @@ namespace {
 
 Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings& settings) {
     if (const auto valid = validate(settings); !valid) return valid.error();
-    auto cooked = cook(mesh);
+    auto cooked = cook(mesh, settings.fabric.bending_ratio);
     if (!cooked) return cooked.error();
     if (auto valid = validate_neighbours(*cooked, settings); !valid) return valid.error();
     return std::make_unique<Cloth>(std::move(cooked).value(), settings);

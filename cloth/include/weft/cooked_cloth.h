@@ -130,8 +130,8 @@ class WEFT_API CookedCloth {
     /// The bytes may be at any address; they are copied, once. With settings that have the cooking's method
     /// and force model, its Fabric's warp, weft, shear and stiffening, and its SelfCollision, nothing is made
     /// of them but checks; of these, the Fabric's four cost up to a third of cooking where they differ,
-    /// another method or force model most of it. Errors: a setting out of range; what is no such save, of
-    /// another version, cut short or damaged.
+    /// another method, force model or Fabric::bending_ratio most of it. Errors: a setting out of range; what
+    /// is no such save, of another version, cut short or damaged.
     [[nodiscard]] static Result<CookedCloth> load(std::span<const std::byte> saved,
                                                   const ClothSettings& settings = {});
 

@@ -28,11 +28,15 @@ struct Fabric {
     float warp = 400.0f;
     float weft = 400.0f;   ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
     float shear = 100.0f;  ///< in-plane shear stiffness [N/m], 0 to 1e9
-    /// Flexural rigidity: moment per width over curvature [N m], 0 to 1e4. Springs rest flat, whatever shape
-    /// the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt takes no more of it
-    /// than floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked for where
-    /// cells are below 0.2 mm, or for boards.
+    /// Flexural rigidity along the warp: moment per width over curvature [N m], 0 to 1e4. Springs rest flat,
+    /// whatever shape the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt takes
+    /// no more of it than floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked
+    /// for where cells are below 0.2 mm, or for boards.
     float bending = 2e-5f;
+    /// Flexural rigidity along the weft over that along the warp, 0.01 to 100; twist has their geometric
+    /// mean, so that a strip cut at 45 degrees bends by the square of their roots' mean. Where cloth is in a
+    /// World, another value cooks its bending again: some microseconds a particle.
+    float bending_ratio = 1;
     /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear
     /// and bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step
     /// adds its own: of an oscillation at f, backward Euler at h has a loss factor of 2 pi f h, BDF2 of (2 pi

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Dense>
-
 namespace weft {
 
 namespace {
@@ -120,18 +118,14 @@ void FanFinder::walk(std::uint32_t particle, std::size_t first, bool is_closed) 
     const double scale = is_closed ? 2 * std::numbers::pi / fan.angle : 1;
     for (const auto& [hinge, at, before] : met) meet(hinge, particle, scale * at, before);
     if (is_closed) return;
-    // A border bears no moment about itself. One that hardly turns is straight.
-    Eigen::Matrix<double, 3, Eigen::Dynamic> free(3, 0);
+    const auto normal_of = [](double edge) { return Turn(edge) * Tensor(0, 1, 0); };
     if (std::abs(fan.angle - std::numbers::pi) < std::numbers::pi / 6) {
-        free.resize(3, 1);
-        free.col(0) = across((fan.angle - std::numbers::pi) / 2);
+        fan.free.resize(3, 1);
+        fan.free << normal_of((fan.angle - std::numbers::pi) / 2);
     } else {
-        free.resize(3, 2);
-        free.col(0) = across(0);
-        free.col(1) = across(fan.angle);
+        fan.free.resize(3, 2);
+        fan.free << normal_of(0), normal_of(fan.angle);
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> split(free.transpose(), Eigen::ComputeFullV);
-    fan.bears = split.matrixV().rightCols(3 - free.cols());
 }
 
 }  // namespace

@@ -10,10 +10,9 @@
 #include <Eigen/Core>
 
 #include "cloth/mesh/rest/rest_elements.h"
+#include "cloth/mesh/rest/rigidity.h"
 
 namespace weft {
-
-using Tensor = Eigen::Vector3d;  ///< xx, yy, sqrt 2 xy
 
 /// Turn rotates tensors by an angle, and before that may mirror them in the first axis.
 class Turn {
@@ -49,19 +48,14 @@ class Turn {
     double cosine_ = 1, sine_ = 0, handedness_ = 1;
 };
 
-/// n n^T of the normal of an edge at that angle.
-[[nodiscard]] inline Tensor across(double angle) {
-    return Turn(angle) * Tensor(0, 1, 0);
-}
-
 /// HingeEnd is one end of a hinge's edge, in the fan of triangles there.
 struct HingeEnd {
     std::uint32_t fan = Bending::no_hinge;
     Turn to_fan;  ///< of tensors, from the hinge's frame, whose x runs along the edge
 };
 
-/// Orthonormal columns: the moments that a fan can bear.
-using Bearing = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+/// Up to three tensors, its columns.
+using Tensors = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 
 /// A fan is a set of triangles at a particle that share edges there, laid flat.
 struct Fan {
@@ -78,7 +72,9 @@ struct Fan {
     std::vector<Polar> around;
     double angle = 0;  ///< of all its triangles
     bool is_closed = false;
-    Bearing bears = Eigen::Matrix3d::Identity();
+    /// n n^T of the normals of its borders, along which it bears no moment. A border that hardly turns is
+    /// straight.
+    Tensors free = Tensors(3, 0);
     double area = 0;   ///< a third of its triangles' [m^2]
     double scale = 0;  ///< 1 / norm of its f
 };

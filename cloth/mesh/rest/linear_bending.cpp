@@ -23,7 +23,8 @@ class SheetBending {
             for (std::uint32_t column = 0; column < model_.columns; ++column) {
                 const std::uint32_t i = row * model_.columns + column;
                 if (column > 0 && column + 1 < model_.columns) add_thread(i, 1, width(i, row, false));
-                if (row > 0 && row + 1 < model_.rows) add_thread(i, model_.columns, width(i, column, true));
+                if (row > 0 && row + 1 < model_.rows)
+                    add_thread(i, model_.columns, ratio_ * width(i, column, true));
                 if (row + 1 < model_.rows && column + 1 < model_.columns) add_twist(i);
             }
         }
@@ -55,11 +56,13 @@ class SheetBending {
         const std::uint32_t columns = model_.columns;
         const double a = (rest(i, i + 1) + rest(i + columns, i + columns + 1)) / 2;
         const double b = (rest(i, i + columns) + rest(i + 1, i + columns + 1)) / 2;
-        elements_.push_back(
-            {{i, i + 1, i + columns, i + columns + 1}, {1, -1, -1, 1}, static_cast<float>(2 / (a * b))});
+        elements_.push_back({{i, i + 1, i + columns, i + columns + 1},
+                             {1, -1, -1, 1},
+                             static_cast<float>(std::sqrt(ratio_) * 2 / (a * b))});
     }
 
     const ClothModel& model_;
+    const double ratio_ = static_cast<double>(model_.bending_ratio);
     std::vector<BendingElement> elements_;
 };
 
@@ -76,7 +79,7 @@ double hinge_weight(const Hinge& hinge) {
         b += q * at[k].y() * at[k].y() / 2;
         c += q * at[k].x() * at[k].y();
     }
-    return static_cast<double>(hinge.softening) * 1.04 /
+    return static_cast<double>(hinge.rigidity * hinge.softening) * 1.04 /
            std::sqrt(3 * (3 * (a * a + b * b) + 2 * a * b + c * c) / 8);
 }
 

@@ -50,6 +50,7 @@ struct RestSide {
     float length, area, cot_start, cot_end;
     std::uint32_t start, end, apex;  ///< particles
     float factor;                    ///< sliver_factor
+    Eigen::Vector2d warp;            ///< unit: along the side, and from it towards the apex
 };
 
 RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_t corner) {
@@ -57,7 +58,8 @@ RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_
     const std::array<Eigen::Vector2f, 3> at{Eigen::Vector2f::Zero(), sides.to1, sides.to2};
     const std::uint32_t end = (corner + 1) % 3, apex = (corner + 2) % 3;
     const Eigen::Vector2f side = at[end] - at[corner], to_apex = at[apex] - at[corner];
-    const float twice_area = std::abs(side.x() * to_apex.y() - side.y() * to_apex.x());
+    const float turn = side.x() * to_apex.y() - side.y() * to_apex.x(), twice_area = std::abs(turn);
+    const Eigen::Vector2d along = side.cast<double>().normalized();
     const Triangle& particles = model.triangles[triangle];
     return {.length = side.norm(),
             .area = 0.5f * twice_area,
@@ -66,13 +68,23 @@ RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_
             .start = particles[corner],
             .end = particles[end],
             .apex = particles[apex],
-            .factor = static_cast<float>(sliver_factor(sides))};
+            .factor = static_cast<float>(sliver_factor(sides)),
+            .warp = {along.x(), turn > 0 ? -along.y() : along.y()}};
+}
+
+/// The fabric's rigidity at a hinge, whose x runs along the first triangle's side: the mean over both.
+Rigidity rigidity_at(const RestSide& a, const RestSide& b, float ratio) {
+    // The second apex is on the other side, and the second side runs back or along.
+    const double turned = a.start == b.end ? 1 : -1;
+    const auto about = [&](const Eigen::Vector2d& warp) {
+        return rigidity_about(warp, static_cast<double>(ratio));
+    };
+    const double one = static_cast<double>(a.area), other = static_cast<double>(b.area);
+    return (one * about(a.warp) + other * about({b.warp.x(), turned * b.warp.y()})) / (one + other);
 }
 
 /// Where two triangles are wound against each other the second is seen from behind.
-Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const TriangleSide& other) {
-    const RestSide a = rest_side(model, one.triangle, one.corner);
-    const RestSide b = rest_side(model, other.triangle, other.corner);
+Hinge make_hinge(const ClothModel& model, const RestSide& a, const RestSide& b, double rigidity) {
     const bool agree = a.start == b.end;
     const float b_at_start = agree ? b.cot_end : b.cot_start, b_at_end = agree ? b.cot_start : b.cot_end;
     const float length = 0.5f * (a.length + b.length);
@@ -83,9 +95,10 @@ Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const Triangl
                 .length = length,
                 .least_height = 2 * std::min(a.area, b.area) / length,
                 .angle = 0,
+                .rigidity = static_cast<float>(rigidity),
                 .weight = 1 / (a.area + b.area),
                 .softening = std::min(a.factor, b.factor)};
-    hinge.weight *= hinge.softening;
+    hinge.weight *= hinge.softening * hinge.rigidity;
     if (model.panel_sides.empty()) {
         std::array<Vector3, 4> x;
         std::ranges::transform(hinge.particles, x.begin(),
@@ -95,17 +108,34 @@ Hinge make_hinge(const ClothModel& model, const TriangleSide& one, const Triangl
     return hinge;
 }
 
+/// m m^T : D n n^T of the normals of a triangle's two sides at a corner. These enclose the angle that the
+/// sides do.
+float coupling_at(const ClothModel& model, std::uint32_t triangle, std::uint32_t corner,
+                  const RestSide& side) {
+    if (model.bending_ratio == 1) {
+        const float squared = side.cot_start * side.cot_start;
+        return squared / (1 + squared);
+    }
+    const auto normal_of = [&](std::uint32_t from) {
+        const Eigen::Vector2d warp = rest_side(model, triangle, from).warp;
+        return squared({-warp.y(), warp.x()});
+    };
+    const Rigidity rigidity =
+        rigidity_about(Eigen::Vector2d::UnitX(), static_cast<double>(model.bending_ratio));
+    return static_cast<float>(normal_of(corner).dot(rigidity * normal_of((corner + 2) % 3)));
+}
+
 /// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
 void append_pairs(const ClothModel& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
                   Bending& bending) {
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t one = of_sides[k], other = of_sides[(k + 2) % 3];
         if (one == Bending::no_hinge || other == Bending::no_hinge) continue;
-        // Both sides meet at corner k; their normals enclose the angle that they do.
+        // Both sides meet at corner k.
         const RestSide side = rest_side(model, triangle, k);
-        const float squared = side.cot_start * side.cot_start;
-        const float share = side.area * bending.hinges[one].weight * bending.hinges[other].weight;
-        bending.pairs.push_back({one, other, squared / (1 + squared) * share});
+        const auto weight_of = [&](const Hinge& hinge) { return hinge.weight / hinge.rigidity; };
+        const float share = side.area * weight_of(bending.hinges[one]) * weight_of(bending.hinges[other]);
+        bending.pairs.push_back({one, other, coupling_at(model, triangle, k, side) * share});
     }
 }
 
@@ -155,7 +185,12 @@ Bending bending_elements(const ClothModel& model) {
         for (const TriangleSide& side : {one, other})
             result.of_sides[3 * std::size_t{side.triangle} + side.corner] =
                 static_cast<std::uint32_t>(result.hinges.size());
-        result.hinges.push_back(make_hinge(model, one, other));
+        const RestSide a = rest_side(model, one.triangle, one.corner),
+                       b = rest_side(model, other.triangle, other.corner);
+        double across = 1;
+        if (model.bending_ratio != 1)
+            across = result.rigidities.emplace_back(rigidity_at(a, b, model.bending_ratio))(1, 1);
+        result.hinges.push_back(make_hinge(model, a, b, across));
     }
     for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
         append_pairs(model, t, std::span(std::as_const(result.of_sides)).subspan(3 * std::size_t{t}, 3),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/mesh/cook.h"
+#include "cloth/mesh/rest/rigidity.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -38,6 +39,7 @@ struct Hinge {
     float length;               ///< of the edge, mean of both panels' [m]
     float least_height;         ///< of the two triangles over the edge, about [m]
     float angle;                ///< at rest; 0 on a flat pattern
+    float rigidity;             ///< of the fabric across the edge, over that along its warp
     float weight;               ///< see Bending; of slivers less, by `softening`
     float softening;            ///< the lesser sliver_factor of the two triangles
 };
@@ -53,11 +55,13 @@ struct Hinge {
 ///     B/2 ( sum_e w_e phi_e^2 + 2 sum_ef w_ef phi_e phi_f )
 ///     w_e = 1 / (A + A'),   w_ef = A (m_e . m_f)^2 w_e w_f
 ///
-/// over hinges e and pairs of them in one triangle. Equilateral meshes bend to any cylinder as the plate
-/// does, grids of right triangles to those along their threads (to diagonal ones half as stiff again);
-/// irregular meshes are too stiff, by a part that goes with the square of their irregularity. Hinges by
-/// themselves (w_ef = 0) make a grid with chessboard diagonals a sixth too soft along its threads, because
-/// its particles of four and of eight neighbours give way between one another.
+/// over hinges e and pairs of them in one triangle. With a rigidity B D, see rigidity.h, w_e is multiplied by
+/// m m^T : D m m^T, the mean of both triangles', and (m_e . m_f)^2 becomes m_e m_e^T : D m_f m_f^T.
+/// Equilateral meshes bend to any cylinder as the plate does, grids of right triangles to those along their
+/// threads (to diagonal ones half as stiff again); irregular meshes are too stiff, by a part that goes with
+/// the square of their irregularity. Hinges by themselves (w_ef = 0) make a grid with chessboard diagonals a
+/// sixth too soft along its threads, because its particles of four and of eight neighbours give way between
+/// one another.
 struct HingePair {
     std::uint32_t first, second;
     float weight;
@@ -66,6 +70,7 @@ struct Bending {
     static constexpr std::uint32_t no_hinge = ~0u;
 
     std::vector<Hinge> hinges;            ///< in ascending order of their edges
+    std::vector<Rigidity> rigidities;     ///< of hinges, whose x runs along the edge; none where all are 1
     std::vector<HingePair> pairs;         ///< by triangles
     std::vector<std::uint32_t> of_sides;  ///< [3 triangle + side]: its hinge, or no_hinge at a border
 };

@@ -21,6 +21,7 @@ constexpr std::uint32_t none = Bending::no_hinge;
 struct SharedEdge {
     std::array<HingeEnd, 2> ends;
     std::array<Tensor, 2> shares{Tensor::Zero(), Tensor::Zero()};  ///< p of each end, in the hinge's frame
+    Tensor whole{0, 1, 0};                                         ///< n n^T, of which both have a share
     Tensor f = Tensor::Zero();                                     ///< in the hinge's frame
     Tensor passed = Tensor::Zero();  ///< from the second end's share to the first's
     std::uint32_t exchange = none;   ///< at a border, in Plate::exchanges_: what both ends can bear
@@ -117,6 +118,8 @@ class Plate {
         edges_.resize(bending_.hinges.size());
         for (std::size_t h = 0; h < edges_.size(); ++h) edges_[h].ends = found.ends[h];
         for (std::size_t h = 0; h < edges_.size(); ++h) edges_[h].f = curvature_of(bending_.hinges[h]);
+        if (!bending_.rigidities.empty()) weight_by_rigidity();
+        find_bearings();
         share_out();
         balance();
         return sum_up();
@@ -133,18 +136,20 @@ class Plate {
         }
         return f;
     }
+    void weight_by_rigidity();
+    void find_bearings();
     void share_out();
     void balance();
-    std::uint32_t find_elements(const Fan& fan, ElementsOfFan& c) const;
+    std::uint32_t find_elements(std::size_t of, ElementsOfFan& c) const;
     [[nodiscard]] VertexBending sum_up() const;
 
-    static bool bears_all(const Fan& fan) { return fan.bears.cols() == 3; }
-    /// Projects the axis of an antisymmetric tensor onto the moments that the fan can bear.
-    static Eigen::Vector3d within(const Fan& fan, const Eigen::Vector3d& axis) {
-        if (bears_all(fan)) return axis;
-        if (fan.bears.cols() < 2) return Eigen::Vector3d::Zero();
-        const Eigen::Vector3d normal =
-            Eigen::Vector3d(fan.bears.col(0)).cross(Eigen::Vector3d(fan.bears.col(1)));
+    static bool bears_all(const Fan& fan) { return fan.free.cols() == 0; }
+    /// Projects the axis of an antisymmetric tensor onto the moments that a fan can bear.
+    [[nodiscard]] Eigen::Vector3d within(std::size_t fan, const Eigen::Vector3d& axis) const {
+        const Tensors& bears = bearings_[fan];
+        if (bears.cols() == 3) return axis;
+        if (bears.cols() < 2) return Eigen::Vector3d::Zero();
+        const Eigen::Vector3d normal = Tensor(bears.col(0)).cross(Tensor(bears.col(1)));
         return normal.dot(axis) * normal;
     }
     using Axes = std::vector<Eigen::Vector3d>;
@@ -156,25 +161,60 @@ class Plate {
     std::vector<SharedEdge> edges_;
     std::vector<Eigen::Matrix3d> exchanges_;
     std::vector<Fan> fans_;
+    std::vector<Tensors> bearings_;  // of fans: orthonormal, the moments that one can bear
 };
+
+/// From here on curvatures are D^1/2 K, and moments D^-1/2 M, by the mean D of the hinges at a fan.
+void Plate::weight_by_rigidity() {
+    const auto root_of = [](const Rigidity& d) {
+        return Eigen::SelfAdjointEigenSolver<Rigidity>(d).operatorSqrt();
+    };
+    for (std::size_t h = 0; h < edges_.size(); ++h) {
+        const Rigidity root = root_of(bending_.rigidities[h]);
+        edges_[h].whole = root * edges_[h].whole;
+        edges_[h].f = root.inverse() * edges_[h].f;
+    }
+    for (Fan& fan : fans_) {
+        if (bears_all(fan) || fan.ends.empty()) continue;
+        Rigidity sum = Rigidity::Zero();
+        for (const auto& [hinge, end] : fan.ends) {
+            const Eigen::Matrix3d to_fan = edges_[hinge].ends[end].to_fan.matrix();
+            sum += to_fan * bending_.rigidities[hinge] * to_fan.transpose();
+        }
+        fan.free = root_of(sum / static_cast<double>(fan.ends.size())) * fan.free;
+    }
+}
+
+/// A fan bears the moments that are normal to n n^T of its borders.
+void Plate::find_bearings() {
+    bearings_.reserve(fans_.size());
+    for (const Fan& fan : fans_) {
+        if (bears_all(fan)) {
+            bearings_.push_back(Eigen::Matrix3d::Identity());
+            continue;
+        }
+        const Eigen::JacobiSVD<Eigen::MatrixXd> split(fan.free.transpose(), Eigen::ComputeFullV);
+        bearings_.push_back(split.matrixV().rightCols(3 - fan.free.cols()));
+    }
+}
 
 /// Each edge's n n^T by halves, but where one end cannot bear its half, by what the other can.
 void Plate::share_out() {
-    const Tensor all(0, 1, 0);
     for (SharedEdge& edge : edges_) {
+        const Tensor& whole = edge.whole;
         if (std::ranges::all_of(edge.ends, [&](const HingeEnd& end) { return bears_all(fans_[end.fan]); })) {
-            edge.shares = {0.5 * all, 0.5 * all};
+            edge.shares = {0.5 * whole, 0.5 * whole};
             continue;
         }
         std::array<Eigen::Matrix3d, 2> bears;
         for (std::size_t k = 0; k < 2; ++k) {
             const HingeEnd& end = edge.ends[k];
-            const Bearing& of_fan = fans_[end.fan].bears;
+            const Tensors& of_fan = bearings_[end.fan];
             const Eigen::Matrix3d to_fan = end.to_fan.matrix();
             bears[k] = to_fan.transpose() * (of_fan * of_fan.transpose()) * to_fan;
         }
         for (std::size_t k = 0; k < 2; ++k)
-            edge.shares[k] = bears[k] * (0.5 * all + 0.5 * (all - bears[1 - k] * all));
+            edge.shares[k] = bears[k] * (0.5 * whole + 0.5 * (whole - bears[1 - k] * whole));
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> both(bears[0] + bears[1]);
         edge.exchange = static_cast<std::uint32_t>(exchanges_.size());
         Eigen::Matrix3d& exchange = exchanges_.emplace_back(Eigen::Matrix3d::Zero());
@@ -199,14 +239,14 @@ Plate::Axes Plate::twist_of(const std::vector<Tensor>& passed) const {
         axes[first.fan] += first.to_fan.of_axis(axis);
         axes[second.fan] -= second.to_fan.of_axis(axis);
     }
-    for (std::size_t n = 0; n < fans_.size(); ++n) axes[n] = fans_[n].scale * within(fans_[n], axes[n]);
+    for (std::size_t n = 0; n < fans_.size(); ++n) axes[n] = fans_[n].scale * within(n, axes[n]);
     return axes;
 }
 
 /// The transpose of twist_of().
 std::vector<Tensor> Plate::pull_back(const Axes& axes) const {
     Axes of_fans(fans_.size());
-    for (std::size_t n = 0; n < fans_.size(); ++n) of_fans[n] = fans_[n].scale * within(fans_[n], axes[n]);
+    for (std::size_t n = 0; n < fans_.size(); ++n) of_fans[n] = fans_[n].scale * within(n, axes[n]);
     std::vector<Tensor> passed(edges_.size());
     for (std::size_t h = 0; h < edges_.size(); ++h) {
         const auto& [first, second] = edges_[h].ends;
@@ -235,7 +275,7 @@ void Plate::balance() {
             const SharedEdge& edge = edges_[hinge];
             sum -= edge.ends[end].to_fan.of_axis(edge.f.cross(edge.shares[end]));
         }
-        left[n] = fans_[n].scale * within(fans_[n], sum);
+        left[n] = fans_[n].scale * within(n, sum);
     }
     std::vector<Tensor> slope = pull_back(left), direction = slope;
     double size = squares_of(slope);
@@ -260,10 +300,11 @@ void Plate::balance() {
 }
 
 /// The c_i of up to three elements, and how many these are; those of others are 0.
-std::uint32_t Plate::find_elements(const Fan& fan, ElementsOfFan& c) const {
+std::uint32_t Plate::find_elements(std::size_t of, ElementsOfFan& c) const {
+    const Fan& fan = fans_[of];
     constexpr double least = 0.05;  // eigenvalue of A, of the fan's area: else its inverse is too stiff
     c.assign(fan.around.size() + 1, Eigen::Vector3d::Zero());
-    const Eigen::Matrix3d bears = fan.bears * fan.bears.transpose();
+    const Eigen::Matrix3d bears = bearings_[of] * bearings_[of].transpose();
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
     for (const auto& [hinge, end] : fan.ends) {
         const SharedEdge& edge = edges_[hinge];
@@ -296,9 +337,9 @@ VertexBending Plate::sum_up() const {
     VertexBending result;
     PairSums sums(model_.particle_count);
     ElementsOfFan c;
-    for (const Fan& fan : fans_) {
-        const std::uint32_t elements = find_elements(fan, c);
-        if (elements > 0) sums.add(fan, c);
+    for (std::size_t n = 0; n < fans_.size(); ++n) {
+        const std::uint32_t elements = find_elements(n, c);
+        if (elements > 0) sums.add(fans_[n], c);
         result.elements += elements;
     }
     result.pairs = sums.pairs();

@@ -24,6 +24,11 @@ std::vector<Kind> kinds() {
             .enabled = true, .dihedral = dihedral, .consistent_mass = consistent_mass};
         return settings;
     };
+    const auto stiff_weft = [](ClothSettings settings) {
+        settings.fabric.bending_ratio = 30;
+        settings.fabric.bending = 1e-3f;
+        return settings;
+    };
     ClothSettings jacobi;
     jacobi.method = Jacobi{};
     return {{"springs", {}},
@@ -31,7 +36,9 @@ std::vector<Kind> kinds() {
             {"quadratic", elements(1e-3f, false, false)},
             {"dihedral", elements(1e-3f, true, false)},
             {"consistent mass", elements(1e-3f, false, true)},
-            {"membrane only", elements(0, false, false)}};
+            {"membrane only", elements(0, false, false)},
+            {"stiff weft", stiff_weft({})},
+            {"stiff weft of elements", stiff_weft(elements(1e-3f, false, false))}};
 }
 
 /// Where a sheet that starts curved and hangs by two corners is after some steps.

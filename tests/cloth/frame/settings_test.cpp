@@ -38,6 +38,7 @@ std::vector<Knob> knobs() {
         {"Fabric::shear", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.shear; }},
         {"Fabric::weft", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.weft; }},
         {"Fabric::bending", 0, 1e4f, [](S& s) -> float& { return s.cloth.fabric.bending; }},
+        {"Fabric::bending_ratio", 0.01f, 100, [](S& s) -> float& { return s.cloth.fabric.bending_ratio; }},
         {"Fabric::damping", 0, 100, [](S& s) -> float& { return s.cloth.fabric.damping; }},
         // Of the default's stiffness; only what stretches honours it.
         {"Fabric::stiffening", 0, 1000, [](S& s) -> float& { return s.cloth.fabric.stiffening; }},

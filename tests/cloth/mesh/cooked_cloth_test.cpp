@@ -69,6 +69,11 @@ std::vector<CookedKind> cooked_kinds() {
     });
     add("Sleep", [](ClothSettings& s) { s.sleep_speed = 1e-3f; });
     add("Stiffening", [](ClothSettings& s) { s.fabric.stiffening = 100; });
+    add("BendingRatio", [](ClothSettings& s) { s.fabric.bending_ratio = 4; });
+    add("BendingRatioAvoidance", [](ClothSettings& s) {
+        s.fabric.bending_ratio = 0.3f;
+        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    });
     add("Elements", [](ClothSettings& s) { s.finite_elements.enabled = true; });
     add("Dihedral", [](ClothSettings& s) {
         s.finite_elements = {.enabled = true, .dihedral = true, .consistent_mass = true};
@@ -224,7 +229,7 @@ TEST_P(CookedCase, TakesOtherSettingsThanThoseOfItsCooking) {
     const CookedCloth cooked = CookedCloth::create(mesh(0.6f), GetParam().settings).value();
     std::vector<std::byte> bytes(cooked.save_size());
     ASSERT_TRUE(cooked.save(bytes));
-    std::vector<ClothSettings> others(6, GetParam().settings);
+    std::vector<ClothSettings> others(7, GetParam().settings);
     others[0].fabric.warp *= 3;
     if (others[0].fabric.stiffening > 0) others[0].fabric.stiffening *= 2;
     others[0].fabric.areal_density *= 2;
@@ -234,6 +239,7 @@ TEST_P(CookedCase, TakesOtherSettingsThanThoseOfItsCooking) {
     if (others[3].self_collision.enabled) others[3].self_collision.distance = 0.03f;
     others[4].self_collision = {.enabled = true};
     others[5].self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    others[6].fabric.bending_ratio *= 5;
     for (const ClothSettings& settings : others) {
         World by_mesh = windy_world(), read = windy_world();
         ASSERT_TRUE(by_mesh.add_cloth(mesh(0.6f), settings));

@@ -30,8 +30,8 @@ constexpr int lines_of() {
                                    SelfCollision& e, ClothSettings& f, AirSource& g, Wind& h,
                                    WorldSettings& i, BodySettings& j, BodyState& k, ClothReport& l,
                                    StepReport& m, ClothInfo& n, ShapeInfo& o) {
-    [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7] = a;
-    static_assert(lines_of<Fabric>() == 7);
+    [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7, a8] = a;
+    static_assert(lines_of<Fabric>() == 8);
     [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
     static_assert(lines_of<FiniteElements>() == 4);
     [[maybe_unused]] auto& [c1, c2] = c;

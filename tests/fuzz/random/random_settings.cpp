@@ -90,6 +90,7 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.fabric.weft,
                              &s.fabric.shear,
                              &s.fabric.bending,
+                             &s.fabric.bending_ratio,
                              &s.fabric.damping,
                              &s.fabric.stiffening,
                              &s.finite_elements.poisson,
@@ -314,6 +315,7 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     const bool stiffens = !is_positional(s.method) && !s.finite_elements.enabled;
     if (random.chance(0.3) && (stiffens || fields.odd_choice()))
         s.fabric.stiffening = std::min(fields.positive(0.1f, 100), 1000.0f);
+    if (random.chance(0.2)) s.fabric.bending_ratio = std::exp2(random.between(-6, 6));
     s.air_damping = fields.zero_or_more(1e-2f, 20);
     s.thickness = fields.zero_or_more(1e-4f, 0.1f);
     s.friction = fields.zero_or_more(1e-2f, 2);

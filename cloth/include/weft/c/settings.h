@@ -12,7 +12,7 @@ extern "C" {
 typedef struct WeftFabric {
     float areal_density;
     float warp, weft, shear;
-    float bending;
+    float bending, bending_ratio;
     float damping;
     float stiffening;
 } WeftFabric;
