@@ -29,7 +29,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Another number for each change of what follows, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 8;
+constexpr std::uint32_t cooked_version = 9;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
 struct CookedHead {
@@ -45,7 +45,7 @@ struct CookedHead {
 };
 static_assert(std::has_unique_object_representations_v<CookedHead>);
 static_assert(sizeof(CookedHead) == memory_alignment, "lists begin behind it");
-static_assert(sizeof(ClothInfo) == 88, "without padding");
+static_assert(sizeof(ClothInfo) == 96, "without padding");
 
 /// visit(list) for each list of the model and the report; `Info` is of one item.
 template <class Model, class Info, class Report, class Visit>
