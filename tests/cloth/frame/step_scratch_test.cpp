@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "tests/must.h"
@@ -73,7 +74,16 @@ ClothId add(Simulation& world, const Mesh& mesh, const ClothSettings& settings) 
     return world.add(std::move(cloth));
 }
 
-TEST(StepScratch, MayHoldAnything) {
+class StepScratchOn : public testing::TestWithParam<std::int64_t> {
+  protected:
+    void SetUp() override { hwy::SetSupportedTargetsForTest(GetParam()); }
+    void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
+};
+INSTANTIATE_TEST_SUITE_P(Targets, StepScratchOn, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
+                         [](const auto& info) { return std::string(hwy::TargetName(info.param)); });
+
+// Narrow vectors leave more lanes of a last group unwritten.
+TEST_P(StepScratchOn, MayHoldAnything) {
     for (const Kind& kind : kinds()) {
         for (const Mesh& mesh : meshes()) {
             SCOPED_TRACE(kind.name + ", " + std::to_string(mesh.positions.size()));
